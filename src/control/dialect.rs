@@ -1,0 +1,261 @@
+//! What differs from control to control: the presets and their switches.
+//!
+//! In: the choices of a setup. Out: a [`Dialect`] with every switch decided. Each switch says where controls
+//! differ; the default stands first in its list. Knows nothing of blocks.
+
+use serde::Deserialize;
+
+/// A family of controls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Control {
+    /// FANUC 0i-T and its kin, G-code system A.
+    #[default]
+    Fanuc,
+    /// GSK 980TD.
+    Gsk,
+    /// The teaching dialect of seed 003: FANUC with P and Q in millimetres.
+    Forum,
+}
+
+impl Control {
+    /// All presets, in the order they are offered.
+    pub const ALL: [Control; 3] = [Self::Fanuc, Self::Gsk, Self::Forum];
+
+    /// The name in a setup and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fanuc => "fanuc",
+            Self::Gsk => "gsk",
+            Self::Forum => "forum",
+        }
+    }
+}
+
+/// Unit of the feed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum FeedMode {
+    /// Millimetres (inches) a minute.
+    #[serde(rename = "G98")]
+    PerMinute,
+    /// Millimetres (inches) a turn.
+    #[serde(rename = "G99")]
+    PerTurn,
+}
+
+/// G-code system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum GSystem {
+    /// G90 G92 G94 are the single cycles.
+    A,
+    /// G77 G78 G79 are.
+    B,
+    /// G20 G21 G24 are.
+    C,
+}
+
+/// What a number without a decimal point counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum DecimalRule {
+    /// `X10` is 10 mm (FANUC parameter 3401#0 set).
+    Calculator,
+    /// `X10` is 0.010 mm (0.0010 inch).
+    LeastIncrement,
+}
+
+/// Unit of P and Q in G74, G75 and G76.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum PqUnit {
+    /// Micrometres unless the numbers only make sense as millimetres.
+    Auto,
+    /// Micrometres.
+    Um,
+    /// Millimetres.
+    Mm,
+}
+
+/// Which of X and U counts when both stand in one block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum XuConflict {
+    /// The one written last (FANUC).
+    Last,
+    /// The absolute one (GSK).
+    Absolute,
+}
+
+/// What a negative R does on an arc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum NegativeArcR {
+    /// The arc of more than 180°.
+    Over180,
+    /// An alarm (16/18-T).
+    Alarm,
+}
+
+/// Kind of the 45° escape of G71.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum G71Retract {
+    /// Rapid (FANUC).
+    Rapid,
+    /// At feed (GSK).
+    Feed,
+}
+
+/// Into how many steps G73 divides its total relief.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub enum G73Intervals {
+    /// One fewer than passes.
+    #[serde(rename = "d-1")]
+    OneFewer,
+    /// As many as passes.
+    #[serde(rename = "d")]
+    Same,
+}
+
+/// How G76 keeps its smallest depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum G76Clamp {
+    /// From the depth before.
+    Prev,
+    /// From the root formula.
+    Sqrt,
+}
+
+/// What the letter I means in G92.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum IInG92 {
+    /// The taper, an older spelling of R (FANUC).
+    Taper,
+    /// Threads an inch (GSK).
+    Tpi,
+}
+
+/// Whether X in polar interpolation is a diameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum PolarX {
+    /// A diameter (0i-T).
+    Diameter,
+    /// A radius (15i).
+    Radius,
+}
+
+/// The switches as a setup gives them: what is not said follows the control.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct DialectChoice {
+    /// Preset of all other rows.
+    pub control: Control,
+    /// G-code system.
+    pub g_system: Option<GSystem>,
+    /// Numbers without a point.
+    pub decimal: Option<DecimalRule>,
+    /// Unit of P and Q.
+    pub pq_unit: Option<PqUnit>,
+    /// Feed unit after power-on.
+    pub power_on_feed: Option<FeedMode>,
+    /// Feed unit this program starts in; goes before `powerOnFeed`.
+    pub feed_mode: Option<FeedMode>,
+    /// X with U, Z with W.
+    pub xu_conflict: Option<XuConflict>,
+    /// Negative arc R.
+    pub negative_arc_r: Option<NegativeArcR>,
+    /// G71 escape.
+    pub g71_retract: Option<G71Retract>,
+    /// G73 steps.
+    pub g73_intervals: Option<G73Intervals>,
+    /// G76 smallest depth.
+    pub g76_clamp: Option<G76Clamp>,
+    /// Relief of G74 and G75 in the first column too.
+    pub relief_first: Option<bool>,
+    /// I in G92.
+    #[serde(rename = "iInG92")]
+    pub i_in_g92: Option<IInG92>,
+    /// Thread pull-out at the start, tenths of a lead, 0 to 99.
+    pub thread_chamfer: Option<u8>,
+    /// Pockets in G71 and G72.
+    #[serde(rename = "typeII")]
+    pub type_ii: Option<bool>,
+    /// Real alarms instead of warnings.
+    pub strict: Option<bool>,
+    /// X in polar interpolation.
+    pub polar_x: Option<PolarX>,
+    /// First reference point, machine coordinates.
+    pub ref_point: Option<super::setup::Position>,
+}
+
+/// Every switch decided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dialect {
+    /// The preset.
+    pub control: Control,
+    /// G-code system.
+    pub g_system: GSystem,
+    /// Numbers without a point.
+    pub decimal: DecimalRule,
+    /// Unit of P and Q.
+    pub pq_unit: PqUnit,
+    /// Feed unit at the start.
+    pub feed_mode: FeedMode,
+    /// X with U, Z with W.
+    pub xu_conflict: XuConflict,
+    /// Negative arc R.
+    pub negative_arc_r: NegativeArcR,
+    /// G71 escape.
+    pub g71_retract: G71Retract,
+    /// G73 steps.
+    pub g73_intervals: G73Intervals,
+    /// G76 smallest depth.
+    pub g76_clamp: G76Clamp,
+    /// Relief of G74 and G75 in the first column too.
+    pub relief_first: bool,
+    /// I in G92.
+    pub i_in_g92: IInG92,
+    /// Thread pull-out at the start, tenths of a lead.
+    pub thread_chamfer: u8,
+    /// Pockets in G71 and G72.
+    pub type_ii: bool,
+    /// Real alarms instead of warnings.
+    pub strict: bool,
+    /// X in polar interpolation.
+    pub polar_x: PolarX,
+    /// First reference point, machine coordinates; X a diameter.
+    pub ref_point: super::setup::Position,
+}
+
+impl Dialect {
+    /// The switches of a choice, those not said taken from its control (semantics §0.4).
+    pub fn new(choice: &DialectChoice) -> Self {
+        let gsk = choice.control == Control::Gsk;
+        let power_on = match choice.control {
+            Control::Fanuc => FeedMode::PerTurn,
+            Control::Gsk | Control::Forum => FeedMode::PerMinute,
+        };
+        Self {
+            control: choice.control,
+            g_system: choice.g_system.unwrap_or(GSystem::A),
+            decimal: choice.decimal.unwrap_or(DecimalRule::Calculator),
+            pq_unit: choice.pq_unit.unwrap_or(PqUnit::Auto),
+            feed_mode: choice.feed_mode.or(choice.power_on_feed).unwrap_or(power_on),
+            xu_conflict: choice.xu_conflict.unwrap_or(if gsk { XuConflict::Absolute } else { XuConflict::Last }),
+            negative_arc_r: choice.negative_arc_r.unwrap_or(NegativeArcR::Over180),
+            g71_retract: choice.g71_retract.unwrap_or(if gsk { G71Retract::Feed } else { G71Retract::Rapid }),
+            g73_intervals: choice.g73_intervals.unwrap_or(G73Intervals::OneFewer),
+            g76_clamp: choice.g76_clamp.unwrap_or(G76Clamp::Prev),
+            relief_first: choice.relief_first.unwrap_or(true),
+            i_in_g92: choice.i_in_g92.unwrap_or(if gsk { IInG92::Tpi } else { IInG92::Taper }),
+            thread_chamfer: choice.thread_chamfer.unwrap_or(0).min(99),
+            type_ii: choice.type_ii.unwrap_or(true),
+            strict: choice.strict.unwrap_or(false),
+            polar_x: choice.polar_x.unwrap_or(PolarX::Diameter),
+            ref_point: choice.ref_point.unwrap_or(super::setup::Position { x: 300.0, z: 300.0 }),
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Everything a run needs that is not in the program text: the control, the tools, the stock, the start.
+//!
+//! In: a setup as JSON (a file, the page's form). Out: [`Setup`], and the [`Dialect`] with every switch
+//! decided. Lengths here are as people write them: X values are diameters, mm.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use super::dialect::DialectChoice;
+
+/// A setup as written: every key optional, an unknown key is an error that names it.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct Setup {
+    /// The control and its switches.
+    pub dialect: DialectChoice,
+    /// Where the tool tip stands before the first block.
+    pub initial: Option<Position>,
+    /// Tools by their T word in four digits (`T0101`).
+    pub tools: BTreeMap<String, Tool>,
+    /// The blank.
+    pub stock: Option<Stock>,
+}
+
+impl Setup {
+    /// Reads a setup from JSON. The error says what is wrong and where, and names an unknown key.
+    pub fn from_json(json: &str) -> Result<Self, String> {
+        serde_json::from_str(json).map_err(|error| error.to_string())
+    }
+
+    /// Where the tip stands at the start: X200 Z200 when nothing is said.
+    pub fn start(&self) -> Position {
+        self.initial.unwrap_or(Position { x: 200.0, z: 200.0 })
+    }
+}
+
+/// A place as people write it.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Position {
+    /// Diameter, mm.
+    pub x: f64,
+    /// Length, mm.
+    pub z: f64,
+}
+
+/// What is known of a tool.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct Tool {
+    /// Nose radius, mm.
+    pub nose_radius: f64,
+    /// Tip direction, 0 to 9.
+    pub tip: Option<u8>,
+    /// Radius of a live cutter, mm.
+    pub tool_radius: Option<f64>,
+    /// The R entry of the geometry offset, mm.
+    pub geometry_r: Option<f64>,
+    /// What kind of tool it is.
+    #[serde(rename = "type")]
+    pub kind: Option<String>,
+}
+
+/// The blank.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stock {
+    /// Outside diameter, mm.
+    pub diameter: f64,
+    /// Bore diameter, mm; 0 for solid.
+    #[serde(default)]
+    pub bore: f64,
+    /// Z of the front face, mm.
+    #[serde(default)]
+    pub face: f64,
+    /// Length, mm, from the face towards −Z.
+    pub length: f64,
+}

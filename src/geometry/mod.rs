@@ -1,0 +1,98 @@
+//! Points, arcs and the named tolerances of the whole project.
+//!
+//! Everything is in millimetres in the plane of the lathe: `z` along the spindle, to the right; `x` the
+//! **radius** from the spindle axis, upwards. Seen so, a counter-clockwise turn is to the left.
+
+/// Two lengths nearer than this, in mm, count as equal: binary rounding would decide otherwise.
+pub const SAME: f64 = 1e-6;
+
+/// A place in the plane of the lathe.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Point {
+    /// Radius, mm, from the spindle axis; negative beyond the axis.
+    pub x: f64,
+    /// Length, mm, along the spindle axis; towards the tailstock is positive.
+    pub z: f64,
+}
+
+impl Point {
+    /// The point at radius `x` and length `z`, both in mm.
+    pub fn new(x: f64, z: f64) -> Self {
+        Self { x, z }
+    }
+
+    /// Straight distance to another point, mm.
+    pub fn distance(self, other: Point) -> f64 {
+        (self.x - other.x).hypot(self.z - other.z)
+    }
+
+    /// Whether both points are the same place within [`SAME`].
+    pub fn is_same(self, other: Point) -> bool {
+        (self.x - other.x).abs() <= SAME && (self.z - other.z).abs() <= SAME
+    }
+}
+
+/// Which way an arc turns, seen with Z to the right and X up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// G02.
+    Clockwise,
+    /// G03.
+    Counterclockwise,
+}
+
+/// A true arc between two points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Where it begins.
+    pub start: Point,
+    /// Where it ends; the same place as `start` for a full circle.
+    pub end: Point,
+    /// Its centre.
+    pub center: Point,
+    /// Which way it turns.
+    pub turn: Turn,
+}
+
+impl Arc {
+    /// Distance from centre to start, mm.
+    pub fn radius(&self) -> f64 {
+        self.start.distance(self.center)
+    }
+
+    /// Angle of the start point around the centre, radians, counter-clockwise from +Z.
+    pub fn start_angle(&self) -> f64 {
+        (self.start.x - self.center.x).atan2(self.start.z - self.center.z)
+    }
+
+    /// Angle of the end point around the centre, radians, counter-clockwise from +Z.
+    pub fn end_angle(&self) -> f64 {
+        (self.end.x - self.center.x).atan2(self.end.z - self.center.z)
+    }
+
+    /// Signed angle from start to end, radians: positive counter-clockwise, `±2π` for a full circle.
+    pub fn sweep(&self) -> f64 {
+        let full = std::f64::consts::TAU;
+        if self.start.is_same(self.end) {
+            return if self.turn == Turn::Counterclockwise { full } else { -full };
+        }
+        let angle = (self.end_angle() - self.start_angle()).rem_euclid(full);
+        match self.turn {
+            Turn::Counterclockwise => angle,
+            Turn::Clockwise => angle - full,
+        }
+    }
+
+    /// Length along the arc, mm.
+    pub fn length(&self) -> f64 {
+        self.sweep().abs() * self.radius()
+    }
+
+    /// The point at a fraction `t` (0 start, 1 end) of the way; radius blends from start to end, so that
+    /// an end slightly off the circle is met.
+    pub fn at(&self, t: f64) -> Point {
+        let radius = self.radius() + t * (self.end.distance(self.center) - self.radius());
+        let angle = self.start_angle() + t * self.sweep();
+        Point::new(self.center.x + radius * angle.sin(), self.center.z + radius * angle.cos())
+    }
+}

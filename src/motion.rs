@@ -1,0 +1,452 @@
+//! The motion list: what the tool tip does, in order, as a structure of arrays.
+//!
+//! In: motions pushed one by one by the interpreter. Out: columns that can be handed over without copying.
+//! Motions live in [`Chunk`]s; every place in the source is kept relative to the chunk's own first block, so
+//! that text inserted before a chunk moves the chunk's base and nothing else. Knows nothing of G-code words.
+
+use crate::geometry::{Arc, Point, Turn};
+use crate::text::source::Span;
+
+/// What kind of motion the tool tip makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum MotionKind {
+    /// Rapid traverse, no cut intended.
+    Rapid = 0,
+    /// Straight cut at feed.
+    Feed = 1,
+    /// Arc, clockwise with Z to the right and X up (G02).
+    ArcClockwise = 2,
+    /// Arc, counter-clockwise (G03).
+    ArcCounterclockwise = 3,
+    /// Straight cut locked to the spindle: a thread.
+    Thread = 4,
+    /// The tool stands still for a time.
+    Dwell = 5,
+}
+
+impl MotionKind {
+    /// All kinds in the order of their numbers.
+    pub const ALL: [MotionKind; 6] =
+        [Self::Rapid, Self::Feed, Self::ArcClockwise, Self::ArcCounterclockwise, Self::Thread, Self::Dwell];
+
+    /// Whether the tool is meant to cut.
+    pub fn cuts(self) -> bool {
+        !matches!(self, Self::Rapid | Self::Dwell)
+    }
+}
+
+/// The canned cycle that made a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Cycle {
+    /// Turning cycle, G90.
+    Turning = 1,
+    /// Thread cycle, G92.
+    Threading = 2,
+    /// Facing cycle, G94.
+    Facing = 3,
+}
+
+impl Cycle {
+    /// Its code in G-code system A.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Turning => "G90",
+            Self::Threading => "G92",
+            Self::Facing => "G94",
+        }
+    }
+}
+
+/// The part of a cycle a motion plays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Step {
+    /// From the start point to the depth of the pass.
+    Infeed = 1,
+    /// Along the work.
+    Cut = 2,
+    /// Leaving the thread at 45° before its end.
+    PullOut = 3,
+    /// Away from the work.
+    Retract = 4,
+    /// Back to the start point of the cycle.
+    Return = 5,
+}
+
+impl Step {
+    /// Name in the output of the command line and in the wasm interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Infeed => "infeed",
+            Self::Cut => "cut",
+            Self::PullOut => "pull-out",
+            Self::Retract => "retract",
+            Self::Return => "return",
+        }
+    }
+}
+
+/// Which cycle, which pass and which part of it a motion belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CycleStep {
+    /// The cycle.
+    pub cycle: Cycle,
+    /// Pass from 1, counted while the cycle stays modal.
+    pub pass: u32,
+    /// The part of the pass.
+    pub step: Step,
+}
+
+/// How fast the tool travels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Feed {
+    /// No F word yet.
+    Unset,
+    /// Millimetres a minute (G98).
+    PerMinute(f64),
+    /// Millimetres a turn of the spindle (G99).
+    PerTurn(f64),
+}
+
+/// How the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpindleSpeed {
+    /// Turns a minute (G97); 0 while no S was given.
+    Constant(f64),
+    /// Cutting speed held (G96), metres a minute, between the lowest and highest speed of G50.
+    Surface {
+        /// Cutting speed, m/min.
+        speed: f64,
+    },
+}
+
+/// Which way the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpindleTurn {
+    /// M05.
+    Stopped,
+    /// M03.
+    Forward,
+    /// M04.
+    Reverse,
+}
+
+/// Everything about a motion that seldom changes from one to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Process {
+    /// Feed in force.
+    pub feed: Feed,
+    /// Spindle speed in force.
+    pub speed: SpindleSpeed,
+    /// Spindle direction.
+    pub turn: SpindleTurn,
+    /// Highest spindle speed (G50 S), turns a minute, if one is set.
+    pub clamp: Option<f64>,
+    /// Turret station and offset number of the T word in force.
+    pub tool: (u16, u16),
+    /// An earlier block could not be carried out, so this motion may be wrong.
+    pub uncertain: bool,
+}
+
+/// One motion as a value: what is pushed and what is read back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// What kind it is.
+    pub kind: MotionKind,
+    /// Where the tip stands before it; in the work frame in force, like `to`.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// Arc centre, of arcs only.
+    pub center: Option<Point>,
+    /// Thread lead, mm a turn along the long axis; of threads and the other motions of a thread cycle.
+    pub lead: Option<f64>,
+    /// Seconds the tool waits, of dwells only.
+    pub seconds: Option<f64>,
+    /// The cycle it belongs to.
+    pub cycle: Option<CycleStep>,
+    /// Feed, spindle and tool.
+    pub process: Process,
+}
+
+impl Motion {
+    /// The true arc of an arc motion.
+    pub fn arc(&self) -> Option<Arc> {
+        let turn = match self.kind {
+            MotionKind::ArcClockwise => Turn::Clockwise,
+            MotionKind::ArcCounterclockwise => Turn::Counterclockwise,
+            _ => return None,
+        };
+        Some(Arc { start: self.from, end: self.to, center: self.center?, turn })
+    }
+
+    /// Length of the path, mm; 0 for a dwell.
+    pub fn length(&self) -> f64 {
+        match self.arc() {
+            Some(arc) => arc.length(),
+            None => self.from.distance(self.to),
+        }
+    }
+}
+
+/// A block of the source that made motions: bytes and line, relative to its chunk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct BlockPlace {
+    /// First byte, from the chunk's first byte; before it where the program jumped back.
+    start: i32,
+    /// Bytes of the block.
+    len: u32,
+    /// Line, from the chunk's first line.
+    line: i32,
+}
+
+/// No entry in a side table.
+const NONE: u32 = u32::MAX;
+
+/// A run of motions with the places of the blocks that made them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chunk {
+    /// First byte of the chunk's first block in the text.
+    pub base: u32,
+    /// Line (from 0) of the chunk's first block.
+    pub first_line: u32,
+    /// Where the tip stands before the first motion.
+    start: Point,
+    /// Motions before whose start the frame changed: they begin here, not where the last one ended.
+    starts: Vec<(u32, Point)>,
+    kind: Vec<u8>,
+    /// End point, radius in mm.
+    x: Vec<f64>,
+    /// End point, mm.
+    z: Vec<f64>,
+    /// Index into `blocks`.
+    block: Vec<u32>,
+    /// Packed [`CycleStep`], 0 for none.
+    cycle: Vec<u32>,
+    /// Index into `processes`.
+    process: Vec<u32>,
+    /// Index into `centers` (arcs) or `numbers` (lead, seconds), or [`NONE`].
+    detail: Vec<u32>,
+    blocks: Vec<BlockPlace>,
+    processes: Vec<Process>,
+    centers: Vec<Point>,
+    numbers: Vec<f64>,
+}
+
+impl Chunk {
+    /// A chunk without motions whose places count from byte `base` on line `first_line` (from 0).
+    pub fn new(base: u32, first_line: u32, start: Point) -> Self {
+        Self {
+            base,
+            first_line,
+            start,
+            starts: Vec::new(),
+            kind: Vec::new(),
+            x: Vec::new(),
+            z: Vec::new(),
+            block: Vec::new(),
+            cycle: Vec::new(),
+            process: Vec::new(),
+            detail: Vec::new(),
+            blocks: Vec::new(),
+            processes: Vec::new(),
+            centers: Vec::new(),
+            numbers: Vec::new(),
+        }
+    }
+
+    /// Number of motions.
+    pub fn len(&self) -> usize {
+        self.kind.len()
+    }
+
+    /// Whether there are no motions.
+    pub fn is_empty(&self) -> bool {
+        self.kind.is_empty()
+    }
+
+    /// Kinds, as the numbers of [`MotionKind`].
+    pub fn kinds(&self) -> &[u8] {
+        &self.kind
+    }
+
+    /// End points: radius, mm.
+    pub fn xs(&self) -> &[f64] {
+        &self.x
+    }
+
+    /// End points: length, mm.
+    pub fn zs(&self) -> &[f64] {
+        &self.z
+    }
+
+    /// Adds a motion of the block at `span` on `line` (from 0).
+    pub fn push(&mut self, motion: &Motion, span: Span, line: u32) {
+        let index = self.kind.len();
+        let previous = match index {
+            0 => self.start,
+            _ => Point::new(self.x[index - 1], self.z[index - 1]),
+        };
+        if motion.from != previous {
+            self.starts.push((index as u32, motion.from));
+        }
+        self.kind.push(motion.kind as u8);
+        self.x.push(motion.to.x);
+        self.z.push(motion.to.z);
+        let place = BlockPlace {
+            start: span.start.wrapping_sub(self.base) as i32,
+            len: span.len() as u32,
+            line: line.wrapping_sub(self.first_line) as i32,
+        };
+        if self.blocks.last() != Some(&place) {
+            self.blocks.push(place);
+        }
+        self.block.push(self.blocks.len() as u32 - 1);
+        self.cycle.push(motion.cycle.map_or(0, pack_cycle));
+        if self.processes.last() != Some(&motion.process) {
+            self.processes.push(motion.process);
+        }
+        self.process.push(self.processes.len() as u32 - 1);
+        self.detail.push(if let Some(center) = motion.center {
+            self.centers.push(center);
+            self.centers.len() as u32 - 1
+        } else if let Some(number) = motion.lead.or(motion.seconds) {
+            if self.numbers.last() != Some(&number) {
+                self.numbers.push(number);
+            }
+            self.numbers.len() as u32 - 1
+        } else {
+            NONE
+        });
+    }
+
+    /// The motion at `index`.
+    pub fn get(&self, index: usize) -> Motion {
+        let kind = MotionKind::ALL[self.kind[index] as usize];
+        let detail = self.detail[index];
+        let is_arc = matches!(kind, MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise);
+        let number = (detail != NONE && !is_arc).then(|| self.numbers[detail as usize]);
+        Motion {
+            kind,
+            from: self.from(index),
+            to: Point::new(self.x[index], self.z[index]),
+            center: is_arc.then(|| self.centers[detail as usize]),
+            lead: number.filter(|_| kind != MotionKind::Dwell),
+            seconds: number.filter(|_| kind == MotionKind::Dwell),
+            cycle: unpack_cycle(self.cycle[index]),
+            process: self.processes[self.process[index] as usize],
+        }
+    }
+
+    /// Bytes of the block that made the motion at `index`.
+    pub fn span(&self, index: usize) -> Span {
+        let place = self.blocks[self.block[index] as usize];
+        let start = self.base.wrapping_add(place.start as u32);
+        Span { start, end: start + place.len }
+    }
+
+    /// Line (from 0) of the block that made the motion at `index`.
+    pub fn line(&self, index: usize) -> u32 {
+        self.first_line.wrapping_add(self.blocks[self.block[index] as usize].line as u32)
+    }
+
+    fn from(&self, index: usize) -> Point {
+        if let Ok(found) = self.starts.binary_search_by_key(&(index as u32), |entry| entry.0) {
+            return self.starts[found].1;
+        }
+        match index {
+            0 => self.start,
+            _ => Point::new(self.x[index - 1], self.z[index - 1]),
+        }
+    }
+}
+
+/// All motions of a program, in order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motions {
+    chunks: Vec<Chunk>,
+    /// Motions before each chunk.
+    before: Vec<usize>,
+    len: usize,
+}
+
+impl Motions {
+    /// Number of motions.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The chunks, in order.
+    pub fn chunks(&self) -> &[Chunk] {
+        &self.chunks
+    }
+
+    /// Adds a chunk at the end.
+    pub fn push(&mut self, chunk: Chunk) {
+        if !chunk.is_empty() {
+            self.before.push(self.len);
+            self.len += chunk.len();
+            self.chunks.push(chunk);
+        }
+    }
+
+    /// The motion at `index`, counted over all chunks.
+    pub fn get(&self, index: usize) -> Motion {
+        let (chunk, at) = self.locate(index);
+        chunk.get(at)
+    }
+
+    /// Bytes of the block that made the motion at `index`.
+    pub fn span(&self, index: usize) -> Span {
+        let (chunk, at) = self.locate(index);
+        chunk.span(at)
+    }
+
+    /// Line (from 0) of the block that made the motion at `index`.
+    pub fn line(&self, index: usize) -> u32 {
+        let (chunk, at) = self.locate(index);
+        chunk.line(at)
+    }
+
+    /// All motions in order.
+    pub fn iter(&self) -> impl Iterator<Item = Motion> + '_ {
+        self.chunks.iter().flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
+    }
+
+    fn locate(&self, index: usize) -> (&Chunk, usize) {
+        let chunk = self.before.partition_point(|&before| before <= index) - 1;
+        (&self.chunks[chunk], index - self.before[chunk])
+    }
+}
+
+const STEP_BITS: u32 = 5;
+const CYCLE_BITS: u32 = 5;
+const LARGEST_PASS: u32 = (1 << (32 - STEP_BITS - CYCLE_BITS)) - 1;
+
+fn pack_cycle(step: CycleStep) -> u32 {
+    step.cycle as u32 | (step.step as u32) << CYCLE_BITS | step.pass.min(LARGEST_PASS) << (CYCLE_BITS + STEP_BITS)
+}
+
+fn unpack_cycle(packed: u32) -> Option<CycleStep> {
+    let cycle = match packed & ((1 << CYCLE_BITS) - 1) {
+        1 => Cycle::Turning,
+        2 => Cycle::Threading,
+        3 => Cycle::Facing,
+        _ => return None,
+    };
+    let step = match packed >> CYCLE_BITS & ((1 << STEP_BITS) - 1) {
+        1 => Step::Infeed,
+        2 => Step::Cut,
+        3 => Step::PullOut,
+        4 => Step::Retract,
+        _ => Step::Return,
+    };
+    Some(CycleStep { cycle, pass: packed >> (CYCLE_BITS + STEP_BITS), step })
+}

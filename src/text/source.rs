@@ -1,0 +1,215 @@
+//! Places in the program text.
+//!
+//! In: the bytes of a program. Out: [`Span`]s (bytes) and the line and column numbers people and editors use.
+//! The one place where bytes are turned into UTF-16 columns. Knows nothing of words or blocks.
+
+/// A run of bytes of the program text, `start..end`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// The span `start..end`.
+    pub fn new(start: usize, end: usize) -> Self {
+        debug_assert!(start <= end);
+        Self { start: start as u32, end: end as u32 }
+    }
+
+    /// Number of bytes.
+    pub fn len(self) -> usize {
+        (self.end - self.start) as usize
+    }
+
+    /// Whether the span holds no byte.
+    pub fn is_empty(self) -> bool {
+        self.start == self.end
+    }
+
+    /// The smallest span that holds both.
+    pub fn to(self, other: Span) -> Span {
+        Span { start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+
+    /// The bytes of `text` in this span.
+    pub fn of(self, text: &[u8]) -> &[u8] {
+        &text[self.start as usize..self.end as usize]
+    }
+
+    /// The text of this span, for messages; bytes that are not UTF-8 read as `\u{FFFD}`.
+    pub fn quote(self, text: &[u8]) -> String {
+        String::from_utf8_lossy(self.of(text)).into_owned()
+    }
+}
+
+/// A place as an editor counts it: line and column from 0, the column in UTF-16 units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct LineColumn {
+    /// Line from 0.
+    pub line: u32,
+    /// Column from 0, in UTF-16 units.
+    pub column: u32,
+}
+
+/// Starts of all lines, to turn bytes into lines, columns and UTF-16 offsets and back.
+///
+/// A line ends at `\n`, `\r\n` or a lone `\r`, as in the editors people paste from.
+#[derive(Clone, Debug)]
+pub struct LineIndex {
+    /// First byte of each line.
+    starts: Vec<u32>,
+    /// UTF-16 units before each line, counting one unit for each line end, as editors that fold CRLF do;
+    /// empty while all text is ASCII without CRLF (units are then bytes).
+    units: Vec<u32>,
+}
+
+impl LineIndex {
+    /// Reads the line starts of `text`.
+    pub fn new(text: &[u8]) -> Self {
+        let mut starts = vec![0];
+        let mut plain = text.is_ascii();
+        let mut at = 0;
+        while at < text.len() {
+            match text[at] {
+                b'\n' => starts.push(at as u32 + 1),
+                b'\r' if text.get(at + 1) == Some(&b'\n') => {
+                    plain = false;
+                    at += 1;
+                    starts.push(at as u32 + 1);
+                }
+                b'\r' => starts.push(at as u32 + 1),
+                _ => {}
+            }
+            at += 1;
+        }
+        let mut index = Self { starts, units: Vec::new() };
+        if !plain {
+            let mut units = Vec::with_capacity(index.starts.len());
+            let mut before = 0;
+            for line in 0..index.starts.len() {
+                units.push(before);
+                before += utf16_len(index.line(text, line as u32).of(text)) + 1;
+            }
+            index.units = units;
+        }
+        index
+    }
+
+    /// Number of lines; at least 1.
+    pub fn len(&self) -> u32 {
+        self.starts.len() as u32
+    }
+
+    /// Never: even an empty text has one line.
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    /// The bytes of a line (from 0) without its line end.
+    pub fn line(&self, text: &[u8], line: u32) -> Span {
+        let start = self.starts[line as usize] as usize;
+        let mut end = self.starts.get(line as usize + 1).map_or(text.len(), |&next| next as usize);
+        while end > start && matches!(text[end - 1], b'\n' | b'\r') && (end as u32) > self.starts[line as usize] {
+            if line + 1 == self.len() {
+                break;
+            }
+            end -= 1;
+        }
+        Span::new(start, end)
+    }
+
+    /// The line (from 0) that holds a byte.
+    pub fn line_of(&self, byte: u32) -> u32 {
+        self.starts.partition_point(|&start| start <= byte) as u32 - 1
+    }
+
+    /// Line and column of a byte.
+    pub fn line_column(&self, text: &[u8], byte: u32) -> LineColumn {
+        let byte = byte.min(text.len() as u32);
+        let line = self.line_of(byte);
+        let start = self.starts[line as usize];
+        let column = if self.units.is_empty() { byte - start } else { utf16_len(&text[start as usize..byte as usize]) };
+        LineColumn { line, column }
+    }
+
+    /// UTF-16 offset of a byte from the start of the text, each line end counted as one unit.
+    pub fn utf16_offset(&self, text: &[u8], byte: u32) -> u32 {
+        if self.units.is_empty() {
+            return byte.min(text.len() as u32);
+        }
+        let at = self.line_column(text, byte);
+        self.units[at.line as usize] + at.column
+    }
+
+    /// The byte at a UTF-16 offset; the inverse of [`LineIndex::utf16_offset`].
+    pub fn byte_at_utf16(&self, text: &[u8], offset: u32) -> u32 {
+        if self.units.is_empty() {
+            return offset.min(text.len() as u32);
+        }
+        let line = self.units.partition_point(|&units| units <= offset) - 1;
+        let span = self.line(text, line as u32);
+        let mut units = self.units[line];
+        for (at, ch) in chars(span.of(text)) {
+            if units >= offset {
+                return span.start + at as u32;
+            }
+            units += ch;
+        }
+        span.end
+    }
+}
+
+/// UTF-16 units of some bytes, as a browser counts them once it has decoded the file: a byte that is not
+/// UTF-8 counts as one unit (the replacement character).
+fn utf16_len(bytes: &[u8]) -> u32 {
+    if bytes.is_ascii() {
+        return bytes.len() as u32;
+    }
+    chars(bytes).map(|(_, units)| units).sum()
+}
+
+/// Byte position and UTF-16 length of each character; each maximal invalid run as the decoder sees it is one.
+fn chars(bytes: &[u8]) -> impl Iterator<Item = (usize, u32)> {
+    let mut at = 0;
+    bytes.utf8_chunks().flat_map(move |chunk| {
+        let mut found: Vec<(usize, u32)> =
+            chunk.valid().char_indices().map(|(i, ch)| (at + i, ch.len_utf16() as u32)).collect();
+        at += chunk.valid().len();
+        if !chunk.invalid().is_empty() {
+            found.push((at, 1));
+            at += chunk.invalid().len();
+        }
+        found
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_utf16_units_and_any_line_end() {
+        let text = "G0 (外圆)\r\nX1\rZ😀2\n".as_bytes();
+        let index = LineIndex::new(text);
+        assert_eq!(index.len(), 4);
+        let x = text.iter().position(|&b| b == b'X').unwrap() as u32;
+        assert_eq!(index.line_column(text, x), LineColumn { line: 1, column: 0 });
+        let two = text.iter().position(|&b| b == b'2').unwrap() as u32;
+        assert_eq!(index.line_column(text, two), LineColumn { line: 2, column: 3 });
+        assert_eq!(index.utf16_offset(text, x), 8);
+        assert_eq!(index.line(text, 1).of(text), b"X1");
+        for byte in [0, 4, x, two, text.len() as u32] {
+            assert_eq!(index.byte_at_utf16(text, index.utf16_offset(text, byte)), byte);
+        }
+    }
+
+    #[test]
+    fn bytes_that_are_not_utf8_count_one_unit_each() {
+        let text = b"(\xff\xfe) X1";
+        let index = LineIndex::new(text);
+        assert_eq!(index.line_column(text, 5).column, 5);
+    }
+}
