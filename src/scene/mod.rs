@@ -1,1 +1,352 @@
 //! What you see: the analysis as shapes that carry the block that made them.
+//!
+//! In: the motion list and the stock. Out: [`Scene`], a neutral picture in mm that exporters only read:
+//! `svg` writes it as a file, `canvas` draws it in the page, `pick` finds what is under a pointer. Nothing is
+//! copied: strokes are made from motions as they are asked for. Must not know G-code words, nor say anything
+//! in human language but the names of the axes.
+
+pub mod bounds;
+pub mod camera;
+#[cfg(target_arch = "wasm32")]
+pub mod canvas;
+pub mod marks;
+pub mod outline;
+pub mod palette;
+pub mod pick;
+pub mod ruler;
+pub mod svg;
+pub mod view;
+
+use std::ops::Range;
+
+use crate::control::setup::Stock;
+use crate::geometry::{Arc, Point, SAME};
+use crate::motion::{Motion, MotionKind, Motions};
+use crate::text::source::Span;
+
+use bounds::{Bounds, join};
+use outline::Outline;
+
+/// The line style of a stroke: what a technical drawing tells apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum StrokeStyle {
+    /// Rapid traverse: thin and dashed.
+    Rapid,
+    /// The tool waits: a dot.
+    Dwell,
+    /// Cut at feed, straight or an arc: solid.
+    Feed,
+    /// Cut locked to the spindle.
+    Thread,
+}
+
+impl StrokeStyle {
+    /// All styles, in the order in which they are drawn, the lowest first.
+    pub const ALL: [StrokeStyle; 4] = [Self::Rapid, Self::Dwell, Self::Feed, Self::Thread];
+
+    /// Its name in the classes of the SVG.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rapid => "rapid",
+            Self::Dwell => "dwell",
+            Self::Feed => "feed",
+            Self::Thread => "thread",
+        }
+    }
+
+    /// The style of motions of a kind.
+    pub fn of(kind: MotionKind) -> Self {
+        match kind {
+            MotionKind::Rapid => Self::Rapid,
+            MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => Self::Feed,
+            MotionKind::Thread => Self::Thread,
+            MotionKind::Dwell => Self::Dwell,
+        }
+    }
+}
+
+/// The shape of a stroke, in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StrokeShape {
+    /// A straight line.
+    Line {
+        /// Where it begins.
+        from: Point,
+        /// Where it ends.
+        to: Point,
+    },
+    /// A true arc, possibly a full circle.
+    Arc(Arc),
+    /// The tool stands still here.
+    Dot(Point),
+}
+
+impl StrokeShape {
+    /// The shape of a motion.
+    pub fn of(motion: &Motion) -> Self {
+        match (motion.kind, motion.arc()) {
+            (MotionKind::Dwell, _) => Self::Dot(motion.to),
+            (_, Some(arc)) => Self::Arc(arc),
+            (_, None) => Self::Line { from: motion.from, to: motion.to },
+        }
+    }
+
+    /// Where it begins.
+    pub fn start(&self) -> Point {
+        match self {
+            Self::Line { from, .. } => *from,
+            Self::Arc(arc) => arc.start,
+            Self::Dot(at) => *at,
+        }
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Point {
+        match self {
+            Self::Line { to, .. } => *to,
+            Self::Arc(arc) => arc.end,
+            Self::Dot(at) => *at,
+        }
+    }
+
+    /// Length along it, mm.
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Line { from, to } => from.distance(*to),
+            Self::Arc(arc) => arc.length(),
+            Self::Dot(_) => 0.0,
+        }
+    }
+
+    /// The point at a fraction `t` (0 start, 1 end) of the way.
+    pub fn at(&self, t: f64) -> Point {
+        match self {
+            Self::Line { from, to } => Point::new(from.x + t * (to.x - from.x), from.z + t * (to.z - from.z)),
+            Self::Arc(arc) => arc.at(t),
+            Self::Dot(at) => *at,
+        }
+    }
+
+    /// The part before and the part after the fraction `t` (0 start, 1 end) of the way.
+    pub fn split(&self, t: f64) -> (StrokeShape, StrokeShape) {
+        let point = self.at(t);
+        // An arc that ends where it starts is a full circle: a part without length must not become one.
+        let line = |part: StrokeShape, share: f64| {
+            if share * self.length() > SAME {
+                part
+            } else {
+                Self::Line { from: part.start(), to: part.end() }
+            }
+        };
+        match self {
+            Self::Line { from, to } => {
+                (Self::Line { from: *from, to: point }, Self::Line { from: point, to: *to })
+            }
+            Self::Arc(arc) => (
+                line(Self::Arc(Arc { end: point, ..*arc }), t),
+                line(Self::Arc(Arc { start: point, ..*arc }), 1.0 - t),
+            ),
+            Self::Dot(_) => (*self, *self),
+        }
+    }
+}
+
+/// One motion as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Index of the motion, over all motions.
+    pub motion: usize,
+    /// How it is drawn.
+    pub style: StrokeStyle,
+    /// An earlier block could not be carried out, so this stroke may be wrong: drawn dimmed.
+    pub uncertain: bool,
+    /// Where it runs.
+    pub shape: StrokeShape,
+    /// Bytes of the block that made it.
+    pub span: Span,
+    /// Line of that block, from 0.
+    pub line: u32,
+}
+
+/// A place on the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The motion under way.
+    pub motion: usize,
+    /// How much of it is done: 0 at its start, 1 at its end.
+    pub fraction: f64,
+    /// Where the tool tip is.
+    pub at: Point,
+}
+
+/// The blank as a rectangle above the spindle axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StockShape {
+    /// From the bore to the outside radius, from the back to the front face.
+    pub bounds: Bounds,
+}
+
+/// The picture of a run: a view over its motions and the stock, which nothing is copied into.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    motions: &'a Motions,
+    outline: &'a Outline,
+    stock: Option<Stock>,
+}
+
+impl<'a> Scene<'a> {
+    /// The picture of `motions`, of which `outline` was made, in `stock`. Motions that the outline has not
+    /// seen yet are left out.
+    pub fn new(motions: &'a Motions, outline: &'a Outline, stock: Option<Stock>) -> Self {
+        Self { motions, outline, stock }
+    }
+
+    /// The outline the scene goes by.
+    pub fn outline(&self) -> &'a Outline {
+        self.outline
+    }
+
+    /// Number of motions.
+    pub fn len(&self) -> usize {
+        self.outline.len()
+    }
+
+    /// Whether there are no motions.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The stock, if it has a size.
+    pub fn stock(&self) -> Option<StockShape> {
+        let stock = self.stock?;
+        let (outside, bore) = (stock.diameter / 2.0, stock.bore / 2.0);
+        let sized = outside > 0.0 && stock.length > 0.0 && outside.is_finite() && stock.length.is_finite();
+        sized.then(|| StockShape {
+            bounds: Bounds {
+                min: Point::new(bore.clamp(0.0, outside), stock.face - stock.length),
+                max: Point::new(outside, stock.face),
+            },
+        })
+    }
+
+    /// The stroke of one motion; `None` past the end.
+    pub fn stroke(&self, motion: usize) -> Option<Stroke> {
+        self.strokes_of(motion..motion.saturating_add(1)).next()
+    }
+
+    /// All strokes, in the order of the run.
+    pub fn strokes(&self) -> impl Iterator<Item = Stroke> + use<'a> {
+        self.strokes_of(0..self.len())
+    }
+
+    /// The strokes of a range of motions, in the order of the run.
+    pub fn strokes_of(&self, range: Range<usize>) -> impl Iterator<Item = Stroke> + use<'a> {
+        let chunks = self.motions.chunks();
+        let end = range.end.min(self.len());
+        let (mut chunk, mut at) = self.outline.locate(range.start, chunks);
+        (range.start..end).map(move |motion| {
+            while at >= chunks[chunk].len() {
+                at -= chunks[chunk].len();
+                chunk += 1;
+            }
+            let value = chunks[chunk].get(at);
+            let stroke = Stroke {
+                motion,
+                style: StrokeStyle::of(value.kind),
+                uncertain: value.process.uncertain,
+                shape: StrokeShape::of(&value),
+                span: chunks[chunk].span(at),
+                line: chunks[chunk].line(at),
+            };
+            at += 1;
+            stroke
+        })
+    }
+
+    /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.
+    pub fn motions_of(&self, block: Span) -> Vec<Range<usize>> {
+        let mut ranges: Vec<Range<usize>> = Vec::new();
+        for stretch in self.outline.stretches() {
+            if stretch.span.end <= block.start || block.end <= stretch.span.start {
+                continue;
+            }
+            for stroke in self.strokes_of(stretch.motions.clone()) {
+                if stroke.span.start < block.start || block.end < stroke.span.end {
+                    continue;
+                }
+                match ranges.last_mut() {
+                    Some(last) if last.end == stroke.motion => last.end += 1,
+                    _ => ranges.push(stroke.motion..stroke.motion + 1),
+                }
+            }
+        }
+        ranges
+    }
+
+    /// The box worth looking at: what cuts and the stock, with the rapids that end nearby; all motions where
+    /// nothing cuts. The spindle axis is always in it.
+    pub fn bounds(&self) -> Bounds {
+        let stock = self.stock().map(|stock| stock.bounds);
+        let Some(cuts) = self.outline.cuts() else {
+            let all = join(self.outline.rapids(), stock)
+                .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });
+            return with_axis(all);
+        };
+        let core = with_axis(join(Some(cuts), stock).unwrap_or(cuts));
+        let near = core.grown(core.length().max(core.height()) / 2.0);
+        let mut bounds = core;
+        for stretch in self.outline.stretches() {
+            let Some(rapids) = stretch.rapids.filter(|rapids| rapids.meets(near)) else { continue };
+            if near.holds(rapids.min) && near.holds(rapids.max) {
+                bounds = bounds.union(rapids);
+                continue;
+            }
+            let rapids = self.strokes_of(stretch.motions.clone()).filter(|s| s.style == StrokeStyle::Rapid);
+            let ends = rapids.map(|stroke| stroke.shape.end()).filter(|end| near.holds(*end));
+            bounds = ends.fold(bounds, Bounds::with);
+        }
+        bounds
+    }
+
+    /// Length of the whole path, mm, rapids included.
+    pub fn length(&self) -> f64 {
+        self.outline.length()
+    }
+
+    /// Length of the path before a motion begins, mm.
+    pub fn length_before(&self, motion: usize) -> f64 {
+        let Some(stretch) = self.outline.stretch_of(motion) else { return self.length() };
+        let before = self.strokes_of(stretch.motions.start..motion);
+        stretch.length_before + before.map(|stroke| stroke.shape.length()).sum::<f64>()
+    }
+
+    /// The place `length` mm along the path, rapids included; held to the two ends of the path. `None` while
+    /// nothing moves.
+    pub fn at_length(&self, length: f64) -> Option<Place> {
+        let stretch = self.outline.stretch_at(length)?;
+        let mut left = length.max(0.0) - stretch.length_before;
+        let mut last = None;
+        for stroke in self.strokes_of(stretch.motions.clone()) {
+            let own = stroke.shape.length();
+            if own <= 0.0 {
+                continue;
+            }
+            if left <= own {
+                let fraction = (left / own).max(0.0);
+                let at = stroke.shape.at(fraction);
+                return Some(Place { motion: stroke.motion, fraction, at });
+            }
+            left -= own;
+            last = Some(Place { motion: stroke.motion, fraction: 1.0, at: stroke.shape.end() });
+        }
+        last
+    }
+}
+
+/// The box with the spindle axis in it.
+fn with_axis(bounds: Bounds) -> Bounds {
+    bounds.with(Point::new(0.0, bounds.min.z))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,219 @@
+//! Millimetres to pixels and back.
+//!
+//! In: the box to look at, the size of the picture, the user's pans and zooms. Out: [`Camera`]. Z runs to the
+//! right and X up, both at the same scale; pixels are CSS pixels from the top left corner. Knows nothing of
+//! motions.
+
+use crate::geometry::Point;
+
+use super::bounds::Bounds;
+
+/// A place in the picture, CSS pixels from its top left corner, `y` down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    /// To the right.
+    pub x: f64,
+    /// Down.
+    pub y: f64,
+}
+
+impl Pixel {
+    /// The place `x` pixels to the right of the top left corner and `y` down.
+    pub fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// Distance to another place, CSS pixels.
+    pub fn distance(self, other: Pixel) -> f64 {
+        (self.x - other.x).hypot(self.y - other.y)
+    }
+}
+
+/// A width and a height, CSS pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Width, CSS pixels.
+    pub width: f64,
+    /// Height, CSS pixels.
+    pub height: f64,
+}
+
+/// Width of the ruler along the left edge, CSS pixels.
+pub const LEFT_RULER: f64 = 46.0;
+/// Height of the ruler along the bottom edge, CSS pixels.
+pub const BOTTOM_RULER: f64 = 26.0;
+/// Room kept free around a fitted picture, CSS pixels: left, top, right, bottom of the part inside the rulers.
+const PADDING: [f64; 4] = [14.0, 26.0, 22.0, 22.0];
+/// Smallest and largest scale, CSS pixels a mm: 20 m across a phone, and half a µm a pixel.
+pub const SCALES: [f64; 2] = [0.02, 2000.0];
+/// Least extent that is fitted, mm, so that a single point is not blown up without end.
+const LEAST_EXTENT: f64 = 2.0;
+
+/// What part of the plane is seen, and how large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Size of the picture.
+    size: Size,
+    /// What is seen at the top left corner: radius and Z, mm.
+    origin: Point,
+    /// CSS pixels a mm of Z or of radius.
+    scale: f64,
+}
+
+impl Camera {
+    /// A camera that shows all of `bounds` inside the rulers of a picture of `size`.
+    pub fn fit(bounds: Bounds, size: Size) -> Self {
+        let [left, top, right, bottom] = PADDING;
+        let width = (size.width - LEFT_RULER - left - right).max(1.0);
+        let height = (size.height - BOTTOM_RULER - top - bottom).max(1.0);
+        let along = width / bounds.length().max(LEAST_EXTENT);
+        let across = height / bounds.height().max(LEAST_EXTENT);
+        let scale = along.min(across).clamp(SCALES[0], SCALES[1]);
+        let center_z = (bounds.min.z + bounds.max.z) / 2.0;
+        let center_x = (bounds.min.x + bounds.max.x) / 2.0;
+        let origin = Point::new(
+            center_x + (top + height / 2.0) / scale,
+            center_z - (LEFT_RULER + left + width / 2.0) / scale,
+        );
+        Self { size, origin, scale }
+    }
+
+    /// Height of a picture of `width` CSS pixels that `bounds` fill exactly, within `least` and `most`.
+    pub fn height_for(bounds: Bounds, width: f64, least: f64, most: f64) -> f64 {
+        let [left, top, right, bottom] = PADDING;
+        let scale = (width - LEFT_RULER - left - right).max(1.0) / bounds.length().max(LEAST_EXTENT);
+        let height = bounds.height().max(LEAST_EXTENT) * scale + BOTTOM_RULER + top + bottom;
+        height.clamp(least, most).round()
+    }
+
+    /// Size of the picture.
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// CSS pixels a mm of Z or of radius.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Where a point of the plane is seen.
+    pub fn to_screen(&self, point: Point) -> Pixel {
+        Pixel::new((point.z - self.origin.z) * self.scale, (self.origin.x - point.x) * self.scale)
+    }
+
+    /// The point of the plane that is seen at a place.
+    pub fn to_world(&self, pixel: Pixel) -> Point {
+        Point::new(self.origin.x - pixel.y / self.scale, self.origin.z + pixel.x / self.scale)
+    }
+
+    /// The part of the plane that is seen, mm.
+    pub fn seen(&self) -> Bounds {
+        Bounds::around(self.origin, self.to_world(Pixel::new(self.size.width, self.size.height)))
+    }
+
+    /// Moves the picture by CSS pixels, to the right and down.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        if dx.is_finite() && dy.is_finite() {
+            self.origin = self.to_world(Pixel::new(-dx, -dy));
+        }
+    }
+
+    /// Makes the picture `factor` times as large, within [`SCALES`]; what is seen at `fixed` stays there.
+    pub fn zoom(&mut self, factor: f64, fixed: Pixel) {
+        if !(factor.is_finite() && factor > 0.0 && fixed.x.is_finite() && fixed.y.is_finite()) {
+            return;
+        }
+        let point = self.to_world(fixed);
+        self.scale = (self.scale * factor).clamp(SCALES[0], SCALES[1]);
+        let moved = self.to_screen(point);
+        self.pan(fixed.x - moved.x, fixed.y - moved.y);
+    }
+
+    /// Takes another size of picture; what is seen in the middle stays in the middle.
+    pub fn resize(&mut self, size: Size) {
+        let middle = |size: Size| Pixel::new(size.width / 2.0, size.height / 2.0);
+        let (before, after) = (middle(self.size), middle(size));
+        self.size = size;
+        self.pan(after.x - before.x, after.y - before.y);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: Size = Size { width: 800.0, height: 500.0 };
+
+    fn camera() -> Camera {
+        Camera::fit(Bounds::around(Point::new(0.0, -60.0), Point::new(40.0, 10.0)), SIZE)
+    }
+
+    fn same(a: Pixel, b: Pixel) -> bool {
+        a.distance(b) < 1e-6
+    }
+
+    #[test]
+    fn z_runs_right_and_x_up() {
+        let camera = camera();
+        let [a, b] = [Point::new(10.0, -5.0), Point::new(20.0, 5.0)].map(|point| camera.to_screen(point));
+        assert!(b.x > a.x && b.y < a.y);
+        assert!(((b.x - a.x) - (a.y - b.y)).abs() < 1e-9, "equal scale");
+    }
+
+    #[test]
+    fn there_and_back() {
+        let camera = camera();
+        for point in [Point::new(0.0, 0.0), Point::new(31.25, -17.3), Point::new(-4.0, 200.0)] {
+            assert!(camera.to_world(camera.to_screen(point)).is_same(point));
+        }
+    }
+
+    #[test]
+    fn a_fitted_box_lies_inside_the_rulers() {
+        for bounds in [
+            Bounds::around(Point::new(0.0, -60.0), Point::new(40.0, 10.0)),
+            Bounds::around(Point::new(0.0, -600.0), Point::new(4.0, 10.0)),
+            Bounds::around(Point::new(0.0, 5.0), Point::new(100.0, 5.0)),
+            Bounds::of(Point::new(0.0, 0.0)),
+        ] {
+            let camera = Camera::fit(bounds, SIZE);
+            let [low, high] = [bounds.min, bounds.max].map(|point| camera.to_screen(point));
+            assert!(low.x > LEFT_RULER && low.y < SIZE.height - BOTTOM_RULER, "{low:?}");
+            assert!(high.x < SIZE.width && high.y > 0.0, "{high:?}");
+        }
+    }
+
+    #[test]
+    fn a_canvas_without_size_does_not_break_it() {
+        let camera = Camera::fit(Bounds::of(Point::default()), Size { width: 0.0, height: 0.0 });
+        assert!(camera.to_screen(Point::new(1.0, 1.0)).x.is_finite());
+    }
+
+    #[test]
+    fn zoom_keeps_the_point_under_the_cursor() {
+        let mut camera = camera();
+        let cursor = Pixel::new(123.0, 77.0);
+        let point = camera.to_world(cursor);
+        for factor in [1.3, 4.0, 1e9, 1e-12, 0.5, f64::NAN, 0.0, -2.0] {
+            camera.zoom(factor, cursor);
+            assert!(same(camera.to_screen(point), cursor), "factor {factor}");
+            assert!((SCALES[0]..=SCALES[1]).contains(&camera.scale()));
+        }
+    }
+
+    #[test]
+    fn pan_moves_what_is_seen() {
+        let mut camera = camera();
+        let before = camera.to_screen(Point::new(3.0, 4.0));
+        camera.pan(15.0, -6.0);
+        assert!(same(camera.to_screen(Point::new(3.0, 4.0)), Pixel::new(before.x + 15.0, before.y - 6.0)));
+    }
+
+    #[test]
+    fn resize_keeps_the_middle() {
+        let mut camera = camera();
+        let point = camera.to_world(Pixel::new(400.0, 250.0));
+        camera.resize(Size { width: 300.0, height: 900.0 });
+        assert!(same(camera.to_screen(point), Pixel::new(150.0, 450.0)));
+    }
+}

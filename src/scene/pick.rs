@@ -1,0 +1,149 @@
+//! What is under the pointer.
+//!
+//! In: a scene, a camera, a place in the picture. Out: the nearest stroke within a tolerance. Pure.
+
+use crate::geometry::{Arc, Point, Turn};
+
+use super::bounds::Bounds;
+use super::camera::{Camera, Pixel};
+use super::{Scene, Stroke, StrokeShape, StrokeStyle};
+
+/// Distances that differ by less than this, CSS pixels, are a tie: nobody can aim better.
+const TIE: f64 = 1.0;
+/// Radius of the dot of a dwell, CSS pixels.
+const DOT: f64 = 3.0;
+
+/// A stroke and where on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pick {
+    /// The stroke.
+    pub stroke: Stroke,
+    /// The point of it nearest to the pointer.
+    pub at: Point,
+}
+
+/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, what cuts
+/// goes before rapids, and the later before the earlier.
+pub fn pick(scene: &Scene, camera: &Camera, pixel: Pixel, tolerance: f64) -> Option<Pick> {
+    let pointer = camera.to_world(pixel);
+    let reach = tolerance / camera.scale();
+    let dot = DOT / camera.scale();
+    let near = |reach: f64| {
+        let around = Bounds::of(pointer).grown(reach + dot);
+        let stretches = scene.outline().stretches().iter().filter(move |s| s.bounds.meets(around));
+        stretches.flat_map(|stretch| scene.strokes_of(stretch.motions.clone())).filter_map(move |stroke| {
+            if !Bounds::of_shape(&stroke.shape).meets(around) {
+                return None;
+            }
+            let at = nearest(&stroke.shape, pointer);
+            let distance = match stroke.shape {
+                StrokeShape::Dot(_) => (at.distance(pointer) - dot).max(0.0),
+                StrokeShape::Line { .. } | StrokeShape::Arc(_) => at.distance(pointer),
+            };
+            (distance <= reach).then_some((distance, Pick { stroke, at }))
+        })
+    };
+    let least = near(reach).map(|(distance, _)| distance).min_by(f64::total_cmp)?;
+    let tied = near(reach.min(least + TIE / camera.scale()));
+    tied.map(|(_, pick)| pick).max_by_key(|pick| (rank(pick.stroke.style), pick.stroke.motion))
+}
+
+/// The point of a shape nearest to `pointer`.
+fn nearest(shape: &StrokeShape, pointer: Point) -> Point {
+    match shape {
+        StrokeShape::Line { from, to } => {
+            let (dx, dz) = (to.x - from.x, to.z - from.z);
+            let square = dx * dx + dz * dz;
+            if square == 0.0 {
+                return *from;
+            }
+            let t = ((pointer.x - from.x) * dx + (pointer.z - from.z) * dz) / square;
+            shape.at(t.clamp(0.0, 1.0))
+        }
+        StrokeShape::Arc(arc) => nearest_on_arc(arc, pointer),
+        StrokeShape::Dot(at) => *at,
+    }
+}
+
+/// The point of an arc nearest to `pointer`: on the ray from the centre, or one of the ends.
+fn nearest_on_arc(arc: &Arc, pointer: Point) -> Point {
+    let angle = (pointer.x - arc.center.x).atan2(pointer.z - arc.center.z);
+    let turned = match arc.turn {
+        Turn::Counterclockwise => angle - arc.start_angle(),
+        Turn::Clockwise => arc.start_angle() - angle,
+    };
+    let t = turned.rem_euclid(std::f64::consts::TAU) / arc.sweep().abs();
+    if t <= 1.0 {
+        arc.at(t)
+    } else if pointer.distance(arc.start) < pointer.distance(arc.end) {
+        arc.start
+    } else {
+        arc.end
+    }
+}
+
+fn rank(style: StrokeStyle) -> u8 {
+    match style {
+        StrokeStyle::Rapid => 0,
+        StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::Outline;
+    use super::super::tests::{Path, point};
+    use super::*;
+    use crate::scene::camera::Size;
+
+    /// Picks `off` CSS pixels beside a diameter and Z, on the path of each test, within 6 pixels.
+    fn check(path: Path, (diameter, z): (f64, f64), off: (f64, f64), expected: Option<usize>) {
+        let motions = path.motions();
+        let outline = Outline::of(&motions);
+        let scene = Scene::new(&motions, &outline, None);
+        let camera = Camera::fit(scene.bounds(), Size { width: 700.0, height: 500.0 });
+        let at = camera.to_screen(point(diameter, z));
+        let found = pick(&scene, &camera, Pixel::new(at.x + off.0, at.y + off.1), 6.0);
+        assert_eq!(found.map(|pick| pick.stroke.motion), expected);
+    }
+
+    fn turning() -> Path {
+        Path::from(100.0, 10.0).rapid(60.0, 2.0).feed(60.0, -50.0).feed(80.0, -50.0).rapid(60.0, 2.0)
+    }
+
+    #[test]
+    fn the_stroke_under_the_pointer() {
+        check(turning(), (60.0, -20.0), (0.0, 4.0), Some(1));
+        check(turning(), (70.0, -50.0), (-5.0, 0.0), Some(2));
+        check(turning(), (60.0, -20.0), (0.0, 9.0), None);
+        check(Path::from(100.0, 10.0), (60.0, -20.0), (0.0, 0.0), None);
+    }
+
+    #[test]
+    fn what_cuts_goes_before_rapids_and_later_before_earlier() {
+        let over = Path::from(60.0, 0.0).feed(60.0, -50.0).rapid(60.0, 0.0);
+        check(over, (60.0, -20.0), (0.0, 0.0), Some(0));
+        let twice = Path::from(60.0, 0.0).feed(60.0, -50.0).feed(60.0, 0.0);
+        check(twice, (60.0, -20.0), (0.0, 3.0), Some(1));
+    }
+
+    #[test]
+    fn arcs_are_met_on_the_arc_and_not_on_the_chord() {
+        let arc = || Path::from(40.0, 0.0).arc(Turn::Clockwise, (80.0, 20.0), (80.0, 0.0));
+        let middle = (80.0 - 2.0 * 20.0 * 0.5f64.sqrt(), 20.0 * 0.5f64.sqrt());
+        check(arc(), middle, (0.0, 0.0), None);
+        let arc = || Path::from(40.0, 0.0).arc(Turn::Counterclockwise, (80.0, 20.0), (80.0, 0.0));
+        check(arc(), middle, (2.0, 2.0), Some(0));
+        check(arc(), (60.0, 10.0), (0.0, 0.0), None);
+        check(arc(), (80.0, 20.0), (1.0, -4.0), Some(0));
+    }
+
+    #[test]
+    fn far_stretches_are_found_too() {
+        let mut path = Path::from(20.0, 0.0);
+        for step in 1..3000 {
+            path = path.feed(20.0, -0.001 * f64::from(step));
+        }
+        check(path.feed(80.0, -3.0).feed(80.0, -50.0), (80.0, -40.0), (0.0, 1.0), Some(3000));
+    }
+}

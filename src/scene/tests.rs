@@ -1,0 +1,197 @@
+//! Tests of the scene, and hand-built paths for those of its parts.
+
+use crate::control::setup::Stock;
+use crate::geometry::{Point, Turn};
+use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
+use crate::text::source::Span;
+
+use super::Scene;
+use super::bounds::Bounds;
+use super::outline::{Outline, STRETCH};
+
+/// A point by its diameter and Z.
+pub(super) fn point(diameter: f64, z: f64) -> Point {
+    Point::new(diameter / 2.0, z)
+}
+
+/// A path built by hand; X values are diameters. Each motion is its own line of ten bytes.
+pub(super) struct Path {
+    at: Point,
+    list: Vec<Motion>,
+    uncertain: bool,
+}
+
+impl Path {
+    pub(super) fn from(diameter: f64, z: f64) -> Self {
+        Self { at: point(diameter, z), list: Vec::new(), uncertain: false }
+    }
+
+    pub(super) fn rapid(self, diameter: f64, z: f64) -> Self {
+        self.with(MotionKind::Rapid, point(diameter, z), None)
+    }
+
+    pub(super) fn feed(self, diameter: f64, z: f64) -> Self {
+        self.with(MotionKind::Feed, point(diameter, z), None)
+    }
+
+    pub(super) fn thread(self, diameter: f64, z: f64) -> Self {
+        self.with(MotionKind::Thread, point(diameter, z), None)
+    }
+
+    pub(super) fn dwell(self) -> Self {
+        let at = self.at;
+        self.with(MotionKind::Dwell, at, None)
+    }
+
+    pub(super) fn arc(self, turn: Turn, to: (f64, f64), center: (f64, f64)) -> Self {
+        let kind = match turn {
+            Turn::Clockwise => MotionKind::ArcClockwise,
+            Turn::Counterclockwise => MotionKind::ArcCounterclockwise,
+        };
+        self.with(kind, point(to.0, to.1), Some(point(center.0, center.1)))
+    }
+
+    /// All that follows may be wrong.
+    pub(super) fn uncertain(mut self) -> Self {
+        self.uncertain = true;
+        self
+    }
+
+    pub(super) fn motions(self) -> Motions {
+        self.chunks_of(300)
+    }
+
+    pub(super) fn chunks_of(self, size: usize) -> Motions {
+        let mut motions = Motions::default();
+        for (index, part) in self.list.chunks(size).enumerate() {
+            let line = index * size;
+            let mut chunk = Chunk::new(line as u32 * 10, line as u32, part[0].from);
+            for (offset, motion) in part.iter().enumerate() {
+                let line = line + offset;
+                chunk.push(motion, Span::new(line * 10, line * 10 + 9), line as u32);
+            }
+            motions.push(chunk);
+        }
+        motions
+    }
+
+    fn with(mut self, kind: MotionKind, to: Point, center: Option<Point>) -> Self {
+        let process = Process {
+            feed: Feed::PerTurn(0.2),
+            speed: SpindleSpeed::Constant(800.0),
+            turn: SpindleTurn::Forward,
+            clamp: None,
+            tool: (1, 1),
+            uncertain: self.uncertain,
+        };
+        let (lead, seconds) = (None, None);
+        self.list.push(Motion { kind, from: self.at, to, center, lead, seconds, cycle: None, process });
+        self.at = to;
+        self
+    }
+}
+
+const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0 };
+
+fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
+    let motions = path.motions();
+    let outline = Outline::of(&motions);
+    let bounds = Scene::new(&motions, &outline, stock).bounds();
+    let expected = Bounds::around(point(low.0, low.1), point(high.0, high.1));
+    assert!(bounds.min.is_same(expected.min) && bounds.max.is_same(expected.max), "{bounds:?} {expected:?}");
+}
+
+#[test]
+fn the_box_worth_looking_at() {
+    let turning = || Path::from(200.0, 200.0).rapid(64.0, 2.0).feed(50.0, -30.0).rapid(200.0, 200.0);
+    check_bounds(turning(), None, ((0.0, -30.0), (64.0, 2.0)));
+    check_bounds(turning(), Some(STOCK), ((0.0, -79.0), (64.0, 2.0)));
+    let nothing_cuts = Path::from(200.0, 200.0).rapid(64.0, 2.0).rapid(100.0, -20.0);
+    check_bounds(nothing_cuts, None, ((0.0, -20.0), (100.0, 2.0)));
+    check_bounds(Path::from(0.0, 0.0), None, ((0.0, -50.0), (40.0, 10.0)));
+    let bulge = Path::from(40.0, 0.0).arc(Turn::Clockwise, (40.0, -20.0), (40.0, -10.0));
+    check_bounds(bulge, None, ((0.0, -20.0), (40.0, 0.0)));
+}
+
+#[test]
+fn strokes_carry_their_block_through_all_chunks() {
+    let mut path = Path::from(20.0, 0.0);
+    for step in 1..=5000 {
+        path = path.feed(20.0, -f64::from(step));
+    }
+    let motions = path.chunks_of(7);
+    let outline = Outline::of(&motions);
+    let scene = Scene::new(&motions, &outline, None);
+    assert_eq!(scene.strokes().count(), 5000);
+    for (index, stroke) in scene.strokes().enumerate() {
+        assert_eq!((stroke.motion, stroke.line as usize), (index, index));
+        assert_eq!(stroke.shape.end().z, -(index as f64 + 1.0));
+    }
+    assert_eq!(scene.stroke(4321), scene.strokes().nth(4321));
+    assert_eq!(scene.stroke(5000), None);
+    assert_eq!(scene.motions_of(Span::new(30_000, 30_025)), vec![3000..3002]);
+}
+
+#[test]
+fn an_outline_that_grew_equals_one_made_at_once() {
+    let build = |count: usize| {
+        let mut path = Path::from(20.0, 0.0);
+        for step in 0..count {
+            path = path.rapid(20.0 + step as f64, 0.0).feed(20.0 + step as f64, -1.0);
+        }
+        path.chunks_of(100)
+    };
+    let mut grown = Outline::new();
+    for count in [0, 50, 600, 600, 2000] {
+        let motions = build(count);
+        grown.extend(&motions);
+        assert_eq!(grown.stretches(), Outline::of(&motions).stretches());
+    }
+    assert_eq!(grown.len(), 4000);
+    assert_eq!(grown.stretches().len(), 4000usize.div_ceil(STRETCH));
+}
+
+#[test]
+fn places_along_the_path() {
+    // 30 mm of radius, a dwell, a half circle of radius 10, 10 mm back.
+    let path = Path::from(100.0, 0.0)
+        .rapid(40.0, 0.0)
+        .dwell()
+        .arc(Turn::Counterclockwise, (40.0, -20.0), (40.0, -10.0))
+        .feed(60.0, -20.0);
+    let motions = path.motions();
+    let outline = Outline::of(&motions);
+    let scene = Scene::new(&motions, &outline, None);
+    let half = 10.0 * std::f64::consts::PI;
+    assert!((scene.length() - (40.0 + half)).abs() < 1e-9);
+    assert!((scene.length_before(3) - (30.0 + half)).abs() < 1e-9);
+    let check = |length: f64, motion: usize, at: Point| {
+        let place = scene.at_length(length).expect("a place");
+        assert!(place.motion == motion && place.at.is_same(at), "{length}: {place:?}");
+    };
+    check(-5.0, 0, point(100.0, 0.0));
+    check(15.0, 0, point(70.0, 0.0));
+    check(30.0 + half / 2.0, 2, point(60.0, -10.0));
+    check(35.0 + half, 3, point(50.0, -20.0));
+    check(1e6, 3, point(60.0, -20.0));
+    let none = Motions::default();
+    assert_eq!(Scene::new(&none, &Outline::new(), None).at_length(0.0), None);
+}
+
+#[test]
+fn a_stroke_split_at_a_place_keeps_its_length() {
+    let path = Path::from(60.0, 0.0).arc(Turn::Clockwise, (60.0, 0.0), (40.0, 0.0)).feed(20.0, -7.0);
+    let motions = path.motions();
+    let outline = Outline::of(&motions);
+    let scene = Scene::new(&motions, &outline, None);
+    for stroke in scene.strokes() {
+        for t in [0.0, 0.3, 1.0] {
+            let (before, after) = stroke.shape.split(t);
+            assert!(
+                (before.length() + after.length() - stroke.shape.length()).abs() < 1e-6,
+                "{t} {before:?}"
+            );
+            assert!(before.end().is_same(stroke.shape.at(t)) && after.start().is_same(stroke.shape.at(t)));
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! How the user looks at the picture just now: where, and with what picked out.
+//!
+//! In: the user's pans, zooms, selections and playhead. Out: [`View`], which a painter draws a scene by. It
+//! lives apart from the canvas, so that picking and measuring work before there is one.
+
+use std::ops::Range;
+
+use super::Scene;
+use super::camera::{Camera, Pixel, Size};
+use super::palette::Palette;
+
+/// Whether the camera still shows the whole picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Framing {
+    /// As fitted: it follows the picture as that grows.
+    Fitted,
+    /// The user has moved it: it stays where it is.
+    Moved,
+}
+
+/// What is seen, in which colours, and what is picked out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    camera: Camera,
+    framing: Framing,
+    pixel_ratio: f64,
+    /// The colours.
+    pub palette: Palette,
+    /// Motions of the selected block or blocks.
+    pub highlight: Vec<Range<usize>>,
+    /// The motion under the pointer.
+    pub hover: Option<usize>,
+    /// How far the tool has come, mm along the whole path; `None` shows everything drawn and no tool.
+    pub playhead: Option<f64>,
+}
+
+impl View {
+    /// A view of a scene, fitted to a picture of `size`, CSS pixels.
+    pub fn new(scene: &Scene, size: Size) -> Self {
+        Self {
+            camera: Camera::fit(scene.bounds(), size),
+            framing: Framing::Fitted,
+            pixel_ratio: 1.0,
+            palette: Palette::default(),
+            highlight: Vec::new(),
+            hover: None,
+            playhead: None,
+        }
+    }
+
+    /// Where the camera is.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Whether the camera is as fitted.
+    pub fn framing(&self) -> Framing {
+        self.framing
+    }
+
+    /// Device pixels a CSS pixel.
+    pub fn pixel_ratio(&self) -> f64 {
+        self.pixel_ratio
+    }
+
+    /// Shows all that is worth looking at.
+    pub fn fit(&mut self, scene: &Scene) {
+        self.camera = Camera::fit(scene.bounds(), self.camera.size());
+        self.framing = Framing::Fitted;
+    }
+
+    /// The same, unless the user has moved the camera: call it when a run has ended.
+    pub fn follow(&mut self, scene: &Scene) {
+        match self.framing {
+            Framing::Fitted => self.fit(scene),
+            Framing::Moved => {}
+        }
+    }
+
+    /// Moves the picture by CSS pixels, to the right and down.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.camera.pan(dx, dy);
+        self.framing = Framing::Moved;
+    }
+
+    /// Makes the picture `factor` times as large about a place in it.
+    pub fn zoom(&mut self, factor: f64, fixed: Pixel) {
+        self.camera.zoom(factor, fixed);
+        self.framing = Framing::Moved;
+    }
+
+    /// Takes another size of picture, CSS pixels, and another ratio of device pixels to CSS pixels.
+    pub fn resize(&mut self, scene: &Scene, size: Size, pixel_ratio: f64) {
+        self.camera.resize(Size { width: size.width.max(0.0), height: size.height.max(0.0) });
+        self.pixel_ratio = if pixel_ratio.is_finite() { pixel_ratio.clamp(0.25, 8.0) } else { 1.0 };
+        self.follow(scene);
+    }
+}
