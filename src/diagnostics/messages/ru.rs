@@ -1,0 +1,251 @@
+//! The messages in Russian.
+//!
+//! Counts stand where no plural form depends on them: "Не показано сообщений: 3."
+
+use super::{Sentence, number};
+use crate::diagnostics::message::Message;
+use crate::motion::{Motion, MotionKind, Step};
+
+pub(super) fn sentence(message: &Message) -> Sentence {
+    match message {
+        Message::NumberMissing { address } => Sentence::new(format!("У адреса `{address}` нет числа."))
+            .help("После каждого адреса должно стоять число. Комментарий пишут в скобках: `( … )`."),
+        Message::AddressMissing { number } => Sentence::new(format!("У числа `{number}` нет адреса."))
+            .help("Поставьте перед числом нужный адрес, например X, Z или F."),
+        Message::NotUnderstood { text } => Sentence::new(format!("`{text}` не относится ни к одному слову."))
+            .help("Возможно, символ прочитан неверно или потерян. Комментарий пишут в скобках: `( … )`."),
+        Message::PlainText { text } => Sentence::new(format!("`{text}` — обычный текст, а не кадр."))
+            .help("Здесь стойка остановится с ошибкой. Пояснения пишут в скобках: `( … )`."),
+        Message::SecondPoint { word } => Sentence::new(format!("В `{word}` две десятичные точки."))
+            .help("Проверьте число и удалите лишнюю точку."),
+        Message::TooManyDigits { word } => Sentence::new(format!("В `{word}` больше 8 цифр."))
+            .help("Стойка принимает числа не длиннее 8 цифр, считая дробную часть."),
+        Message::BlankInNumber { written, joined } => {
+            Sentence::new(format!("В числе `{written}` есть пробел; стойка прочтёт `{joined}`."))
+                .help("Удалите пробел или допишите пропущенный адрес.")
+        }
+        Message::LetterForDigit { word, digit, .. } => {
+            Sentence::new(format!("В `{word}` вместо цифры {digit} стоит буква."))
+                .help("Буква O и цифра 0, буква l и цифра 1 похожи, но стойка их различает.")
+        }
+        Message::ZeroForO { number } => {
+            Sentence::new(format!("`{number}` прочитано как номер программы: первой должна стоять буква O."))
+                .help("Номер программы начинается с буквы O, а не с нуля.")
+        }
+        Message::PrintedMinus => Sentence::new("Это типографское тире, а не минус; оно прочитано как минус.")
+            .help("Стойка не знает этого символа. Замените его на `-`."),
+        Message::CommaForPoint { word, .. } => {
+            Sentence::new(format!("В `{word}` вместо десятичной точки стоит запятая."))
+                .help("В G-коде дробную часть отделяют точкой.")
+        }
+        Message::CommentOpen => Sentence::new("Скобка не закрыта; остаток строки принят за комментарий.")
+            .help("Закройте комментарий знаком `)`. Иначе стойка может пропустить и следующие кадры."),
+        Message::CommentNested => Sentence::new("Внутри комментария есть ещё скобки.")
+            .help("Для стойки комментарий кончается на первой `)`; остальное она прочтёт как слова."),
+        Message::TextAfterSemicolon { text } => {
+            Sentence::new(format!("Текст `{text}` после `;` принят за комментарий."))
+                .help("На стойках FANUC и GSK знак `;` завершает кадр; комментарий пишут в скобках: `( … )`.")
+        }
+        Message::BlockTooLong { most } => Sentence::new(format!("Слишком много слов в кадре; допустимо: {most}."))
+            .help("Не потерян ли конец строки? Остаток кадра не прочитан."),
+        Message::TextTooLong { bytes, most } => {
+            Sentence::new(format!("Размер текста в байтах: {bytes}; здесь читается не более {most}."))
+                .help("Разделите программу или откройте только нужную часть.")
+        }
+        Message::EmptyProgram => {
+            Sentence::new("Программы пока нет.").help("Введите или вставьте её либо выберите пример из галереи.")
+        }
+        Message::ProgramNumberZero => {
+            Sentence::new("O0 — недопустимый номер программы.").help("Возьмите номер от O1 до O9999.")
+        }
+        Message::DuplicateProgram { number } => {
+            Sentence::new(format!("Номер программы O{number} здесь повторяется."))
+                .help("Под одним номером стойка хранит только одну программу.")
+        }
+        Message::NoEnd => Sentence::new("В конце программы нет M30 или M02.")
+            .help("Поставьте в конце M30: иначе стойка остановится с ошибкой, а шпиндель и охлаждение останутся включёнными."),
+        Message::MoreMessages { hidden } => Sentence::new(format!("Не показано сообщений: {hidden}."))
+            .help("Сначала исправьте первые ошибки: остальные часто вызваны ими."),
+        Message::TooManyMotions { most } => {
+            Sentence::new(format!("Число перемещений превысило {most}; остальные не показаны."))
+                .help("Не слишком ли мала какая-нибудь величина в цикле?")
+        }
+        Message::Stopped { seconds } => {
+            Sentence::new(format!("Расчёт остановлен через {} с; дальнейшее не показано.", number(*seconds)))
+        }
+        Message::UnknownG { word } => Sentence::new(format!("G-кода `{word}` у этой стойки нет."))
+            .help("Весь кадр не выполняется. Проверьте номер."),
+        Message::UnknownM { word } => {
+            Sentence::new(format!("`{word}` есть только на некоторых станках; здесь этот код пропущен."))
+                .help("Его действие описано в руководстве к станку.")
+        }
+        Message::NotYet { what } => Sentence::new(format!("Здесь пока не поддерживается: {what}."))
+            .help("Это не ошибка программы. Дальнейшие перемещения могут быть неверны и показаны бледно."),
+        Message::PointNotAllowed { word } => {
+            Sentence::new(format!("В `{word}` должно стоять целое число, без точки."))
+        }
+        Message::MinusNotAllowed { word } => {
+            Sentence::new(format!("В `{word}` не может стоять отрицательное число."))
+        }
+        Message::DuplicateWord { address, used } => {
+            Sentence::new(format!("Адрес {address} стоит в кадре дважды; действует `{used}`."))
+                .help("Стойка берёт последнее слово или выдаёт ошибку. Удалите неверное.")
+        }
+        Message::SameGroup { dropped, used } => {
+            Sentence::new(format!("`{dropped}` и `{used}` исключают друг друга; действует `{used}`."))
+                .help("Это коды одной модальной группы. В кадре действует последний из них.")
+        }
+        Message::AbsoluteAndIncremental { absolute, incremental, used } => {
+            Sentence::new(format!("`{absolute}` и `{incremental}` задают одну и ту же ось; действует `{used}`."))
+                .help("Стойки ведут себя по-разному: FANUC берёт последнее слово, GSK — абсолютное.")
+        }
+        Message::ToolWithSetting { word } => {
+            Sentence::new(format!("`{word}` нельзя писать в одном кадре с G50, G10 или G04."))
+                .help("Вызывайте инструмент отдельным кадром.")
+        }
+        Message::ShortTool { word, offset } => Sentence::new(format!(
+            "В `{word}` нет номера позиции: выбирается корректор {offset}, а револьверная головка не поворачивается."
+        ))
+        .help("На стойке с четырёхзначным T пишут позицию и корректор, например T0101."),
+        Message::ToolNumber { word } => Sentence::new(format!("`{word}` — недопустимый номер инструмента."))
+            .help("Укажите позицию и корректор, например T0101."),
+        Message::G90AsAbsolute => {
+            Sentence::new("На токарном станке G90 — цикл продольного точения, а не абсолютные координаты.")
+                .help("Здесь X и Z всегда абсолютные, а U и W — приращения. Сейчас следующий X или Z запустит цикл: удалите G90.")
+        }
+        Message::LetterIInG92 { as_taper } => {
+            let reading = if *as_taper { "конусность, то есть R" } else { "число ниток на дюйм" };
+            Sentence::new(format!("I в G92 прочитано как {reading}."))
+                .help("FANUC читает I как конусность (старая запись R), GSK — как число ниток на дюйм.")
+        }
+        Message::G28NoAxis => Sentence::new("В G28 не указана ось, поэтому перемещения нет.")
+            .help("Чтобы вывести обе оси в референтную точку, запишите G28 U0 W0."),
+        Message::DwellNoTime => Sentence::new("В G04 нет времени, поэтому выдержки не будет.")
+            .help("Задайте X или U в секундах либо P в миллисекундах."),
+        Message::FeedMissing => Sentence::new("Не задана подача: до начала резания не было F, отличного от нуля.")
+            .help("Добавьте F, например F0.2 при G99 (мм/об) или F200 при G98 (мм/мин)."),
+        Message::LeadMissing { code } => Sentence::new(format!("В {code} не задан ход резьбы."))
+            .help("F задаёт ход резьбы в мм; у однозаходной резьбы он равен шагу."),
+        Message::FeedUnit { feed, per_turn: true } => {
+            let feed = number(*feed);
+            Sentence::new(format!("F{feed} при G99 — это {feed} мм на оборот шпинделя."))
+                .help("Для резания это слишком много. Может быть, нужен G98 (мм/мин)? Смените режим подачи стойки или запишите G98.")
+        }
+        Message::FeedUnit { feed, per_turn: false } => {
+            let feed = number(*feed);
+            Sentence::new(format!("F{feed} при G98 — это всего {feed} мм в минуту."))
+                .help("Может быть, нужен G99 (мм/об)? Смените режим подачи стойки или запишите G99.")
+        }
+        Message::FeedNotRepeated { feed, per_turn } => {
+            let (code, unit) = if *per_turn { ("G99", "мм/об") } else { ("G98", "мм/мин") };
+            Sentence::new(format!("После {code} прежняя подача F{} считается в {unit}.", number(*feed)))
+                .help("При смене режима подачи задавайте F заново.")
+        }
+        Message::SpindleStopped => Sentence::new("Инструмент режет при неподвижном шпинделе.")
+            .help("Включите шпиндель (M03 или M04) до начала резания."),
+        Message::NoSpeedClamp => {
+            Sentence::new("Включена постоянная скорость резания (G96), но обороты шпинделя не ограничены.")
+                .help("К центру обороты растут без предела. Сначала задайте ограничение, например G50 S2000.")
+        }
+        Message::ClampReversed { lowest, highest } => Sentence::new(format!(
+            "Наименьшие обороты шпинделя Q{} выше наибольших S{}.",
+            number(*lowest),
+            number(*highest)
+        )),
+        Message::ThreadAtSurfaceSpeed { code } => {
+            Sentence::new(format!("{code} нарезает резьбу при G96, когда обороты шпинделя меняются вместе с X."))
+                .help("Задайте постоянные обороты (G97 S…): каждый проход должен попадать в ту же нитку.")
+        }
+        Message::ArcNoCenter { code } => Sentence::new(format!("В {code} нет ни R, ни I и K."))
+            .help("Задайте радиус R или центр относительно начальной точки дуги: I и K."),
+        Message::ArcRadiusTooSmall { radius, distance } => Sentence::new(format!(
+            "Радиус R{} слишком мал: от начала до конца дуги {} мм.",
+            number(*radius),
+            number(*distance)
+        ))
+        .help(format!(
+            "Радиус должен быть не меньше половины этого расстояния: {} мм. Помните, что X — это диаметр.",
+            number(distance / 2.0)
+        )),
+        Message::ArcEndOffCircle { start_radius, end_radius } => Sentence::new(format!(
+            "Конечная точка не лежит на окружности: от центра до начала дуги {} мм, а до конца {} мм.",
+            number(*start_radius),
+            number(*end_radius)
+        ))
+        .help("I — приращение по X (на радиус) от начальной точки к центру, K — то же по Z; оба со знаком."),
+        Message::ArcRadiusNegative { radius } => {
+            Sentence::new(format!("Эта стойка не принимает R{}.", number(*radius)))
+                .help("Дуги больше 180° задают через I и K.")
+        }
+        Message::ArcNowhere => {
+            Sentence::new("Дуга кончается там же, где начинается, поэтому с R перемещения нет.")
+                .help("Полную окружность задают через I и K.")
+        }
+        Message::TaperBeyondStart { taper, limit, axis } => {
+            let (part, rule) = if *axis == 'U' { ("половины", "|U/2|") } else { ("длины", "|W|") };
+            Sentence::new(format!(
+                "`R{}` больше {part} `{axis}{}`: резание начнётся за начальной точкой цикла.",
+                number(*taper),
+                number(*limit)
+            ))
+            .help(format!("Если знаки R и {axis} различны, должно быть |R| ≤ {rule}."))
+        }
+        Message::TaperNotExtended { taper, needed, crossing, wanted, axis } => Sentence::new(format!(
+            "R{} взято с чертежа без учёта начальной точки цикла: конус выходит на край заготовки в {axis}{}, а не в {axis}{}.",
+            number(*taper),
+            number(*crossing),
+            number(*wanted)
+        ))
+        .help(format!(
+            "Резание начинается вне заготовки, поэтому R по модулю должно быть больше в той же пропорции: R{}.",
+            number(*needed)
+        )),
+        Message::CompensationIdle { code } => {
+            Sentence::new(format!("Коррекция на радиус вершины включена, но в этом {code} она не действует."))
+                .help("Резьбу нарезают без неё; для G90 и G94 в корректоре должен быть задан радиус вершины.")
+        }
+    }
+}
+
+pub(super) fn fix_title(message: &Message) -> String {
+    match message {
+        Message::CommentOpen => "Закрыть комментарий".into(),
+        Message::CommaForPoint { .. } => "Поставить десятичную точку".into(),
+        Message::LetterForDigit { digit, .. } => format!("Поставить цифру {digit}"),
+        Message::ZeroForO { .. } => "Поставить букву O".into(),
+        Message::PrintedMinus => "Поставить минус".into(),
+        other => sentence(other).message,
+    }
+}
+
+pub(super) fn motion(motion: &Motion) -> String {
+    let kind = match motion.kind {
+        MotionKind::Rapid => "ускоренное перемещение в",
+        MotionKind::Feed => "перемещение на подаче в",
+        MotionKind::ArcClockwise => "дуга G02 до",
+        MotionKind::ArcCounterclockwise => "дуга G03 до",
+        MotionKind::Thread => "нарезание резьбы до",
+        MotionKind::Dwell => "выдержка в",
+    };
+    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    if let Some(seconds) = motion.seconds {
+        return format!("выдержка {} с в {to}", number(seconds));
+    }
+    let Some(cycle) = motion.cycle else {
+        return format!("{kind} {to}");
+    };
+    let step = match cycle.step {
+        Step::Infeed => "подвод",
+        Step::Cut => "резание",
+        Step::PullOut => "сбег резьбы",
+        Step::Retract => "отвод",
+        Step::Return => "возврат",
+    };
+    let manner = match motion.kind {
+        MotionKind::Rapid => "на ускоренном ходу",
+        MotionKind::Thread => "синхронно со шпинделем",
+        _ => "на подаче",
+    };
+    let preposition = if matches!(cycle.step, Step::Cut | Step::PullOut) { "до" } else { "в" };
+    format!("{}, проход {}: {step} {manner} {preposition} {to}", cycle.cycle.code(), cycle.pass)
+}

@@ -1,0 +1,228 @@
+//! The messages in Chinese, with the terms of the FANUC and GSK manuals.
+
+use super::{Sentence, number};
+use crate::diagnostics::message::Message;
+use crate::motion::{Motion, MotionKind, Step};
+
+pub(super) fn sentence(message: &Message) -> Sentence {
+    match message {
+        Message::NumberMissing { address } => Sentence::new(format!("地址 `{address}` 后面没有数值。"))
+            .help("每个地址后面都要有数值。注释要写在括号里：`( … )`。"),
+        Message::AddressMissing { number } => Sentence::new(format!("数值 `{number}` 前面缺少地址。"))
+            .help("请在前面补上对应的地址，如 X、Z 或 F。"),
+        Message::NotUnderstood { text } => Sentence::new(format!("`{text}` 不属于任何指令字。"))
+            .help("是不是抄错或漏掉了字符？注释要写在括号里：`( … )`。"),
+        Message::PlainText { text } => Sentence::new(format!("`{text}` 是普通文字，不是程序段。"))
+            .help("系统读到这里会报警。说明文字要写在括号里：`( … )`。"),
+        Message::SecondPoint { word } => {
+            Sentence::new(format!("`{word}` 中有两个小数点。")).help("请核对数值，删去多余的小数点。")
+        }
+        Message::TooManyDigits { word } => Sentence::new(format!("`{word}` 的数值超过 8 位。"))
+            .help("系统最多接受 8 位数字，小数部分也计算在内。"),
+        Message::BlankInNumber { written, joined } => {
+            Sentence::new(format!("`{written}` 的数值中间有空格，系统会读成 `{joined}`。"))
+                .help("请删去空格；如果是漏了地址，请补上。")
+        }
+        Message::LetterForDigit { word, digit, .. } => {
+            Sentence::new(format!("`{word}` 中该写数字 {digit} 的地方写成了字母。"))
+                .help("字母 O 与数字 0、字母 l 与数字 1 看上去很像，但系统会区分。")
+        }
+        Message::ZeroForO { number } => {
+            Sentence::new(format!("`{number}` 已按程序号读取：第一个字符应为字母 O。"))
+                .help("程序号以字母 O 开头，不是数字 0。")
+        }
+        Message::PrintedMinus => Sentence::new("这是印刷用的横线，不是负号；这里已按负号读取。")
+            .help("系统不认识这个字符，请改成 `-`。"),
+        Message::CommaForPoint { word, .. } => {
+            Sentence::new(format!("`{word}` 中该写小数点的地方写成了逗号。"))
+                .help("G 代码的小数点是 `.`，不能用逗号代替。")
+        }
+        Message::CommentOpen => Sentence::new("括号没有闭合，本行余下的内容都当作注释。")
+            .help("请用 `)` 结束注释，否则系统可能把后面的程序段也当成注释。"),
+        Message::CommentNested => Sentence::new("注释里又出现了括号。")
+            .help("系统读到第一个 `)` 就认为注释结束，后面的内容会当成指令字。"),
+        Message::TextAfterSemicolon { text } => Sentence::new(format!("`;` 后面的 `{text}` 已当作注释。"))
+            .help("在 FANUC 和 GSK 系统上，`;` 表示程序段结束；注释要写在括号里：`( … )`。"),
+        Message::BlockTooLong { most } => Sentence::new(format!("这个程序段的指令字超过 {most} 个。"))
+            .help("是不是漏了换行？程序段余下的内容没有读取。"),
+        Message::TextTooLong { bytes, most } => {
+            Sentence::new(format!("程序有 {bytes} 字节，这里最多读取 {most} 字节。"))
+                .help("请把程序拆开，或只打开要看的部分。")
+        }
+        Message::EmptyProgram => {
+            Sentence::new("还没有程序。").help("请输入或粘贴程序，也可以从示例库中选一个。")
+        }
+        Message::ProgramNumberZero => Sentence::new("O0 不能用作程序号。").help("程序号的范围是 O1～O9999。"),
+        Message::DuplicateProgram { number } => Sentence::new(format!("程序号 O{number} 在这里重复出现。"))
+            .help("同一个程序号，系统只能存一个程序。"),
+        Message::NoEnd => Sentence::new("程序结尾没有 M30 或 M02。")
+            .help("请在结尾写上 M30：否则系统报警停止时，主轴还在转，冷却液也没有关。"),
+        Message::MoreMessages { hidden } => Sentence::new(format!("还有 {hidden} 条提示没有显示。"))
+            .help("请先改正前面的错误，后面的往往由它们引起。"),
+        Message::TooManyMotions { most } => {
+            Sentence::new(format!("程序的刀具运动超过 {most} 段，其余没有显示。"))
+                .help("是不是循环中的某个量写得太小了？")
+        }
+        Message::Stopped { seconds } => {
+            Sentence::new(format!("运行 {} 秒后被中止，后面的内容没有显示。", number(*seconds)))
+        }
+        Message::UnknownG { word } => {
+            Sentence::new(format!("`{word}` 不是本系统的 G 代码。")).help("整个程序段都不执行，请核对代码。")
+        }
+        Message::UnknownM { word } => Sentence::new(format!("`{word}` 只在部分机床上有效，这里跳过不执行。"))
+            .help("它的功能请查机床厂家的说明书。"),
+        Message::NotYet { what } => Sentence::new(format!("这里暂不支持 {what}。"))
+            .help("这不是程序的错。此后的刀具轨迹可能不准确，用淡色画出。"),
+        Message::PointNotAllowed { word } => Sentence::new(format!("`{word}` 必须是整数，不能带小数点。")),
+        Message::MinusNotAllowed { word } => Sentence::new(format!("`{word}` 不能是负值。")),
+        Message::DuplicateWord { address, used } => {
+            Sentence::new(format!("地址 {address} 在本程序段中出现了两次，以 `{used}` 为准。"))
+                .help("系统会取后一个，或者报警。请删去写错的那个。")
+        }
+        Message::SameGroup { dropped, used } => {
+            Sentence::new(format!("`{dropped}` 与 `{used}` 不能同时有效，以 `{used}` 为准。"))
+                .help("两者属于同一个模态组，同一程序段中最后一个有效。")
+        }
+        Message::AbsoluteAndIncremental { absolute, incremental, used } => {
+            Sentence::new(format!("`{absolute}` 与 `{incremental}` 指定的是同一个轴，以 `{used}` 为准。"))
+                .help("各系统的处理不同：FANUC 取后写的，GSK 取绝对坐标。")
+        }
+        Message::ToolWithSetting { word } => {
+            Sentence::new(format!("`{word}` 不能与 G50、G10 或 G04 写在同一程序段。"))
+                .help("请把换刀单独写成一个程序段。")
+        }
+        Message::ShortTool { word, offset } => {
+            Sentence::new(format!("`{word}` 没有写刀号：只调用 {offset} 号刀补，刀架不转位。"))
+                .help("在四位数 T 代码的系统上要写全刀号和刀补号，如 T0101。")
+        }
+        Message::ToolNumber { word } => {
+            Sentence::new(format!("`{word}` 不是有效的 T 代码。")).help("请写刀号和刀补号，如 T0101。")
+        }
+        Message::G90AsAbsolute => Sentence::new("车床上的 G90 是外圆切削循环，不是绝对值编程。").help(
+            "车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。留着 G90，下一个 X 或 Z 就会启动循环：请删去 G90。",
+        ),
+        Message::LetterIInG92 { as_taper } => {
+            let reading = if *as_taper { "锥度（同 R）" } else { "每英寸牙数" };
+            Sentence::new(format!("G92 中的 I 已按{reading}读取。"))
+                .help("FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。")
+        }
+        Message::G28NoAxis => {
+            Sentence::new("G28 没有指定轴，刀具不动。").help("要让两轴都返回参考点，请写 G28 U0 W0。")
+        }
+        Message::DwellNoTime => {
+            Sentence::new("G04 没有写时间，不会暂停。").help("请用 X 或 U 指定秒数，或用 P 指定毫秒数。")
+        }
+        Message::FeedMissing => Sentence::new("没有进给速度：切削之前没有给出不为零的 F。")
+            .help("请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。"),
+        Message::LeadMissing { code } => Sentence::new(format!("{code} 没有给出导程。"))
+            .help("F 指定螺纹导程，单位 mm；单线螺纹的导程就是螺距。"),
+        Message::FeedUnit { feed, per_turn: true } => {
+            let feed = number(*feed);
+            Sentence::new(format!("G99 状态下，F{feed} 是主轴每转进给 {feed} mm。"))
+                .help("这样的进给量太大，无法切削。是不是要用 G98（mm/min）？请改系统的进给方式，或在程序中写 G98。")
+        }
+        Message::FeedUnit { feed, per_turn: false } => {
+            let feed = number(*feed);
+            Sentence::new(format!("G98 状态下，F{feed} 只是每分钟进给 {feed} mm。"))
+                .help("是不是要用 G99（mm/r）？请改系统的进给方式，或在程序中写 G99。")
+        }
+        Message::FeedNotRepeated { feed, per_turn } => {
+            let (code, unit) = if *per_turn { ("G99", "mm/r") } else { ("G98", "mm/min") };
+            Sentence::new(format!("改用 {code} 后，原来的 F{} 按 {unit} 计算。", number(*feed)))
+                .help("改变进给方式后，要重新写 F。")
+        }
+        Message::SpindleStopped => {
+            Sentence::new("主轴没有转，刀具就在切削。").help("切削之前，请先用 M03 或 M04 启动主轴。")
+        }
+        Message::NoSpeedClamp => Sentence::new("用了 G96 恒线速，却没有限制主轴最高转速。")
+            .help("越靠近中心，转速升得越高，没有上限。请先限速，如 G50 S2000。"),
+        Message::ClampReversed { lowest, highest } => {
+            Sentence::new(format!("主轴最低转速 Q{} 高于最高转速 S{}。", number(*lowest), number(*highest)))
+        }
+        Message::ThreadAtSurfaceSpeed { code } => {
+            Sentence::new(format!("{code} 在 G96 恒线速状态下车螺纹，主轴转速会随 X 变化。"))
+                .help("每一刀都要切在同一条螺旋槽里，否则会乱牙：请用 G97 S… 指定固定转速。")
+        }
+        Message::ArcNoCenter { code } => Sentence::new(format!("{code} 既没有 R，也没有 I、K。"))
+            .help("请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标。"),
+        Message::ArcRadiusTooSmall { radius, distance } => {
+            Sentence::new(format!("R{} 太小：圆弧起点与终点相距 {} mm。", number(*radius), number(*distance)))
+                .help(format!("半径至少要 {} mm，即距离的一半。注意 X 是直径值。", number(distance / 2.0)))
+        }
+        Message::ArcEndOffCircle { start_radius, end_radius } => Sentence::new(format!(
+            "终点不在圆上：圆心到起点是 {} mm，到终点却是 {} mm。",
+            number(*start_radius),
+            number(*end_radius)
+        ))
+        .help("I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量，都带正负号。"),
+        Message::ArcRadiusNegative { radius } => {
+            Sentence::new(format!("本系统不接受 R{}。", number(*radius)))
+                .help("大于 180° 的圆弧请用 I、K 编程。")
+        }
+        Message::ArcNowhere => {
+            Sentence::new("圆弧的终点就是起点，用 R 编程时刀具不动。").help("整圆要用 I、K 编程。")
+        }
+        Message::TaperBeyondStart { taper, limit, axis } => {
+            let (part, rule) = if *axis == 'U' { ("的一半", "|U/2|") } else { ("的长度", "|W|") };
+            Sentence::new(format!(
+                "`R{}` 超过 `{axis}{}` {part}：切削起点会落到循环起点之外。",
+                number(*taper),
+                number(*limit)
+            ))
+            .help(format!("R 与 {axis} 的符号不一致时，要求 |R| ≤ {rule}。"))
+        }
+        Message::TaperNotExtended { taper, needed, crossing, wanted, axis } => Sentence::new(format!(
+            "R{} 是图样上的锥度，没有考虑实际的循环起点：锥面与毛坯边缘交于 {axis}{}，而不是 {axis}{}。",
+            number(*taper),
+            number(*crossing),
+            number(*wanted)
+        ))
+        .help(format!("切削起点在毛坯之外，R 的绝对值要按比例加大：R{}。", number(*needed))),
+        Message::CompensationIdle { code } => {
+            Sentence::new(format!("刀尖半径补偿已打开，但对这里的 {code} 不起作用。"))
+                .help("车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。")
+        }
+    }
+}
+
+pub(super) fn fix_title(message: &Message) -> String {
+    match message {
+        Message::CommentOpen => "补上右括号".into(),
+        Message::CommaForPoint { .. } => "改成小数点".into(),
+        Message::LetterForDigit { digit, .. } => format!("改成数字 {digit}"),
+        Message::ZeroForO { .. } => "改成字母 O".into(),
+        Message::PrintedMinus => "改成负号".into(),
+        other => sentence(other).message,
+    }
+}
+
+pub(super) fn motion(motion: &Motion) -> String {
+    let kind = match motion.kind {
+        MotionKind::Rapid => "快速移动至",
+        MotionKind::Feed => "切削进给至",
+        MotionKind::ArcClockwise => "圆弧 G02 至",
+        MotionKind::ArcCounterclockwise => "圆弧 G03 至",
+        MotionKind::Thread => "螺纹切削至",
+        MotionKind::Dwell => "暂停于",
+    };
+    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    if let Some(seconds) = motion.seconds {
+        return format!("在 {to} 暂停 {} 秒", number(seconds));
+    }
+    let Some(cycle) = motion.cycle else {
+        return format!("{kind} {to}");
+    };
+    let step = match cycle.step {
+        Step::Infeed => "进刀",
+        Step::Cut => "切削",
+        Step::PullOut => "退尾",
+        Step::Retract => "退刀",
+        Step::Return => "返回",
+    };
+    let manner = match motion.kind {
+        MotionKind::Rapid => "快速",
+        MotionKind::Thread => "随主轴同步",
+        _ => "以进给",
+    };
+    format!("{} 第 {} 刀：{manner}{step}至 {to}", cycle.cycle.code(), cycle.pass)
+}
