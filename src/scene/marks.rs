@@ -1,1 +1,100 @@
-//! Arrow heads.
+//! Small marks of fixed size on the screen: arrow heads on strokes, and the tool.
+//!
+//! In: shapes in mm and a camera. Out: corners in CSS pixels, for any exporter to fill.
+
+use super::StrokeShape;
+use super::camera::{Camera, Pixel};
+
+/// Length of an arrow head, CSS pixels.
+const HEAD: f64 = 8.0;
+/// Half its width.
+const HALF_HEAD: f64 = 2.8;
+/// Strokes shorter than this on the screen, CSS pixels, bear no arrow head.
+pub const LEAST_FOR_ARROW: f64 = 44.0;
+/// Least distance between two arrow heads, CSS pixels.
+const APART: f64 = 16.0;
+/// No more arrow heads than this in one picture.
+const MOST_ARROWS: usize = 400;
+/// Arrow heads only where no more motions than this are in view: beyond, they would be noise.
+pub const MOST_WITH_ARROWS: usize = 3000;
+/// Edge of the insert, CSS pixels.
+const EDGE: f64 = 19.0;
+/// Angles of the two cutting edges of an 80° insert from +Z, degrees, counter-clockwise: 95° to the feed for
+/// both turning and facing.
+const EDGES: [f64; 2] = [5.0, 85.0];
+
+/// The arrow head in the middle of a stroke at least `least` CSS pixels long; the tip comes first.
+fn arrow_head(shape: &StrokeShape, camera: &Camera, least: f64) -> Option<[Pixel; 3]> {
+    if shape.length() * camera.scale() < least {
+        return None;
+    }
+    let middle = camera.to_screen(shape.at(0.5));
+    let [back, front] = [0.499, 0.501].map(|t| camera.to_screen(shape.at(t)));
+    let length = back.distance(front);
+    if length <= 0.0 {
+        return None;
+    }
+    let (ux, uy) = ((front.x - back.x) / length, (front.y - back.y) / length);
+    let corner = |along: f64, aside: f64| {
+        Pixel::new(middle.x + ux * along - uy * aside, middle.y + uy * along + ux * aside)
+    };
+    Some([corner(HEAD / 2.0, 0.0), corner(-HEAD / 2.0, HALF_HEAD), corner(-HEAD / 2.0, -HALF_HEAD)])
+}
+
+/// Arrow heads in the middle of those of `shapes` that are in view and at least `least` CSS pixels long, where
+/// there is no other near by: enough to see which way things go, and no more.
+pub fn arrow_heads(
+    shapes: impl Iterator<Item = StrokeShape>,
+    camera: &Camera,
+    least: f64,
+) -> Vec<[Pixel; 3]> {
+    let seen = camera.seen();
+    let mut heads: Vec<[Pixel; 3]> = Vec::new();
+    for shape in shapes {
+        let Some(head) = arrow_head(&shape, camera, least) else { continue };
+        let crowded = heads.iter().any(|other| other[0].distance(head[0]) < APART);
+        if !crowded && seen.holds(camera.to_world(head[0])) {
+            heads.push(head);
+        }
+        if heads.len() == MOST_ARROWS {
+            break;
+        }
+    }
+    heads
+}
+
+/// The outline of an 80° insert with its tip at `tip`, which comes first.
+pub fn insert(tip: Pixel) -> [Pixel; 4] {
+    let [low, high] = EDGES.map(|degrees: f64| {
+        let angle = degrees.to_radians();
+        Pixel::new(EDGE * angle.cos(), -EDGE * angle.sin())
+    });
+    let corner = |dx: f64, dy: f64| Pixel::new(tip.x + dx, tip.y + dy);
+    [tip, corner(low.x, low.y), corner(low.x + high.x, low.y + high.y), corner(high.x, high.y)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Arc, Point, Turn};
+    use crate::scene::bounds::Bounds;
+    use crate::scene::camera::Size;
+
+    #[test]
+    fn arrows_point_the_way_the_tool_goes() {
+        let size = Size { width: 500.0, height: 500.0 };
+        let camera = Camera::fit(Bounds::around(Point::new(-10.0, -10.0), Point::new(10.0, 10.0)), size);
+        let left = StrokeShape::Line { from: Point::new(5.0, 8.0), to: Point::new(5.0, -8.0) };
+        let [tip, a, b] = arrow_head(&left, &camera, 40.0).expect("long enough");
+        assert!(tip.x < a.x && tip.x < b.x && (a.y + b.y - 2.0 * tip.y).abs() < 1e-6);
+        // From the right-most point of a circle over the top to the left: up on the screen, then left.
+        let (start, end, center) = (Point::new(0.0, 8.0), Point::new(0.0, -8.0), Point::default());
+        let arc = |turn| StrokeShape::Arc(Arc { start, end, center, turn });
+        let [tip, a, _] = arrow_head(&arc(Turn::Counterclockwise), &camera, 40.0).expect("long enough");
+        assert!(tip.x < a.x && tip.y < 250.0);
+        let [tip, a, _] = arrow_head(&arc(Turn::Clockwise), &camera, 40.0).expect("long enough");
+        assert!(tip.x < a.x && tip.y > camera.to_screen(center).y);
+        let short = StrokeShape::Line { from: Point::new(5.0, 0.1), to: Point::new(5.0, 0.0) };
+        assert_eq!(arrow_head(&short, &camera, 40.0), None);
+    }
+}

@@ -168,6 +168,19 @@ pub struct Stroke {
     pub line: u32,
 }
 
+impl Stroke {
+    /// The shape in the direction in which it is drawn. Rapids run down and to the left, whichever way the tool
+    /// goes: the dashes of those that lie on one another then coincide instead of filling each other's gaps.
+    pub fn drawn_shape(&self) -> StrokeShape {
+        match (self.style, self.shape) {
+            (StrokeStyle::Rapid, StrokeShape::Line { from, to }) if (from.x, from.z) < (to.x, to.z) => {
+                StrokeShape::Line { from: to, to: from }
+            }
+            (_, shape) => shape,
+        }
+    }
+}
+
 /// A place on the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
@@ -184,6 +197,14 @@ pub struct Place {
 pub struct StockShape {
     /// From the bore to the outside radius, from the back to the front face.
     pub bounds: Bounds,
+}
+
+impl StockShape {
+    /// Its other half, below the spindle axis.
+    pub fn mirrored(&self) -> Bounds {
+        let Bounds { min, max } = self.bounds;
+        Bounds::around(Point::new(-min.x, min.z), Point::new(-max.x, max.z))
+    }
 }
 
 /// The picture of a run: a view over its motions and the stock, which nothing is copied into.

@@ -1,1 +1,224 @@
-//! Tick positions.
+//! Where the ticks of the rulers stand, and what they say.
+//!
+//! In: a camera. Out: ticks at round values, as many as there is room for. Z reads in mm, X as a **diameter**
+//! in mm: the one place of the picture where radii become diameters.
+
+use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel};
+
+/// An axis of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along the bottom edge.
+    Z,
+    /// Along the left edge, in diameters.
+    X,
+}
+
+impl Axis {
+    /// What is written beside its ruler.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Z => "Z mm",
+            Self::X => "X ⌀ mm",
+        }
+    }
+
+    /// Least room for a labelled tick, CSS pixels.
+    fn room(self) -> f64 {
+        match self {
+            Self::Z => 64.0,
+            Self::X => 44.0,
+        }
+    }
+}
+
+/// How long a tick is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TickWeight {
+    /// At a round value: with a label where there is room, and a line of the grid.
+    Major,
+    /// Between two of those.
+    Minor,
+}
+
+impl TickWeight {
+    /// Length of the tick, CSS pixels.
+    pub fn length(self) -> f64 {
+        match self {
+            Self::Major => 6.0,
+            Self::Minor => 3.0,
+        }
+    }
+}
+
+/// A tick of a ruler.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tick {
+    /// Where it stands, CSS pixels: from the left edge on the ruler of Z, from the top on that of X.
+    pub pixel: f64,
+    /// How long it is drawn.
+    pub weight: TickWeight,
+    /// What it says, where it says something and there is room.
+    pub label: Option<String>,
+}
+
+/// Room for the name of Z at the right end of its ruler, CSS pixels.
+const NAME_ROOM: f64 = 60.0;
+
+/// The ticks of an axis that are in view, from the lowest value to the highest.
+pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
+    let size = camera.size();
+    let low = camera.to_world(Pixel::new(LEFT_RULER, size.height - BOTTOM_RULER));
+    let high = camera.to_world(Pixel::new(size.width, 0.0));
+    let zero = camera.to_screen(Default::default());
+    let (from, to, unit) = match axis {
+        Axis::Z => (low.z, high.z, camera.scale()),
+        Axis::X => (low.x * 2.0, high.x * 2.0, camera.scale() / 2.0),
+    };
+    let step = Step::at_least(axis.room() / unit);
+    let minor = step.value() / f64::from(step.parts());
+    let (first, last) = ((from / minor).ceil(), (to / minor).floor());
+    // Never more ticks than pixels, and none where the numbers are past counting.
+    let count = last - first;
+    if !(0.0..=size.width.max(size.height)).contains(&count) || first.abs() > 1e12 {
+        return Vec::new();
+    }
+    (0..=count as i64)
+        .map(|offset| {
+            let index = first as i64 + offset;
+            let away = index as f64 * minor * unit;
+            let pixel = match axis {
+                Axis::Z => zero.x + away,
+                Axis::X => zero.y - away,
+            };
+            let parts = i64::from(step.parts());
+            let weight = if index % parts == 0 { TickWeight::Major } else { TickWeight::Minor };
+            let free = match axis {
+                Axis::Z => LEFT_RULER + 8.0..size.width - NAME_ROOM,
+                Axis::X => 8.0..size.height - BOTTOM_RULER - 4.0,
+            };
+            let labelled = weight == TickWeight::Major && free.contains(&pixel);
+            Tick { pixel, weight, label: labelled.then(|| step.label(index / parts)) }
+        })
+        .collect()
+}
+
+/// A round distance between labelled ticks: 1, 2 or 5 times a power of ten.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Step {
+    /// 1, 2 or 5.
+    digit: i64,
+    /// The power of ten.
+    power: i32,
+}
+
+impl Step {
+    /// The smallest round step that is not smaller than `least`.
+    fn at_least(least: f64) -> Self {
+        let least = least.clamp(1e-6, 1e9);
+        let power = least.log10().floor() as i32;
+        let digits = [(1, power), (2, power), (5, power), (1, power + 1)];
+        let fits = |step: &Step| step.value() >= least * (1.0 - 1e-9);
+        let steps = digits.map(|(digit, power)| Step { digit, power });
+        steps.into_iter().find(fits).unwrap_or(Step { digit: 1, power: power + 1 })
+    }
+
+    fn value(self) -> f64 {
+        match self.power {
+            power if power < 0 => self.digit as f64 / 10f64.powi(-power),
+            power => self.digit as f64 * 10f64.powi(power),
+        }
+    }
+
+    /// Into how many parts short ticks divide it.
+    fn parts(self) -> i32 {
+        match self.digit {
+            2 => 4,
+            _ => 5,
+        }
+    }
+
+    /// `count` steps in digits, with a true minus sign, and without the noise of binary fractions.
+    fn label(self, count: i64) -> String {
+        let decimals = (-self.power).max(0);
+        let units = (count * self.digit).unsigned_abs();
+        let sign = if count < 0 { "\u{2212}" } else { "" };
+        let zeros = 10u64.pow(self.power.max(0) as u32);
+        let split = 10u64.pow(decimals as u32);
+        match decimals {
+            0 => format!("{sign}{}", units * zeros),
+            _ => format!("{sign}{}.{:0width$}", units / split, units % split, width = decimals as usize),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::scene::bounds::Bounds;
+    use crate::scene::camera::Size;
+
+    fn labels(axis: Axis, camera: &Camera) -> String {
+        let labels: Vec<String> = ticks(axis, camera).into_iter().filter_map(|tick| tick.label).collect();
+        labels.join(" ")
+    }
+
+    fn camera(low: (f64, f64), high: (f64, f64), width: f64, height: f64) -> Camera {
+        let bounds = Bounds::around(Point::new(low.0, low.1), Point::new(high.0, high.1));
+        Camera::fit(bounds, Size { width, height })
+    }
+
+    #[test]
+    fn x_reads_in_diameters() {
+        let camera = camera((0.0, -60.0), (40.0, 10.0), 800.0, 500.0);
+        assert_eq!(labels(Axis::X, &camera), "0 10 20 30 40 50 60 70 80");
+        assert_eq!(
+            labels(Axis::Z, &camera),
+            "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0"
+        );
+        let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
+        assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn labels_have_no_noise() {
+        let camera = camera((10.0, -0.3), (10.1, 0.1), 800.0, 500.0);
+        assert!(!labels(Axis::Z, &Camera::fit(camera.seen(), camera.size())).contains("00000"));
+        let mut near = camera;
+        near.zoom(8.0, near.to_screen(Point::new(10.0, 0.0)));
+        assert!(labels(Axis::Z, &near).contains("\u{2212}0.05 0.00 0.05"), "{}", labels(Axis::Z, &near));
+    }
+
+    #[test]
+    fn steps_are_round() {
+        let step = |least: f64| {
+            let step = Step::at_least(least);
+            (step.digit, step.power)
+        };
+        assert_eq!(step(1.0), (1, 0));
+        assert_eq!(step(1.1), (2, 0));
+        assert_eq!(step(3.0), (5, 0));
+        assert_eq!(step(7.0), (1, 1));
+        assert_eq!(step(0.1), (1, -1));
+        assert_eq!(step(0.02), (2, -2));
+        assert_eq!(step(0.04), (5, -2));
+        assert_eq!(Step { digit: 2, power: -2 }.label(-3), "\u{2212}0.06");
+        assert_eq!(Step { digit: 5, power: 2 }.label(3), "1500");
+    }
+
+    #[test]
+    fn ticks_are_few_at_any_scale() {
+        let mut camera = camera((0.0, -60.0), (40.0, 10.0), 800.0, 500.0);
+        for factor in [1e-9, 3.0, 7.0, 11.0, 100.0, 1e9] {
+            camera.zoom(factor, Pixel::new(400.0, 200.0));
+            for axis in [Axis::Z, Axis::X] {
+                let ticks = ticks(axis, &camera);
+                assert!((4..=80).contains(&ticks.len()), "{factor} {axis:?} {}", ticks.len());
+                assert!(ticks.iter().any(|tick| tick.label.is_some()));
+            }
+        }
+        let none = Camera::fit(Bounds::of(Point::default()), Size { width: 0.0, height: 0.0 });
+        assert!(ticks(Axis::Z, &none).is_empty());
+    }
+}

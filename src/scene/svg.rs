@@ -1,23 +1,334 @@
 //! The picture as a stand-alone SVG file.
 //!
-//! In: a scene. Out: text that any browser or manual can show.
+//! In: a scene. Out: text that any browser, manual or drawing program shows: no scripts, no identifiers that
+//! could clash in a page, light and dark colours. Every stroke carries the line of its block (`data-line`,
+//! from 1), one path for each block and style. The same scene gives the same bytes.
 
-use super::Scene;
+use std::fmt::Write;
+
+use crate::geometry::{Arc, Point, Turn};
+
+use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
+use super::palette::Palette;
+use super::ruler::{Axis, Tick, TickWeight, ticks};
+use super::{Scene, Stroke, StrokeShape, StrokeStyle};
 
 /// How the file is to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SvgOptions {
-    /// Width, CSS pixels; the height follows from the picture.
+    /// Width, CSS pixels.
     pub width: f64,
+    /// Height, CSS pixels; as the picture needs where nothing is said.
+    pub height: Option<f64>,
 }
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self { width: 960.0 }
+        Self { width: 960.0, height: None }
     }
 }
 
+/// Least and greatest height that a picture chooses for itself, CSS pixels.
+const HEIGHTS: [f64; 2] = [240.0, 720.0];
+
 /// The picture as an SVG file.
-pub fn svg(_scene: &Scene, _options: &SvgOptions) -> String {
-    String::new()
+pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
+    let bounds = scene.bounds();
+    let width = options.width.max(120.0);
+    let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
+    let height = options.height.map_or_else(chosen, |height| height.max(80.0));
+    let mut drawing = Drawing { text: String::new(), camera: Camera::fit(bounds, Size { width, height }) };
+    drawing.all(scene);
+    drawing.text
+}
+
+/// A file in the making.
+struct Drawing {
+    text: String,
+    camera: Camera,
+}
+
+impl Drawing {
+    fn all(&mut self, scene: &Scene) {
+        let Size { width, height } = self.camera.size();
+        let [w, h] = [width, height].map(number);
+        self.line(&format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="0 0 {w} {h}" width="{w}" height="{h}">"#
+        ));
+        self.line("<style>");
+        self.line(SHAPES);
+        self.line(&colours(&Palette::light()));
+        self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(&Palette::dark())));
+        self.line("</style>");
+        self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
+        let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
+        self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
+        let (along, across) = (ticks(Axis::Z, &self.camera), ticks(Axis::X, &self.camera));
+        self.grid(&along, &across);
+        self.stock(scene);
+        self.center_line();
+        for style in StrokeStyle::ALL {
+            self.strokes(scene, style);
+        }
+        self.arrows(scene);
+        self.line("</svg>");
+        self.rulers(&along, &across);
+        self.line("</svg>");
+    }
+
+    fn grid(&mut self, along: &[Tick], across: &[Tick]) {
+        let Size { width, height } = self.camera.size();
+        let mut d = String::new();
+        for tick in along.iter().filter(|tick| tick.weight == TickWeight::Major) {
+            let _ = write!(d, "M{} 0V{}", sharp(tick.pixel), number(height - BOTTOM_RULER));
+        }
+        for tick in across.iter().filter(|tick| tick.weight == TickWeight::Major) {
+            let _ = write!(d, "M{} {}H{}", number(LEFT_RULER), sharp(tick.pixel), number(width));
+        }
+        self.line(&format!(r#"<path class="grid" d="{d}"/>"#));
+    }
+
+    fn stock(&mut self, scene: &Scene) {
+        let Some(stock) = scene.stock() else { return };
+        for (class, bounds) in [("stock mirrored", stock.mirrored()), ("stock", stock.bounds)] {
+            let [low, high] = [bounds.min, bounds.max].map(|point| self.camera.to_screen(point));
+            let [x, y] = [low.x, high.y].map(number);
+            let [width, height] = [high.x - low.x, low.y - high.y].map(number);
+            self.line(&format!(
+                r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"/>"#
+            ));
+        }
+    }
+
+    fn center_line(&mut self) {
+        let y = sharp(self.camera.to_screen(Point::default()).y);
+        let (from, to) = (number(LEFT_RULER), number(self.camera.size().width));
+        self.line(&format!(r#"<path class="center" d="M{from} {y}H{to}"/>"#));
+    }
+
+    fn strokes(&mut self, scene: &Scene, style: StrokeStyle) {
+        let mut strokes = scene.strokes().filter(|stroke| stroke.style == style).peekable();
+        if strokes.peek().is_none() {
+            return;
+        }
+        self.line(&format!(r#"<g class="{}">"#, style.name()));
+        let mut d = String::new();
+        let (mut last, mut end) = (None::<Stroke>, None::<Point>);
+        for stroke in strokes {
+            if let Some(before) = last.filter(|before| is_other_path(before, &stroke)) {
+                self.path(&before, &d);
+                d.clear();
+                last = None;
+            }
+            let shape = stroke.drawn_shape();
+            let joined = end.is_some_and(|end| end.is_same(shape.start()));
+            if !joined || last.is_none() || style == StrokeStyle::Rapid {
+                let _ = write!(d, "M{}", self.place(shape.start()));
+            }
+            self.shape(&mut d, &shape);
+            (last, end) = (Some(stroke), Some(shape.end()));
+        }
+        if let Some(before) = last {
+            self.path(&before, &d);
+        }
+        self.line("</g>");
+    }
+
+    /// One path element: all that a block made in one style.
+    fn path(&mut self, stroke: &Stroke, d: &str) {
+        let name = stroke.style.name();
+        let dimmed = if stroke.uncertain { " uncertain" } else { "" };
+        self.line(&format!(r#"<path data-line="{}" class="{name}{dimmed}" d="{d}"/>"#, stroke.line + 1));
+    }
+
+    /// Draws on from the start of a shape to its end.
+    fn shape(&self, d: &mut String, shape: &StrokeShape) {
+        let _ = match shape {
+            StrokeShape::Line { to, .. } => write!(d, "L{}", self.place(*to)),
+            // A line without length is a dot under round caps.
+            StrokeShape::Dot(_) => write!(d, "h0"),
+            StrokeShape::Arc(arc) => write!(d, "{}{}", self.half(arc, 0.5), self.half(arc, 1.0)),
+        };
+    }
+
+    /// A half of an arc, up to the fraction `t`: so that a full circle has ends, and no half is ambiguous.
+    fn half(&self, arc: &Arc, t: f64) -> String {
+        let radius = number(self.camera.scale() * arc.center.distance(arc.at(t - 0.25)));
+        let sweep = match arc.turn {
+            Turn::Clockwise => 1,
+            Turn::Counterclockwise => 0,
+        };
+        let end = if t < 1.0 { arc.at(t) } else { arc.end };
+        format!("A{radius} {radius} 0 0 {sweep} {}", self.place(end))
+    }
+
+    fn arrows(&mut self, scene: &Scene) {
+        if scene.len() > MOST_WITH_ARROWS {
+            return;
+        }
+        for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
+            let strokes = scene.strokes().filter(|stroke| stroke.style == style && !stroke.uncertain);
+            let heads = arrow_heads(strokes.map(|stroke| stroke.shape), &self.camera, LEAST_FOR_ARROW);
+            if heads.is_empty() {
+                continue;
+            }
+            let mut d = String::new();
+            for [tip, a, b] in heads {
+                let _ = write!(d, "M{}L{}L{}Z", pixel(tip), pixel(a), pixel(b));
+            }
+            self.line(&format!(r#"<path class="arrow {}" d="{d}"/>"#, style.name()));
+        }
+    }
+
+    fn rulers(&mut self, along: &[Tick], across: &[Tick]) {
+        let Size { width, height } = self.camera.size();
+        let (left, bottom) = (LEFT_RULER - 0.5, height - BOTTOM_RULER + 0.5);
+        let mut d = format!("M{} 0V{}H{}", number(left), number(bottom), number(width));
+        let mut labels = String::new();
+        for tick in along {
+            let length = tick.weight.length();
+            let _ = write!(d, "M{} {}v{length}", sharp(tick.pixel), number(bottom));
+            if let Some(label) = &tick.label {
+                let (x, y) = (number(tick.pixel), number(height - 7.0));
+                let _ = writeln!(labels, r#"<text class="z" x="{x}" y="{y}">{label}</text>"#);
+            }
+        }
+        for tick in across {
+            let length = tick.weight.length();
+            let _ = write!(d, "M{} {}h-{length}", number(left), sharp(tick.pixel));
+            if let Some(label) = &tick.label {
+                let (x, y) = (number(LEFT_RULER - 10.0), number(tick.pixel + 4.0));
+                let _ = writeln!(labels, r#"<text class="x" x="{x}" y="{y}">{label}</text>"#);
+            }
+        }
+        self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
+        self.text.push_str(&labels);
+        let (x, z) = (Axis::X.name(), Axis::Z.name());
+        self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
+        let (right, low) = (number(width - 8.0), number(height - 7.0));
+        self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
+    }
+
+    fn place(&self, point: Point) -> String {
+        pixel(self.camera.to_screen(point))
+    }
+
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+}
+
+/// Line widths, dashes and type: what light and dark have in common.
+const SHAPES: &str = "\
+.lathe .grid, .lathe .ruler, .lathe .center, .lathe g path { fill: none }
+.lathe g path { stroke-linejoin: round; stroke-width: 1.75 }
+.lathe g path.rapid { stroke-width: 1; stroke-dasharray: 5 4 }
+.lathe g path.thread { stroke-width: 1.5; stroke-dasharray: 10 2.5 }
+.lathe g path.dwell { stroke-width: 6; stroke-linecap: round }
+.lathe .center { stroke-dasharray: 16 4 2 4 }
+.lathe .stock.mirrored { opacity: 0.45 }
+.lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
+.lathe text.x { text-anchor: end }
+.lathe text.z { text-anchor: middle }
+.lathe text.name { font-weight: 600 }
+.lathe text.name.z { text-anchor: end }";
+
+/// The colours of a palette as style rules.
+fn colours(palette: &Palette) -> String {
+    let Palette { background, grid, axis, text, stock, stock_edge, rapid, feed, thread, uncertain, .. } =
+        palette;
+    format!(
+        "\
+.lathe .background {{ fill: {background} }}
+.lathe .grid {{ stroke: {grid} }}
+.lathe .ruler, .lathe .center {{ stroke: {axis} }}
+.lathe text {{ fill: {text} }}
+.lathe .stock {{ fill: {stock}; stroke: {stock_edge} }}
+.lathe g .rapid {{ stroke: {rapid} }}
+.lathe g .feed, .lathe g .dwell {{ stroke: {feed} }}
+.lathe g .thread {{ stroke: {thread} }}
+.lathe g .uncertain {{ stroke: {uncertain} }}
+.lathe .arrow.feed {{ fill: {feed} }}
+.lathe .arrow.thread {{ fill: {thread} }}"
+    )
+}
+
+/// Whether a stroke begins another path element than the one before.
+fn is_other_path(before: &Stroke, stroke: &Stroke) -> bool {
+    before.line != stroke.line || before.uncertain != stroke.uncertain
+}
+
+fn pixel(pixel: Pixel) -> String {
+    format!("{} {}", number(pixel.x), number(pixel.y))
+}
+
+/// The middle of the pixel a thin line falls in.
+fn sharp(value: f64) -> String {
+    number(value.floor() + 0.5)
+}
+
+/// At most two decimals, and no more than needed.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::Outline;
+    use super::super::tests::Path;
+    use super::*;
+    use crate::control::setup::Stock;
+
+    fn draw(path: Path, stock: Option<Stock>) -> String {
+        let motions = path.motions();
+        let outline = Outline::of(&motions);
+        svg(&Scene::new(&motions, &outline, stock), &SvgOptions::default())
+    }
+
+    fn paths(file: &str) -> Vec<&str> {
+        file.lines().filter(|line| line.contains("data-line")).collect()
+    }
+
+    #[test]
+    fn every_block_has_its_own_path() {
+        let path = Path::from(100.0, 20.0).rapid(60.0, 2.0).feed(60.0, -30.0).dwell().thread(60.0, -40.0);
+        let file = draw(path.uncertain().feed(70.0, -40.0), None);
+        let found = paths(&file);
+        assert_eq!(found.len(), 5, "{file}");
+        for (path, start) in found.iter().zip([
+            r#"<path data-line="1" class="rapid" d="M"#,
+            r#"<path data-line="3" class="dwell" d="M"#,
+            r#"<path data-line="2" class="feed" d="M"#,
+            r#"<path data-line="5" class="feed uncertain" d="M"#,
+            r#"<path data-line="4" class="thread" d="M"#,
+        ]) {
+            assert!(path.starts_with(start), "{path}");
+        }
+    }
+
+    #[test]
+    fn arcs_are_true_arcs_that_turn_the_right_way() {
+        let clockwise = Path::from(40.0, 0.0).arc(Turn::Clockwise, (80.0, 20.0), (80.0, 0.0));
+        let file = draw(clockwise, None);
+        assert_eq!(paths(&file)[0].matches(" 0 0 1 ").count(), 2, "{file}");
+        let full = Path::from(40.0, 0.0).arc(Turn::Counterclockwise, (40.0, 0.0), (80.0, 0.0));
+        let file = draw(full, None);
+        assert_eq!(paths(&file)[0].matches(" 0 0 0 ").count(), 2, "{file}");
+    }
+
+    #[test]
+    fn nothing_to_draw_is_an_empty_sheet() {
+        let file = draw(Path::from(0.0, 0.0), None);
+        assert!(paths(&file).is_empty() && file.contains(">\u{2212}50<") && !file.contains("NaN"), "{file}");
+        assert!(file.ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([1.0, -0.001, 12.345678, -3.5].map(number), ["1", "0", "12.35", "-3.5"]);
+    }
 }

@@ -63,6 +63,11 @@ impl View {
         self.pixel_ratio
     }
 
+    /// The same view with nothing picked out.
+    pub fn bare(&self) -> View {
+        View { palette: self.palette.clone(), highlight: Vec::new(), hover: None, ..*self }
+    }
+
     /// Shows all that is worth looking at.
     pub fn fit(&mut self, scene: &Scene) {
         self.camera = Camera::fit(scene.bounds(), self.camera.size());

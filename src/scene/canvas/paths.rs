@@ -1,0 +1,136 @@
+//! Strokes as paths of the browser, in mm.
+//!
+//! In: strokes. Out: one `Path2d` for each way of drawing them. World coordinates: Z is the first, the radius
+//! the second; the transform under which they are stroked turns X up, and the sense of arcs with it.
+
+use wasm_bindgen::JsValue;
+use web_sys::Path2d;
+
+use crate::geometry::{Arc, Point, Turn};
+
+use super::super::{Stroke, StrokeShape, StrokeStyle};
+
+/// Ends of an arc whose radii differ by more than this, mm, are joined by a spiral.
+const ROUND: f64 = 1e-3;
+/// Straight pieces of such a spiral.
+const PIECES: u32 = 64;
+
+/// A way of drawing: a style, or that style where the stroke may be wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// As the style says.
+    Sure(StrokeStyle),
+    /// Dimmed.
+    Uncertain(StrokeStyle),
+}
+
+impl Ink {
+    /// All ways, in the order in which they are drawn.
+    pub const ALL: [Ink; 8] = [
+        Ink::Uncertain(StrokeStyle::Rapid),
+        Ink::Sure(StrokeStyle::Rapid),
+        Ink::Uncertain(StrokeStyle::Dwell),
+        Ink::Uncertain(StrokeStyle::Feed),
+        Ink::Uncertain(StrokeStyle::Thread),
+        Ink::Sure(StrokeStyle::Dwell),
+        Ink::Sure(StrokeStyle::Feed),
+        Ink::Sure(StrokeStyle::Thread),
+    ];
+
+    /// The style drawn.
+    pub fn style(self) -> StrokeStyle {
+        match self {
+            Self::Sure(style) | Self::Uncertain(style) => style,
+        }
+    }
+
+    fn of(stroke: &Stroke) -> Self {
+        if stroke.uncertain { Self::Uncertain(stroke.style) } else { Self::Sure(stroke.style) }
+    }
+
+    fn index(self) -> usize {
+        match self {
+            Self::Sure(style) => style as usize,
+            Self::Uncertain(style) => StrokeStyle::ALL.len() + style as usize,
+        }
+    }
+}
+
+/// Some strokes as paths.
+#[derive(Debug, Default)]
+pub struct Paths {
+    lines: [Option<Line>; 8],
+    dots: [Vec<Point>; 8],
+}
+
+/// A path and where it has come to.
+#[derive(Debug)]
+struct Line {
+    path: Path2d,
+    end: Option<Point>,
+}
+
+impl Paths {
+    /// The paths of strokes.
+    pub fn of(strokes: impl Iterator<Item = Stroke>) -> Result<Self, JsValue> {
+        let mut paths = Self::default();
+        for stroke in strokes {
+            paths.push(&stroke)?;
+        }
+        Ok(paths)
+    }
+
+    /// Adds a stroke.
+    pub fn push(&mut self, stroke: &Stroke) -> Result<(), JsValue> {
+        let index = Ink::of(stroke).index();
+        let shape = stroke.drawn_shape();
+        if let StrokeShape::Dot(at) = shape {
+            self.dots[index].push(at);
+            return Ok(());
+        }
+        let line = match &mut self.lines[index] {
+            Some(line) => line,
+            empty => empty.insert(Line { path: Path2d::new()?, end: None }),
+        };
+        let start = shape.start();
+        // Dashes begin anew with each rapid, see `drawn_shape`.
+        if line.end != Some(start) || stroke.style == StrokeStyle::Rapid {
+            line.path.move_to(start.z, start.x);
+        }
+        match shape {
+            StrokeShape::Line { to, .. } => line.path.line_to(to.z, to.x),
+            StrokeShape::Arc(arc) => trace(&line.path, &arc)?,
+            StrokeShape::Dot(_) => {}
+        }
+        line.end = Some(shape.end());
+        Ok(())
+    }
+
+    /// The path of a way of drawing, if there is anything in it.
+    pub fn get(&self, ink: Ink) -> Option<&Path2d> {
+        self.lines[ink.index()].as_ref().map(|line| &line.path)
+    }
+
+    /// Where the tool waits.
+    pub fn dots(&self, ink: Ink) -> &[Point] {
+        &self.dots[ink.index()]
+    }
+}
+
+/// Draws an arc on from its start.
+fn trace(path: &Path2d, arc: &Arc) -> Result<(), JsValue> {
+    let radius = arc.radius();
+    if (radius - arc.end.distance(arc.center)).abs() > ROUND {
+        for piece in 1..=PIECES {
+            let at = arc.at(f64::from(piece) / f64::from(PIECES));
+            path.line_to(at.z, at.x);
+        }
+        return Ok(());
+    }
+    let start = arc.start_angle();
+    // The canvas counts angles from its first axis towards its second: here from +Z towards +X, which is
+    // counter-clockwise for us and what it calls clockwise.
+    let against = arc.turn == Turn::Clockwise;
+    let end = start + arc.sweep();
+    path.arc_with_anticlockwise(arc.center.z, arc.center.x, radius, start, end, against)
+}

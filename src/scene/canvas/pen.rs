@@ -1,0 +1,213 @@
+//! A canvas and its context.
+//!
+//! In: places, colours and widths in CSS pixels, or paths in mm. Out: pixels. The one place where CSS pixels
+//! become device pixels; knows nothing of scenes.
+
+use js_sys::Array;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
+
+use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel};
+use super::super::view::View;
+
+/// How a line is broken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Dash {
+    /// It is not.
+    Solid,
+    /// A dash and a gap, CSS pixels.
+    Broken(f64, f64),
+    /// The dash-dot of centre lines, CSS pixels: dash, gap, dot, gap.
+    Center([f64; 4]),
+}
+
+/// A canvas to draw on.
+#[derive(Debug)]
+pub struct Pen {
+    canvas: OffscreenCanvas,
+    context: OffscreenCanvasRenderingContext2d,
+}
+
+impl Pen {
+    /// A pen for a canvas.
+    pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
+        let context = canvas.get_context("2d")?.ok_or("this canvas has no 2d context")?;
+        Ok(Self { canvas, context: context.unchecked_into() })
+    }
+
+    /// Gives the canvas the size of the view, and resets the state of the context.
+    pub fn begin(&self, view: &View) -> Result<(), JsValue> {
+        let size = view.camera().size();
+        let device = |length: f64| ((length * view.pixel_ratio()).round() as u32).clamp(1, 16_384);
+        let (width, height) = (device(size.width), device(size.height));
+        if (self.canvas.width(), self.canvas.height()) != (width, height) {
+            self.canvas.set_width(width);
+            self.canvas.set_height(height);
+        }
+        self.context.set_global_alpha(1.0);
+        self.context.set_line_join("round");
+        self.page(view)
+    }
+
+    /// From here on, places are CSS pixels.
+    pub fn page(&self, view: &View) -> Result<(), JsValue> {
+        let ratio = view.pixel_ratio();
+        self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)
+    }
+
+    /// From here on, paths are in mm, with Z to the right and X up; `width` and `dash` stay in CSS pixels.
+    pub fn world(&self, view: &View, width: f64, dash: Dash, colour: &str) -> Result<(), JsValue> {
+        let (camera, ratio) = (view.camera(), view.pixel_ratio());
+        let zero = camera.to_screen(Default::default());
+        let scale = camera.scale() * ratio;
+        self.context.set_transform(scale, 0.0, 0.0, -scale, zero.x * ratio, zero.y * ratio)?;
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width / camera.scale());
+        self.dash(dash, 1.0 / camera.scale())
+    }
+
+    /// Strokes a path.
+    pub fn stroke(&self, path: &Path2d) {
+        self.context.stroke_with_path(path);
+    }
+
+    /// How much what follows covers what is there: 0 not at all, 1 fully.
+    pub fn opacity(&self, opacity: f64) {
+        self.context.set_global_alpha(opacity);
+    }
+
+    /// Keeps what follows inside the rulers.
+    pub fn clip(&self, view: &View) -> Result<(), JsValue> {
+        let size = view.camera().size();
+        self.context.save();
+        self.page(view)?;
+        self.context.begin_path();
+        self.context.rect(LEFT_RULER, 0.0, size.width - LEFT_RULER, size.height - BOTTOM_RULER);
+        self.context.clip();
+        Ok(())
+    }
+
+    /// Ends what [`Pen::clip`] began, and takes back the state of then.
+    pub fn unclip(&self) {
+        self.context.restore();
+    }
+
+    /// Copies a picture of the same size.
+    pub fn copy(&self, from: &Pen) -> Result<(), JsValue> {
+        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
+        self.context.draw_image_with_offscreen_canvas(&from.canvas, 0.0, 0.0)
+    }
+
+    /// Fills a box between two corners, CSS pixels.
+    pub fn block(&self, colour: &str, from: Pixel, to: Pixel) {
+        self.context.set_fill_style_str(colour);
+        self.context.fill_rect(from.x, from.y, to.x - from.x, to.y - from.y);
+    }
+
+    /// Fills polygons, corners in CSS pixels.
+    pub fn fill<'a>(&self, colour: &str, polygons: impl Iterator<Item = &'a [Pixel]>) {
+        self.context.set_fill_style_str(colour);
+        self.context.begin_path();
+        for corners in polygons {
+            self.trace(corners);
+        }
+        self.context.fill();
+    }
+
+    /// Strokes the outline of a polygon, corners and width in CSS pixels.
+    pub fn outline(&self, colour: &str, corners: &[Pixel], width: f64) {
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width);
+        let _ = self.dash(Dash::Solid, 1.0);
+        self.context.begin_path();
+        self.trace(corners);
+        self.context.stroke();
+    }
+
+    /// Fills dots of a radius, CSS pixels.
+    pub fn dots(
+        &self,
+        colour: &str,
+        places: impl Iterator<Item = Pixel>,
+        radius: f64,
+    ) -> Result<(), JsValue> {
+        self.context.set_fill_style_str(colour);
+        self.context.begin_path();
+        for place in places {
+            self.context.move_to(place.x + radius, place.y);
+            self.context.arc(place.x, place.y, radius, 0.0, std::f64::consts::TAU)?;
+        }
+        self.context.fill();
+        Ok(())
+    }
+
+    /// Draws upright and level lines that fill whole device pixels, about one CSS pixel wide.
+    pub fn hairlines(
+        &self,
+        view: &View,
+        colour: &str,
+        dash: Dash,
+        lines: impl Iterator<Item = (Pixel, Pixel)>,
+    ) -> Result<(), JsValue> {
+        let ratio = view.pixel_ratio();
+        let width = ratio.round().max(1.0);
+        let sharp = |value: f64| (value * ratio - width / 2.0).round() + width / 2.0;
+        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width);
+        self.dash(dash, ratio)?;
+        self.context.begin_path();
+        for (from, to) in lines {
+            self.context.move_to(sharp(from.x), sharp(from.y));
+            self.context.line_to(sharp(to.x), sharp(to.y));
+        }
+        self.context.stroke();
+        self.page(view)
+    }
+
+    /// Writes at a place: `align` and `baseline` as the canvas names them.
+    pub fn write(&self, text: &Text, at: Pixel, colour: &str) -> Result<(), JsValue> {
+        self.context.set_font(text.font);
+        self.context.set_text_align(text.align);
+        self.context.set_text_baseline(text.baseline);
+        self.context.set_fill_style_str(colour);
+        self.context.fill_text(text.text, at.x, at.y)
+    }
+
+    fn trace(&self, corners: &[Pixel]) {
+        for (index, corner) in corners.iter().enumerate() {
+            match index {
+                0 => self.context.move_to(corner.x, corner.y),
+                _ => self.context.line_to(corner.x, corner.y),
+            }
+        }
+        self.context.close_path();
+    }
+
+    /// Sets the dashes, of lengths times `unit`.
+    fn dash(&self, dash: Dash, unit: f64) -> Result<(), JsValue> {
+        let lengths: &[f64] = match &dash {
+            Dash::Solid => &[],
+            Dash::Broken(line, gap) => &[*line, *gap],
+            Dash::Center(lengths) => lengths,
+        };
+        let list = Array::new();
+        for length in lengths {
+            list.push(&JsValue::from_f64(length * unit));
+        }
+        self.context.set_line_dash(&list)
+    }
+}
+
+/// A word on the sheet.
+#[derive(Clone, Copy, Debug)]
+pub struct Text<'a> {
+    /// What it says.
+    pub text: &'a str,
+    /// A CSS font.
+    pub font: &'a str,
+    /// Where the place is along it, as the canvas names that.
+    pub align: &'a str,
+    /// Where the place is across it, as the canvas names that.
+    pub baseline: &'a str,
+}

@@ -1,0 +1,136 @@
+//! The sheet the strokes are drawn on: paper, grid, stock, centre line and rulers; and how strokes look.
+//!
+//! In: a scene and a view. Out: pixels. Line weights are those of a technical drawing: cuts heavy, the rest thin.
+
+use wasm_bindgen::JsValue;
+
+use super::super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::super::palette::Palette;
+use super::super::ruler::{Axis, Tick, TickWeight, ticks};
+use super::super::view::View;
+use super::super::{Scene, StrokeStyle};
+use super::paths::Ink;
+use super::pen::{Dash, Pen, Text};
+use crate::geometry::Point;
+
+const FONT: &str = "12px system-ui, sans-serif";
+const NAME_FONT: &str = "600 12px system-ui, sans-serif";
+
+/// The colour of a way of drawing.
+pub fn colour(palette: &Palette, ink: Ink) -> &str {
+    match ink {
+        Ink::Uncertain(_) => &palette.uncertain,
+        Ink::Sure(StrokeStyle::Rapid) => &palette.rapid,
+        Ink::Sure(StrokeStyle::Dwell | StrokeStyle::Feed) => &palette.feed,
+        Ink::Sure(StrokeStyle::Thread) => &palette.thread,
+    }
+}
+
+/// Its line width, CSS pixels.
+pub fn width(ink: Ink) -> f64 {
+    match ink.style() {
+        StrokeStyle::Rapid => 1.0,
+        StrokeStyle::Dwell | StrokeStyle::Feed => 1.75,
+        StrokeStyle::Thread => 1.5,
+    }
+}
+
+/// Its dashes.
+pub fn dash(ink: Ink) -> Dash {
+    match ink.style() {
+        StrokeStyle::Rapid => Dash::Broken(5.0, 4.0),
+        StrokeStyle::Dwell | StrokeStyle::Feed => Dash::Solid,
+        StrokeStyle::Thread => Dash::Broken(10.0, 2.5),
+    }
+}
+
+/// Draws what lies under the strokes.
+pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
+    let (camera, palette) = (view.camera(), &view.palette);
+    let Size { width, height } = camera.size();
+    pen.block(&palette.background, Pixel::default(), Pixel::new(width, height));
+    pen.clip(view)?;
+    let major = |tick: &Tick| tick.weight == TickWeight::Major;
+    let along = ticks(Axis::Z, camera);
+    let upright =
+        along.iter().filter(|tick| major(tick)).map(|tick| from_to((tick.pixel, 0.0), (tick.pixel, height)));
+    pen.hairlines(view, &palette.grid, Dash::Solid, upright)?;
+    let across = ticks(Axis::X, camera);
+    let level =
+        across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
+    pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
+    stock(pen, scene, view)?;
+    center_line(pen, view)?;
+    pen.unclip();
+    Ok(())
+}
+
+fn stock(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
+    let Some(stock) = scene.stock() else { return Ok(()) };
+    let palette = &view.palette;
+    for (bounds, opacity) in [(stock.mirrored(), 0.45), (stock.bounds, 1.0)] {
+        let [low, high] = [bounds.min, bounds.max].map(|point| held(view.camera(), point));
+        pen.opacity(opacity);
+        pen.block(&palette.stock, Pixel::new(low.x, high.y), Pixel::new(high.x, low.y));
+        let corners = [(low.x, low.y), (low.x, high.y), (high.x, high.y), (high.x, low.y)];
+        let edges = (0..4).map(|index| from_to(corners[index], corners[(index + 1) % 4]));
+        pen.hairlines(view, &palette.stock_edge, Dash::Solid, edges)?;
+    }
+    pen.opacity(1.0);
+    Ok(())
+}
+
+fn center_line(pen: &Pen, view: &View) -> Result<(), JsValue> {
+    let y = view.camera().to_screen(Point::default()).y;
+    let line = from_to((LEFT_RULER, y), (view.camera().size().width, y));
+    pen.hairlines(view, &view.palette.axis, Dash::Center([16.0, 4.0, 2.0, 4.0]), [line].into_iter())
+}
+
+/// Draws the rulers over the edges of the picture.
+pub fn rulers(pen: &Pen, view: &View) -> Result<(), JsValue> {
+    let (camera, palette) = (view.camera(), &view.palette);
+    let Size { width, height } = camera.size();
+    let (left, bottom) = (LEFT_RULER, height - BOTTOM_RULER);
+    pen.page(view)?;
+    pen.block(&palette.background, Pixel::default(), Pixel::new(left, height));
+    pen.block(&palette.background, Pixel::new(0.0, bottom), Pixel::new(width, height));
+    let edges = [from_to((left, 0.0), (left, bottom)), from_to((left, bottom), (width, bottom))];
+    pen.hairlines(view, &palette.axis, Dash::Solid, edges.into_iter())?;
+    let along = ticks(Axis::Z, camera);
+    let lines =
+        along.iter().map(|tick| from_to((tick.pixel, bottom), (tick.pixel, bottom + tick.weight.length())));
+    pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
+    let across = ticks(Axis::X, camera);
+    let lines =
+        across.iter().map(|tick| from_to((left - tick.weight.length(), tick.pixel), (left, tick.pixel)));
+    pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
+    for tick in &along {
+        label(pen, tick, "center", Pixel::new(tick.pixel, height - 10.0), palette)?;
+    }
+    for tick in &across {
+        label(pen, tick, "right", Pixel::new(left - 10.0, tick.pixel), palette)?;
+    }
+    name(pen, Axis::X, "left", Pixel::new(left + 7.0, 12.0), palette)?;
+    name(pen, Axis::Z, "right", Pixel::new(width - 8.0, height - 10.0), palette)
+}
+
+fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
+    match &tick.label {
+        Some(text) => pen.write(&Text { text, font: FONT, align, baseline: "middle" }, at, &palette.text),
+        None => Ok(()),
+    }
+}
+
+fn name(pen: &Pen, axis: Axis, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
+    pen.write(&Text { text: axis.name(), font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
+}
+
+/// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.
+fn held(camera: &Camera, point: Point) -> Pixel {
+    let (at, size) = (camera.to_screen(point), camera.size());
+    Pixel::new(at.x.clamp(-10.0, size.width + 10.0), at.y.clamp(-10.0, size.height + 10.0))
+}
+
+fn from_to(from: (f64, f64), to: (f64, f64)) -> (Pixel, Pixel) {
+    (Pixel::new(from.0, from.1), Pixel::new(to.0, to.1))
+}
