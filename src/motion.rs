@@ -431,7 +431,9 @@ const CYCLE_BITS: u32 = 5;
 const LARGEST_PASS: u32 = (1 << (32 - STEP_BITS - CYCLE_BITS)) - 1;
 
 fn pack_cycle(step: CycleStep) -> u32 {
-    step.cycle as u32 | (step.step as u32) << CYCLE_BITS | step.pass.min(LARGEST_PASS) << (CYCLE_BITS + STEP_BITS)
+    step.cycle as u32
+        | (step.step as u32) << CYCLE_BITS
+        | step.pass.min(LARGEST_PASS) << (CYCLE_BITS + STEP_BITS)
 }
 
 fn unpack_cycle(packed: u32) -> Option<CycleStep> {

@@ -244,7 +244,11 @@ impl Dialect {
             decimal: choice.decimal.unwrap_or(DecimalRule::Calculator),
             pq_unit: choice.pq_unit.unwrap_or(PqUnit::Auto),
             feed_mode: choice.feed_mode.or(choice.power_on_feed).unwrap_or(power_on),
-            xu_conflict: choice.xu_conflict.unwrap_or(if gsk { XuConflict::Absolute } else { XuConflict::Last }),
+            xu_conflict: choice.xu_conflict.unwrap_or(if gsk {
+                XuConflict::Absolute
+            } else {
+                XuConflict::Last
+            }),
             negative_arc_r: choice.negative_arc_r.unwrap_or(NegativeArcR::Over180),
             g71_retract: choice.g71_retract.unwrap_or(if gsk { G71Retract::Feed } else { G71Retract::Rapid }),
             g73_intervals: choice.g73_intervals.unwrap_or(G73Intervals::OneFewer),

@@ -1,4 +1,9 @@
 //! What the control makes of what was written: the one place for units, diameters, frames and modal state.
 
+pub mod arcs;
+pub mod codes;
 pub mod dialect;
+pub mod interpreter;
+pub mod modal;
 pub mod setup;
+pub mod words;

@@ -1,3 +1,7 @@
 //! What was written: places, tokens, words and blocks. Knows nothing of what any of it means to a control.
 
+pub mod block;
+pub mod highlight;
+pub mod lexer;
+pub mod parser;
 pub mod source;

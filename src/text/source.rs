@@ -112,7 +112,10 @@ impl LineIndex {
     pub fn line(&self, text: &[u8], line: u32) -> Span {
         let start = self.starts[line as usize] as usize;
         let mut end = self.starts.get(line as usize + 1).map_or(text.len(), |&next| next as usize);
-        while end > start && matches!(text[end - 1], b'\n' | b'\r') && (end as u32) > self.starts[line as usize] {
+        while end > start
+            && matches!(text[end - 1], b'\n' | b'\r')
+            && (end as u32) > self.starts[line as usize]
+        {
             if line + 1 == self.len() {
                 break;
             }
@@ -131,7 +134,11 @@ impl LineIndex {
         let byte = byte.min(text.len() as u32);
         let line = self.line_of(byte);
         let start = self.starts[line as usize];
-        let column = if self.units.is_empty() { byte - start } else { utf16_len(&text[start as usize..byte as usize]) };
+        let column = if self.units.is_empty() {
+            byte - start
+        } else {
+            utf16_len(&text[start as usize..byte as usize])
+        };
         LineColumn { line, column }
     }
 

@@ -1,0 +1,362 @@
+//! The shapes in which results leave the crate: rows for JavaScript and for the command line's JSON.
+//!
+//! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
+//! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
+
+use serde::Serialize;
+
+use crate::diagnostics::messages::{Language, describe_motion};
+use crate::diagnostics::{self, Severity};
+use crate::geometry::Point;
+use crate::motion::{self, MotionKind, Motions};
+use crate::text::source::{LineIndex, Span};
+
+#[cfg(target_arch = "wasm32")]
+use tsify::Tsify;
+
+/// A message at a place, in a language.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Diagnostic {
+    /// First line, from 1.
+    pub line: u32,
+    /// First column, from 1, in UTF-16 units.
+    pub column: u32,
+    /// Last line.
+    pub end_line: u32,
+    /// One past the last column.
+    pub end_column: u32,
+    /// UTF-16 offset of the start, each line end counted as one unit.
+    pub from: u32,
+    /// UTF-16 offset of the end.
+    pub to: u32,
+    /// Stable code: `W-…`, `E-…` or an alarm number.
+    pub code: String,
+    /// Stable name of the fault.
+    pub slug: String,
+    /// How grave it is.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"error\" | \"warning\" | \"info\""))]
+    pub severity: String,
+    /// Whether the program is wrong, the playground does not do it, or it depends on the machine.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"wrong\" | \"unsupported\" | \"machine\""))]
+    pub kind: String,
+    /// One sentence.
+    pub message: String,
+    /// Why, and what to do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub help: Option<String>,
+    /// The alarm a control raises.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub alarm: Option<String>,
+    /// Repairs.
+    pub fixes: Vec<Fix>,
+}
+
+/// A repair of a fault.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Fix {
+    /// What it does.
+    pub title: String,
+    /// Whether it can be applied without asking.
+    pub safe: bool,
+    /// Its edits.
+    pub edits: Vec<Edit>,
+}
+
+/// Text to put in place of other text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Edit {
+    /// First line, from 1.
+    pub line: u32,
+    /// First column, from 1.
+    pub column: u32,
+    /// Last line.
+    pub end_line: u32,
+    /// One past the last column.
+    pub end_column: u32,
+    /// UTF-16 offset of the start.
+    pub from: u32,
+    /// UTF-16 offset of the end.
+    pub to: u32,
+    /// The new text.
+    pub text: String,
+}
+
+/// A place as people read it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Place {
+    /// Diameter, mm.
+    pub x: f64,
+    /// Length, mm.
+    pub z: f64,
+}
+
+/// One motion.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Motion {
+    /// What it is.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"rapid\" | \"feed\" | \"arc\" | \"thread\" | \"dwell\"")
+    )]
+    pub kind: &'static str,
+    /// Where it ends.
+    pub to: Place,
+    /// Line of its block, from 1.
+    pub line: u32,
+    /// Centre of an arc.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub center: Option<Place>,
+    /// Radius of an arc, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub r: Option<f64>,
+    /// Which way an arc turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"cw\" | \"ccw\""))]
+    pub dir: Option<&'static str>,
+    /// Lead of a thread, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub lead: Option<f64>,
+    /// Length of a dwell, seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub seconds: Option<f64>,
+    /// The cycle it belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub cycle: Option<&'static str>,
+    /// Pass of the cycle, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub pass: Option<u32>,
+    /// The part of the pass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub step: Option<&'static str>,
+    /// An earlier block was not carried out, so this may be wrong.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub uncertain: bool,
+}
+
+/// A stroke of the picture: a motion and the block it came from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Stroke {
+    /// Index of the motion.
+    pub motion: u32,
+    /// What it is.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"rapid\" | \"feed\" | \"arc\" | \"thread\" | \"dwell\"")
+    )]
+    pub kind: &'static str,
+    /// Line of its block, from 1.
+    pub line: u32,
+    /// UTF-16 offset of the start of its block.
+    pub from: u32,
+    /// UTF-16 offset of the end of its block.
+    pub to: u32,
+    /// End point: diameter, mm.
+    pub x: f64,
+    /// End point: length, mm.
+    pub z: f64,
+    /// Where the tool stands: diameter, mm.
+    pub at_x: f64,
+    /// Where the tool stands: length, mm.
+    pub at_z: f64,
+    /// What it is, in words.
+    pub text: String,
+}
+
+/// Counts of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Summary {
+    /// Motions of any kind.
+    pub motions: u32,
+    /// Rapids among them.
+    pub rapids: u32,
+    /// Straight cuts.
+    pub feeds: u32,
+    /// Arcs.
+    pub arcs: u32,
+    /// Threads.
+    pub threads: u32,
+    /// Dwells.
+    pub dwells: u32,
+    /// Messages that are errors.
+    pub errors: u32,
+    /// Messages that are warnings.
+    pub warnings: u32,
+    /// Other messages.
+    pub infos: u32,
+    /// Blocks read.
+    pub blocks: u32,
+    /// Lines of the text.
+    pub lines: u32,
+    /// Whether the run has ended.
+    pub finished: bool,
+}
+
+impl Summary {
+    /// Counts motions and messages.
+    pub fn new(motions: &Motions, diagnostics: &[diagnostics::Diagnostic]) -> Self {
+        let mut summary = Self { motions: motions.len() as u32, ..Self::default() };
+        for chunk in motions.chunks() {
+            for &kind in chunk.kinds() {
+                match MotionKind::ALL[kind as usize] {
+                    MotionKind::Rapid => summary.rapids += 1,
+                    MotionKind::Feed => summary.feeds += 1,
+                    MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => summary.arcs += 1,
+                    MotionKind::Thread => summary.threads += 1,
+                    MotionKind::Dwell => summary.dwells += 1,
+                }
+            }
+        }
+        for diagnostic in diagnostics {
+            match diagnostic.severity {
+                Severity::Error => summary.errors += 1,
+                Severity::Warning => summary.warnings += 1,
+                Severity::Info => summary.infos += 1,
+            }
+        }
+        summary
+    }
+}
+
+/// A text with its lines: turns spans into the places people read.
+pub struct Places<'a> {
+    /// The text.
+    pub text: &'a [u8],
+    /// Its lines.
+    pub lines: &'a LineIndex,
+}
+
+impl Places<'_> {
+    /// The row of a message.
+    pub fn diagnostic(&self, diagnostic: &diagnostics::Diagnostic, language: Language) -> Diagnostic {
+        let (start, end) = self.corners(diagnostic.span);
+        let (from, to) = self.offsets(diagnostic.span);
+        let sentence = diagnostic.message.sentence(language);
+        Diagnostic {
+            line: start.0,
+            column: start.1,
+            end_line: end.0,
+            end_column: end.1,
+            from,
+            to,
+            code: diagnostic.message.code().to_owned(),
+            slug: diagnostic.message.slug().to_owned(),
+            severity: diagnostic.severity.name().to_owned(),
+            kind: diagnostic.message.kind().name().to_owned(),
+            message: sentence.message,
+            help: sentence.help,
+            alarm: diagnostic.message.alarm().map(str::to_owned),
+            fixes: diagnostic.fixes.iter().map(|fix| self.fix(fix, language)).collect(),
+        }
+    }
+
+    /// The stroke of a motion, the tool standing at `at`.
+    pub fn stroke(&self, motions: &Motions, index: usize, at: Point, language: Language) -> Stroke {
+        let motion = motions.get(index);
+        let (from, to) = self.offsets(motions.span(index));
+        Stroke {
+            motion: index as u32,
+            kind: kind_name(motion.kind),
+            line: motions.line(index) + 1,
+            from,
+            to,
+            x: rounded(2.0 * motion.to.x),
+            z: rounded(motion.to.z),
+            at_x: rounded(2.0 * at.x),
+            at_z: rounded(at.z),
+            text: describe_motion(&motion, language),
+        }
+    }
+
+    /// UTF-16 offsets of a span.
+    pub fn offsets(&self, span: Span) -> (u32, u32) {
+        (self.lines.utf16_offset(self.text, span.start), self.lines.utf16_offset(self.text, span.end))
+    }
+
+    fn fix(&self, fix: &diagnostics::Fix, language: Language) -> Fix {
+        let edits = fix.edits.iter().map(|edit| {
+            let (start, end) = self.corners(edit.span);
+            let (from, to) = self.offsets(edit.span);
+            let text = edit.text.clone();
+            Edit { line: start.0, column: start.1, end_line: end.0, end_column: end.1, from, to, text }
+        });
+        Fix { title: fix.title.fix_title(language), safe: fix.safe, edits: edits.collect() }
+    }
+
+    /// First line and column, last line and column, from 1.
+    fn corners(&self, span: Span) -> ((u32, u32), (u32, u32)) {
+        let start = self.lines.line_column(self.text, span.start);
+        let end = self.lines.line_column(self.text, span.end);
+        ((start.line + 1, start.column + 1), (end.line + 1, end.column + 1))
+    }
+}
+
+/// The row of a motion on a line (from 0).
+pub fn motion(motion: &motion::Motion, line: u32) -> Motion {
+    let arc = motion.arc();
+    Motion {
+        kind: kind_name(motion.kind),
+        to: place(motion.to),
+        line: line + 1,
+        center: arc.map(|arc| place(arc.center)),
+        r: arc.map(|arc| rounded(arc.radius())),
+        dir: match motion.kind {
+            MotionKind::ArcClockwise => Some("cw"),
+            MotionKind::ArcCounterclockwise => Some("ccw"),
+            _ => None,
+        },
+        lead: motion.lead.map(rounded),
+        seconds: motion.seconds.map(rounded),
+        cycle: motion.cycle.map(|step| step.cycle.code()),
+        pass: motion.cycle.map(|step| step.pass),
+        step: motion.cycle.map(|step| step.step.name()),
+        uncertain: motion.process.uncertain,
+    }
+}
+
+/// The rows of all motions.
+pub fn motions(motions: &Motions) -> impl Iterator<Item = Motion> + '_ {
+    motions
+        .chunks()
+        .iter()
+        .flat_map(|chunk| (0..chunk.len()).map(move |index| motion(&chunk.get(index), chunk.line(index))))
+}
+
+fn kind_name(kind: MotionKind) -> &'static str {
+    match kind {
+        MotionKind::Rapid => "rapid",
+        MotionKind::Feed => "feed",
+        MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise => "arc",
+        MotionKind::Thread => "thread",
+        MotionKind::Dwell => "dwell",
+    }
+}
+
+fn place(point: Point) -> Place {
+    Place { x: rounded(2.0 * point.x), z: rounded(point.z) }
+}
+
+/// Without the dust of binary arithmetic: to a millionth.
+fn rounded(value: f64) -> f64 {
+    let rounded = (value * 1e6).round() / 1e6;
+    if rounded == 0.0 { 0.0 } else { rounded }
+}

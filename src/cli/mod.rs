@@ -1,0 +1,235 @@
+//! The command line: arguments in, text or JSON out.
+//!
+//! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
+
+mod terminal;
+
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use serde::Serialize;
+
+use crate::api::{self, Places};
+use crate::control::dialect::Control;
+use crate::control::setup::Setup;
+use crate::diagnostics::messages::Language;
+use crate::run::{Analysis, Run};
+use crate::scene::outline::Outline;
+use crate::scene::{self, Scene};
+use crate::text::source::LineIndex;
+
+/// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Check programs and tell what is wrong with them.
+    Check {
+        /// Programs; `-` reads standard input.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        #[command(flatten)]
+        with: With,
+        /// Language of the messages.
+        #[arg(long, value_enum, default_value = "en")]
+        lang: LanguageName,
+        /// Text with carets, or one JSON object a line.
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+    },
+    /// Print every motion as one JSON object a line.
+    Motions {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+    },
+    /// Draw the toolpath as SVG.
+    Svg {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+        /// Where to write it; standard output when left out.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
+}
+
+#[derive(clap::Args)]
+struct With {
+    /// Setup: control, tools, stock, start point, as JSON.
+    #[arg(long)]
+    setup: Option<PathBuf>,
+    /// The control; goes before the setup's.
+    #[arg(long, value_enum)]
+    control: Option<ControlName>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ControlName {
+    Fanuc,
+    Gsk,
+    Forum,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum LanguageName {
+    En,
+    Zh,
+    Ru,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// A program that was read and run.
+struct Program {
+    name: String,
+    text: Vec<u8>,
+    setup: Setup,
+    analysis: Analysis,
+}
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    match run(Arguments::parse().command) {
+        Ok(code) => code,
+        Err(problem) => {
+            eprintln!("gcode-playground: {problem}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(command: Command) -> Result<ExitCode, String> {
+    match command {
+        Command::Check { files, with, lang, format } => check(&files, &with, language(lang), format),
+        Command::Motions { file, with } => {
+            let program = program(&file, &with)?;
+            print(|out| {
+                for row in api::motions(&program.analysis.motions) {
+                    write_row(out, &row)?;
+                }
+                Ok(())
+            })?;
+            Ok(status(&program.analysis))
+        }
+        Command::Svg { file, with, output } => {
+            let program = program(&file, &with)?;
+            let outline = Outline::of(&program.analysis.motions);
+            let scene = Scene::new(&program.analysis.motions, &outline, program.setup.stock);
+            let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
+            match output {
+                None => print(|out| out.write_all(svg.as_bytes()))?,
+                Some(path) => {
+                    std::fs::write(&path, svg).map_err(|error| format!("{}: {error}", path.display()))?
+                }
+            }
+            Ok(status(&program.analysis))
+        }
+    }
+}
+
+fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> Result<ExitCode, String> {
+    let mut any_error = false;
+    for file in files {
+        let program = program(file, with)?;
+        any_error |= has_errors(&program.analysis);
+        let lines = LineIndex::new(&program.text);
+        let places = Places { text: &program.text, lines: &lines };
+        print(|out| match format {
+            Format::Json => {
+                for diagnostic in &program.analysis.diagnostics {
+                    #[derive(Serialize)]
+                    struct Row<'a> {
+                        file: &'a str,
+                        #[serde(flatten)]
+                        diagnostic: api::Diagnostic,
+                    }
+                    let diagnostic = places.diagnostic(diagnostic, language);
+                    write_row(out, &Row { file: &program.name, diagnostic })?;
+                }
+                Ok(())
+            }
+            Format::Text => {
+                let found = &program.analysis.diagnostics;
+                out.write_all(terminal::render(&program.name, &program.text, found, language).as_bytes())
+            }
+        })?;
+    }
+    Ok(ExitCode::from(u8::from(any_error)))
+}
+
+fn program(file: &Path, with: &With) -> Result<Program, String> {
+    let mut setup = match &with.setup {
+        None => Setup::default(),
+        Some(path) => {
+            let json =
+                std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            Setup::from_json(&json).map_err(|error| format!("{}: {error}", path.display()))?
+        }
+    };
+    if let Some(control) = with.control {
+        setup.dialect.control = match control {
+            ControlName::Fanuc => Control::Fanuc,
+            ControlName::Gsk => Control::Gsk,
+            ControlName::Forum => Control::Forum,
+        };
+    }
+    let (name, text) = read(file)?;
+    let mut run = Run::new(text.clone(), setup.clone());
+    while !run.advance(usize::MAX) {}
+    Ok(Program { name, text, setup, analysis: run.into_analysis() })
+}
+
+fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
+    if file == Path::new("-") {
+        let mut text = Vec::new();
+        io::stdin().read_to_end(&mut text).map_err(|error| format!("standard input: {error}"))?;
+        return Ok(("<stdin>".into(), text));
+    }
+    let name = file.display().to_string();
+    let text = std::fs::read(file).map_err(|error| format!("{name}: {error}"))?;
+    Ok((name, text))
+}
+
+/// Writes to standard output; a reader that went away (`| head`) is no error.
+fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+        _ => Ok(()),
+    }
+}
+
+fn write_row(out: &mut dyn Write, row: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, row)?;
+    out.write_all(b"\n")
+}
+
+fn has_errors(analysis: &Analysis) -> bool {
+    analysis.diagnostics.iter().any(|diagnostic| diagnostic.is_error())
+}
+
+fn status(analysis: &Analysis) -> ExitCode {
+    ExitCode::from(u8::from(has_errors(analysis)))
+}
+
+fn language(name: LanguageName) -> Language {
+    match name {
+        LanguageName::En => Language::English,
+        LanguageName::Zh => Language::Chinese,
+        LanguageName::Ru => Language::Russian,
+    }
+}

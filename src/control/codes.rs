@@ -1,0 +1,170 @@
+//! The table of G and M codes.
+//!
+//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. System A of a
+//! FANUC 0i-T and GSK 980TD; facts from semantics §2.1 and §8.1.
+
+use super::dialect::FeedMode;
+use super::words::Unit;
+use crate::geometry::Turn;
+use crate::motion::{Cycle, SpindleTurn};
+
+/// What a G code asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum G {
+    /// G00.
+    Rapid,
+    /// G01.
+    Line,
+    /// G02, G03.
+    Arc(Turn),
+    /// G32.
+    Thread,
+    /// G90, G92, G94.
+    Cycle(Cycle),
+    /// G04.
+    Dwell,
+    /// G17, G18, G19.
+    Plane(Plane),
+    /// G20, G21.
+    Unit(Unit),
+    /// G28.
+    Home,
+    /// G40, G41, G42.
+    Compensation(Compensation),
+    /// G50.
+    Setting,
+    /// G52.
+    LocalFrame,
+    /// G54 to G59, counted from 0.
+    Frame(u8),
+    /// G96.
+    SurfaceSpeed,
+    /// G97.
+    ConstantSpeed,
+    /// G98, G99.
+    Feed(FeedMode),
+    /// Accepted; nothing in this project depends on it.
+    Idle,
+    /// Recognised, not done yet; the block's axis words are not carried out either.
+    NotYet,
+    /// Recognised, not done yet, and modal in group 01: later axis words are not carried out.
+    MotionNotYet,
+}
+
+/// Working plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// G17.
+    Xy,
+    /// G18, the plane of turning.
+    Zx,
+    /// G19.
+    Yz,
+}
+
+/// Tool nose radius compensation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compensation {
+    /// G40.
+    Off,
+    /// G41: the tool is left of the path.
+    Left,
+    /// G42: the tool is right of the path.
+    Right,
+}
+
+/// Modal group of a code: two codes of one group exclude each other. 0: not modal.
+pub type Group = u8;
+
+/// The G code of a word: `key` is ten times the number, so that G12.1 is 121.
+pub fn g_code(key: u64) -> Option<(G, Group)> {
+    Some(match key {
+        0 => (G::Rapid, 1),
+        10 => (G::Line, 1),
+        20 => (G::Arc(Turn::Clockwise), 1),
+        30 => (G::Arc(Turn::Counterclockwise), 1),
+        40 => (G::Dwell, 0),
+        170 => (G::Plane(Plane::Xy), 16),
+        180 => (G::Plane(Plane::Zx), 16),
+        190 => (G::Plane(Plane::Yz), 16),
+        200 => (G::Unit(Unit::Inch), 6),
+        210 => (G::Unit(Unit::Millimetre), 6),
+        220 | 230 => (G::Idle, 9),
+        280 => (G::Home, 0),
+        320 => (G::Thread, 1),
+        330 | 340 => (G::MotionNotYet, 1),
+        400 => (G::Compensation(Compensation::Off), 7),
+        410 => (G::Compensation(Compensation::Left), 7),
+        420 => (G::Compensation(Compensation::Right), 7),
+        500 => (G::Setting, 0),
+        520 => (G::LocalFrame, 0),
+        540 => (G::Frame(0), 14),
+        550 => (G::Frame(1), 14),
+        560 => (G::Frame(2), 14),
+        570 => (G::Frame(3), 14),
+        580 => (G::Frame(4), 14),
+        590 => (G::Frame(5), 14),
+        900 => (G::Cycle(Cycle::Turning), 1),
+        920 => (G::Cycle(Cycle::Threading), 1),
+        940 => (G::Cycle(Cycle::Facing), 1),
+        960 => (G::SurfaceSpeed, 2),
+        970 => (G::ConstantSpeed, 2),
+        980 => (G::Feed(FeedMode::PerMinute), 5),
+        990 => (G::Feed(FeedMode::PerTurn), 5),
+        // Off states of functions this project does not have switched on: headers are full of them.
+        80 | 90 | 110 | 250 | 260 | 490 | 502 | 610 | 640 | 670 | 690 | 800 | 131 | 1130 => (G::Idle, 0),
+        // Hole cycles stay modal until G80.
+        830 | 840 | 850 | 870 | 880 | 890 => (G::MotionNotYet, 1),
+        // Data input, reference points, machine coordinates, macros, multiple cycles, polar interpolation.
+        50 | 51 | 71 | 1070 | 100 | 121 | 1120 | 270 | 290 | 300 | 310 | 360 | 370 | 512 | 530 => {
+            (G::NotYet, 0)
+        }
+        650 | 660 | 680 | 700 | 710 | 720 | 730 | 740 | 750 | 760 => (G::NotYet, 0),
+        _ => return None,
+    })
+}
+
+/// What an M code asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum M {
+    /// M00, M01: wait for the operator.
+    Pause,
+    /// M02, M30.
+    End,
+    /// M03, M04, M05.
+    Spindle(SpindleTurn),
+    /// M13, M14: a live tool turns.
+    LiveTool,
+    /// M23, M24 (the machine of seed 002): thread pull-out on or off.
+    ThreadPullOut(Switch),
+    /// Accepted; the tool path does not depend on it.
+    Idle,
+    /// M98, M99.
+    NotYet,
+}
+
+/// On or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    /// On.
+    On,
+    /// Off.
+    Off,
+}
+
+/// The M code of a number (seed 002's table, semantics §8.1); `None` for one that only some machines know.
+pub fn m_code(number: u64) -> Option<M> {
+    Some(match number {
+        0 | 1 => M::Pause,
+        2 | 30 => M::End,
+        3 => M::Spindle(SpindleTurn::Forward),
+        4 => M::Spindle(SpindleTurn::Reverse),
+        5 => M::Spindle(SpindleTurn::Stopped),
+        13 | 14 => M::LiveTool,
+        23 => M::ThreadPullOut(Switch::On),
+        24 => M::ThreadPullOut(Switch::Off),
+        98 | 99 => M::NotYet,
+        7..=12 | 19 | 20 | 25 | 26 | 29 | 40..=46 | 68 | 69 | 90 | 91 | 200 | 201 | 712 | 713 => M::Idle,
+        _ => return None,
+    })
+}

@@ -1,0 +1,256 @@
+//! The state of the control: everything that outlives a block, as one plain value.
+//!
+//! It can be cloned and compared, so that after an edit a run can go on from a stored state and stop where
+//! the new state meets the old one.
+
+use super::codes::{Compensation, Plane};
+use super::dialect::{Dialect, FeedMode};
+use super::setup::Setup;
+use super::words::Unit;
+use crate::geometry::{Point, Turn};
+use crate::motion::{Cycle, Feed, Process, SpindleSpeed, SpindleTurn};
+
+/// Group 01: what axis words do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionMode {
+    /// G00.
+    Rapid,
+    /// G01.
+    Line,
+    /// G02, G03.
+    Arc(Turn),
+    /// G32.
+    Thread,
+    /// G90, G92, G94.
+    Cycle(Cycle),
+    /// A code of the group that is not done yet: axis words move nothing.
+    NotYet,
+}
+
+/// Where an axis of a cycle ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// The axis was never named: it stays where the cycle starts.
+    Stay,
+    /// Absolute, mm (radius for X) in the work frame.
+    Absolute(f64),
+    /// From the start point of the cycle, mm (radius for X).
+    Incremental(f64),
+}
+
+impl Target {
+    /// The place meant, from a start at `from`.
+    pub fn from(self, from: f64) -> f64 {
+        match self {
+            Self::Stay => from,
+            Self::Absolute(place) => place,
+            Self::Incremental(way) => from + way,
+        }
+    }
+}
+
+/// What G90, G92 and G94 remember between blocks (semantics §6.2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CycleMemory {
+    /// X or U.
+    pub x: Target,
+    /// Z or W.
+    pub z: Target,
+    /// R: radius (G90, G92) or length (G94), start of the cut minus its end, mm.
+    pub taper: f64,
+    /// Passes run since the cycle came into force.
+    pub passes: u32,
+}
+
+impl CycleMemory {
+    /// Nothing remembered.
+    pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
+}
+
+/// The spindle as commanded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spindle {
+    /// Whether S counts as a cutting speed (G96).
+    pub surface: bool,
+    /// Turns a minute under G97; 0 before any S.
+    pub rpm: f64,
+    /// Cutting speed under G96, m/min.
+    pub cutting_speed: f64,
+    /// Highest speed (G50 S), turns a minute.
+    pub highest: Option<f64>,
+    /// Lowest speed (G50 Q), turns a minute.
+    pub lowest: Option<f64>,
+    /// Direction.
+    pub turn: SpindleTurn,
+    /// A live tool turns.
+    pub live_tool: bool,
+}
+
+impl Spindle {
+    /// Speed with the tip at radius `x`, turns a minute: `n = 1000·v / (π·D)` under G96, within the limits of
+    /// G50 (semantics §3.11). `None` at the axis without a limit.
+    pub fn speed_at(&self, x: f64) -> Option<f64> {
+        if !self.surface {
+            return Some(self.rpm);
+        }
+        let diameter = 2.0 * x.abs();
+        let free = 1000.0 * self.cutting_speed / (std::f64::consts::PI * diameter);
+        let held = self.highest.map_or(free, |highest| free.min(highest)).max(self.lowest.unwrap_or(0.0));
+        held.is_finite().then_some(held)
+    }
+}
+
+/// Work zero points: where the machine stands is the place in the work frame plus all of these (§3.9).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frames {
+    /// Shift of all frames by G50 X Z.
+    pub shift: Point,
+    /// Local shift of each of G54 to G59 by G52.
+    pub local: [Point; 6],
+    /// The frame in force, 0 for G54.
+    pub active: u8,
+}
+
+impl Frames {
+    /// Machine place minus work place.
+    pub fn offset(&self) -> Point {
+        let local = self.local[self.active as usize];
+        Point::new(self.shift.x + local.x, self.shift.z + local.z)
+    }
+}
+
+/// Things said once in a program rather than at every block.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Told(u32);
+
+/// What is said once.
+#[derive(Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "each is one message")]
+pub enum Once {
+    SpindleStopped,
+    CompensationIdle,
+    CompensationNotYet,
+    AxisNotYet,
+    PlaneNotYet,
+    LetterIInG92,
+    ThreadAtSurfaceSpeed,
+    G90AsAbsolute,
+    CornerNotYet,
+}
+
+impl Told {
+    /// Whether it is to be said now; it counts as said from here on.
+    pub fn first(&mut self, once: Once) -> bool {
+        let bit = 1 << once as u32;
+        let first = self.0 & bit == 0;
+        self.0 |= bit;
+        first
+    }
+
+    /// It may be said again.
+    pub fn forget(&mut self, once: Once) {
+        self.0 &= !(1 << once as u32);
+    }
+}
+
+/// The state of the control between two blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Place of the tip in the work frame in force.
+    pub position: Point,
+    /// Work zero points.
+    pub frames: Frames,
+    /// Group 01.
+    pub motion: MotionMode,
+    /// Group 16.
+    pub plane: Plane,
+    /// Group 06.
+    pub unit: Unit,
+    /// Group 05.
+    pub feed_mode: FeedMode,
+    /// F, mm a minute or a turn, as it was written.
+    pub feed: Option<f64>,
+    /// The feed mode changed after the last F.
+    pub feed_is_old: bool,
+    /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
+    pub threads_per_inch: Option<f64>,
+    /// Groups 02 and the M codes of the spindle.
+    pub spindle: Spindle,
+    /// Group 07.
+    pub compensation: Compensation,
+    /// Turret station and offset number.
+    pub tool: (u16, u16),
+    /// Memory of the single cycles.
+    pub memory: CycleMemory,
+    /// Thread pull-out, tenths of a lead (parameter 5130).
+    pub thread_chamfer: u8,
+    /// Whether it is switched on (M23, M24).
+    pub thread_chamfer_on: bool,
+    /// A block was not carried out: what follows may be wrong.
+    pub uncertain: bool,
+    /// What was already said.
+    pub told: Told,
+}
+
+impl State {
+    /// The state at power-on with the tip at the setup's start point.
+    pub fn new(setup: &Setup, dialect: &Dialect) -> Self {
+        let start = setup.start();
+        Self {
+            position: Point::new(start.x / 2.0, start.z),
+            frames: Frames { shift: Point::default(), local: [Point::default(); 6], active: 0 },
+            motion: MotionMode::Rapid,
+            plane: Plane::Zx,
+            unit: Unit::Millimetre,
+            feed_mode: dialect.feed_mode,
+            feed: None,
+            feed_is_old: false,
+            threads_per_inch: None,
+            spindle: Spindle {
+                surface: false,
+                rpm: 0.0,
+                cutting_speed: 0.0,
+                highest: None,
+                lowest: None,
+                turn: SpindleTurn::Stopped,
+                live_tool: false,
+            },
+            compensation: Compensation::Off,
+            tool: (0, 0),
+            memory: CycleMemory::EMPTY,
+            thread_chamfer: dialect.thread_chamfer,
+            thread_chamfer_on: true,
+            uncertain: false,
+            told: Told::default(),
+        }
+    }
+
+    /// Changes the frame and keeps the machine where it is: the tip gets its place in the new frame.
+    pub fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
+        let before = self.frames.offset();
+        change(&mut self.frames);
+        let after = self.frames.offset();
+        self.position.x += before.x - after.x;
+        self.position.z += before.z - after.z;
+    }
+
+    /// Feed, spindle and tool as a motion carries them.
+    pub fn process(&self) -> Process {
+        let spindle = &self.spindle;
+        Process {
+            feed: match (self.feed, self.feed_mode) {
+                (None, _) => Feed::Unset,
+                (Some(feed), FeedMode::PerMinute) => Feed::PerMinute(feed),
+                (Some(feed), FeedMode::PerTurn) => Feed::PerTurn(feed),
+            },
+            speed: match spindle.surface {
+                true => SpindleSpeed::Surface { speed: spindle.cutting_speed },
+                false => SpindleSpeed::Constant(spindle.rpm),
+            },
+            turn: spindle.turn,
+            clamp: spindle.highest,
+            tool: self.tool,
+            uncertain: self.uncertain,
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Words as the control reads them: numbers become millimetres, times and counts.
+//!
+//! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
+//! rule, inches, and that X counts diameters.
+
+use super::dialect::DecimalRule;
+use crate::diagnostics::{Diagnostic, Message};
+use crate::text::block::{Block, Value, Word};
+use crate::text::source::Span;
+
+/// Unit of length of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// G21.
+    Millimetre,
+    /// G20.
+    Inch,
+}
+
+impl Unit {
+    /// Millimetres in one unit.
+    pub fn millimetres(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Inch => 25.4,
+        }
+    }
+
+    /// Decimals of the least input increment: 0.001 mm, 0.0001 inch (IS-B).
+    fn decimals(self) -> u8 {
+        match self {
+            Self::Millimetre => 3,
+            Self::Inch => 4,
+        }
+    }
+}
+
+/// The data words of a block by address; where one stands twice, the later.
+pub struct Words<'b> {
+    block: &'b Block,
+    /// Index of the word of each address, plus one; 0 for none.
+    index: [u8; 26],
+    /// Bit `n` for each letter `A + n` that is there.
+    given: u32,
+}
+
+/// The bits of some letters, for [`Words::has_any`].
+pub const fn letters(letters: &[u8]) -> u32 {
+    let mut bits = 0;
+    let mut at = 0;
+    while at < letters.len() {
+        bits |= 1 << (letters[at] - b'A');
+        at += 1;
+    }
+    bits
+}
+
+impl<'b> Words<'b> {
+    /// No words yet.
+    #[inline]
+    pub fn new(block: &'b Block) -> Self {
+        Self { block, index: [0; 26], given: 0 }
+    }
+
+    /// Takes the word at `index` of the block; returns the one of the same address before it, if any.
+    #[inline]
+    pub fn take(&mut self, index: usize, word: &Word) -> Option<&'b Word> {
+        let letter = (word.address - b'A') as usize;
+        let before = self.index[letter];
+        self.index[letter] = index as u8 + 1;
+        self.given |= 1 << letter;
+        (before > 0).then(|| &self.block.words[before as usize - 1])
+    }
+
+    /// Whether any of these letters is there.
+    #[inline]
+    pub fn has_any(&self, bits: u32) -> bool {
+        self.given & bits != 0
+    }
+
+    /// The word of an address.
+    #[inline]
+    pub fn get(&self, address: u8) -> Option<&'b Word> {
+        match self.index[(address - b'A') as usize] {
+            0 => None,
+            index => Some(&self.block.words[index as usize - 1]),
+        }
+    }
+
+    /// Place of a word; of the whole block where the address is not there.
+    pub fn span(&self, address: u8) -> Span {
+        self.get(address).map_or_else(|| self.block.words_span(), |word| word.span)
+    }
+
+    /// The text of a word, blanks left out.
+    pub fn quote(&self, text: &[u8], address: u8) -> String {
+        self.get(address).map_or_else(String::new, |word| quote(text, word.span))
+    }
+}
+
+/// The text of a word without its blanks.
+pub fn quote(text: &[u8], span: Span) -> String {
+    span.quote(text).chars().filter(|ch| !ch.is_whitespace()).collect()
+}
+
+/// How numbers are read at the moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Unit of length.
+    pub unit: Unit,
+    /// What a number without a point counts.
+    pub decimal: DecimalRule,
+}
+
+impl Reading {
+    /// A length, mm: digits below the least increment cut off (FANUC B-64114EN §8.3). `None` for a macro
+    /// expression.
+    #[inline]
+    pub fn length(self, word: &Word) -> Option<f64> {
+        let Value::Number { number, negative } = word.value else { return None };
+        let places = self.unit.decimals();
+        let mut value = if self.decimal == DecimalRule::LeastIncrement && !number.has_point() {
+            number.value() / 10f64.powi(i32::from(places))
+        } else {
+            number.truncated(places)
+        };
+        if self.unit == Unit::Inch {
+            value *= self.unit.millimetres();
+        }
+        Some(if negative { -value } else { value })
+    }
+
+    /// A diameter as a radius, mm.
+    #[inline]
+    pub fn radius(self, word: &Word) -> Option<f64> {
+        self.length(word).map(|diameter| diameter / 2.0)
+    }
+
+    /// A feed: mm a minute or a turn, or a lead in mm; all digits count.
+    pub fn feed(self, word: &Word) -> Option<f64> {
+        plain(word).map(|value| value * self.unit.millimetres())
+    }
+
+    /// Seconds; without a point under the least-increment rule, milliseconds.
+    pub fn seconds(self, word: &Word) -> Option<f64> {
+        let Value::Number { number, .. } = word.value else { return None };
+        let milliseconds = self.decimal == DecimalRule::LeastIncrement && !number.has_point();
+        plain(word).map(|value| if milliseconds { value / 1000.0 } else { value })
+    }
+}
+
+/// The number as it is written.
+pub fn plain(word: &Word) -> Option<f64> {
+    let Value::Number { number, negative } = word.value else { return None };
+    Some(if negative { -number.value() } else { number.value() })
+}
+
+/// What an address demands of its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// Any number.
+    Any,
+    /// No minus.
+    Positive,
+    /// No minus and no point.
+    Count,
+}
+
+/// Checks the number of a word against what its address takes (PS0006, PS0007).
+#[inline]
+pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
+    let Value::Number { number, negative } = word.value else { return None };
+    if !negative && !number.has_point() {
+        return None;
+    }
+    let form = match word.address {
+        b'F' | b'E' | b'L' => Form::Positive,
+        b'G' => Form::Positive,
+        b'S' | b'T' | b'M' | b'N' | b'O' => Form::Count,
+        _ => Form::Any,
+    };
+    match form {
+        Form::Positive | Form::Count if negative && number.mantissa > 0 => {
+            Some(Diagnostic::new(Message::MinusNotAllowed { word: quote(text, word.span) }, word.span))
+        }
+        Form::Count if number.has_point() => {
+            Some(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,158 @@
+//! The single cycles G90 (turning), G92 (thread) and G94 (facing): four moves from and back to the start point.
+//!
+//! In: start point A, end point E, taper R. Out: the moves. Signs alone tell the four quadrants apart, so no
+//! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004, semantics §6.1). Zero-length moves are left in:
+//! whoever stores motions drops them.
+
+use crate::geometry::{Point, SAME};
+use crate::motion::{MotionKind, Step};
+
+/// One move of a cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Rapid, feed or thread.
+    pub kind: MotionKind,
+    /// The part it plays.
+    pub step: Step,
+    /// Where it ends.
+    pub to: Point,
+}
+
+impl Move {
+    fn new(kind: MotionKind, step: Step, x: f64, z: f64) -> Self {
+        Self { kind, step, to: Point::new(x, z) }
+    }
+}
+
+/// G90: rapid to depth, cut along Z (on a taper with `taper` ≠ 0), retract at feed, rapid home.
+///
+/// `taper`: radius at the start of the cut minus radius at its end, mm.
+pub fn turning(start: Point, end: Point, taper: f64) -> [Move; 4] {
+    [
+        Move::new(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z),
+        Move::new(MotionKind::Feed, Step::Cut, end.x, end.z),
+        Move::new(MotionKind::Feed, Step::Retract, start.x, end.z),
+        Move::new(MotionKind::Rapid, Step::Return, start.x, start.z),
+    ]
+}
+
+/// G94: rapid to depth, cut along X (on a cone face with `taper` ≠ 0), retract at feed, rapid home.
+///
+/// `taper`: Z at the start of the cut minus Z at its end, mm; not halved (seed 004).
+pub fn facing(start: Point, end: Point, taper: f64) -> [Move; 4] {
+    [
+        Move::new(MotionKind::Rapid, Step::Infeed, start.x, end.z + taper),
+        Move::new(MotionKind::Feed, Step::Cut, end.x, end.z),
+        Move::new(MotionKind::Feed, Step::Retract, end.x, start.z),
+        Move::new(MotionKind::Rapid, Step::Return, start.x, start.z),
+    ]
+}
+
+/// How a thread leaves the work before its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PullOut {
+    /// Length along the thread, mm, unsigned.
+    pub along: f64,
+    /// Way out of the work, radius in mm, unsigned; the same as `along` for the usual 45°.
+    pub out: f64,
+}
+
+/// G92: as G90 with the cut in step with the spindle, rapid retract, and the thread leaving the work early by
+/// `pull_out` if there is one. The pull-out never passes the start X, nor is it longer than the thread.
+pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>) -> Vec<Move> {
+    let mut moves = vec![Move::new(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z)];
+    let mut leave = end;
+    if let Some(pull_out) = pull_out {
+        let length = end.z - start.z;
+        let along = pull_out.along.min(length.abs());
+        let from = Point::new(
+            if length.abs() > SAME { end.x + taper * along / length.abs() } else { end.x },
+            end.z - along.copysign(length),
+        );
+        let room = (start.x - from.x).abs();
+        // What the pull-out may use of the room in X, as a fraction of its full way.
+        let part = if pull_out.out > room { room / pull_out.out } else { 1.0 };
+        leave = Point::new(
+            from.x + part * pull_out.out * sign(start.x - end.x),
+            if part < 1.0 { from.z + (part * along).copysign(length) } else { end.z },
+        );
+        moves.push(Move::new(MotionKind::Thread, Step::Cut, from.x, from.z));
+        moves.push(Move::new(MotionKind::Thread, Step::PullOut, leave.x, leave.z));
+    } else {
+        moves.push(Move::new(MotionKind::Thread, Step::Cut, end.x, end.z));
+    }
+    moves.push(Move::new(MotionKind::Rapid, Step::Retract, start.x, leave.z));
+    moves.push(Move::new(MotionKind::Rapid, Step::Return, start.x, start.z));
+    moves
+}
+
+/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of the way `way` to the
+/// end point differ and the taper is longer (seed 000: |R| ≤ |U/2|; not asked when there is no way at all).
+pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
+    // A thousandth of a millimetre, the least increment, is forgiven.
+    way != 0.0 && taper != 0.0 && (way > 0.0) != (taper > 0.0) && taper.abs() > way.abs() + 0.001
+}
+
+fn sign(value: f64) -> f64 {
+    if value > 0.0 {
+        1.0
+    } else if value < 0.0 {
+        -1.0
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ends(moves: &[Move]) -> Vec<(f64, f64)> {
+        moves.iter().map(|step| (2.0 * step.to.x, step.to.z)).collect()
+    }
+
+    #[test]
+    fn g92_leaves_the_work_at_45_degrees() {
+        let (start, end) = (Point::new(17.5, 4.0), Point::new(14.0, -26.0));
+        let pull_out = Some(PullOut { along: 2.0, out: 2.0 });
+        let moves = threading(start, end, 0.0, pull_out);
+        assert_eq!(ends(&moves), [(28.0, 4.0), (28.0, -24.0), (32.0, -26.0), (35.0, -26.0), (35.0, 4.0)]);
+    }
+
+    #[test]
+    fn a_long_pull_out_ends_at_the_start_diameter() {
+        let (start, end) = (Point::new(15.0, 4.0), Point::new(14.0, -26.0));
+        let pull_out = Some(PullOut { along: 3.0, out: 3.0 });
+        let moves = threading(start, end, 0.0, pull_out);
+        assert_eq!(ends(&moves), [(28.0, 4.0), (28.0, -23.0), (30.0, -24.0), (30.0, -24.0), (30.0, 4.0)]);
+    }
+
+    #[test]
+    fn a_pull_out_is_no_longer_than_its_thread() {
+        let (start, end) = (Point::new(20.0, 0.0), Point::new(14.0, -1.0));
+        let moves = threading(start, end, 0.0, Some(PullOut { along: 5.0, out: 5.0 }));
+        assert_eq!(moves[1].to, Point::new(14.0, 0.0));
+    }
+
+    #[test]
+    fn mirrored_cycles_make_mirrored_moves() {
+        let (start, end, taper) = (Point::new(30.0, 2.0), Point::new(20.0, -40.0), -3.0);
+        let flip = |point: Point| Point::new(point.x, -point.z);
+        for (plain, mirrored) in turning(start, end, taper).iter().zip(turning(flip(start), flip(end), taper))
+        {
+            assert_eq!(flip(plain.to), mirrored.to);
+        }
+        for (plain, mirrored) in facing(start, end, taper).iter().zip(facing(flip(start), flip(end), -taper))
+        {
+            assert_eq!(flip(plain.to), mirrored.to);
+        }
+    }
+
+    #[test]
+    fn the_taper_rule_asks_only_when_there_is_a_way() {
+        assert!(begins_beyond_start(-5.0, 8.0));
+        assert!(!begins_beyond_start(-5.0, 5.0));
+        assert!(!begins_beyond_start(-5.0, -8.0));
+        assert!(!begins_beyond_start(0.0, -30.0));
+    }
+}

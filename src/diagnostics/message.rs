@@ -1,0 +1,269 @@
+//! Every message there is, with the numbers it tells, and what is the same in all languages: code, slug,
+//! severity, kind and alarm.
+//!
+//! A new message is a variant here and a sentence in each of `messages/`; one without a translation does not
+//! compile. `code` is the identifier of the semantics (`W-…`, `E-…`) or, where there is none, the alarm a
+//! control raises; `slug` is named after the fault.
+
+/// How grave a message is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Good to know.
+    Info,
+    /// The program runs, but perhaps not as meant.
+    Warning,
+    /// The block is not carried out.
+    Error,
+}
+
+impl Severity {
+    /// Name in the output of the command line and in the wasm interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Info => "info",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// Whose matter it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The program is wrong, or likely so.
+    Wrong,
+    /// The program may be right; the playground does not do this.
+    Unsupported,
+    /// It depends on the machine.
+    Machine,
+}
+
+impl Kind {
+    /// Name in the wasm interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wrong => "wrong",
+            Self::Unsupported => "unsupported",
+            Self::Machine => "machine",
+        }
+    }
+}
+
+/// Something to tell the user. Lengths are in mm as people write them: X values are diameters.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "the fields are the numbers and words that the sentence quotes")]
+pub enum Message {
+    // Text
+    /// An address without its number.
+    NumberMissing { address: char },
+    /// A number without an address.
+    AddressMissing { number: String },
+    /// Characters that belong to no word.
+    NotUnderstood { text: String },
+    /// A whole line of prose outside brackets.
+    PlainText { text: String },
+    /// `X-12.8.`
+    SecondPoint { word: String },
+    /// More digits than a control takes.
+    TooManyDigits { word: String },
+    /// `X1 0`: a control reads `X10`.
+    BlankInNumber { written: String, joined: String },
+    /// `GO1`.
+    LetterForDigit { address: char, word: String, digit: &'static str },
+    /// `00006` where a program number belongs.
+    ZeroForO { number: String },
+    /// A dash of print in place of a minus.
+    PrintedMinus,
+    /// `Z,15`.
+    CommaForPoint { address: char, word: String },
+    /// `(` without `)`.
+    CommentOpen,
+    /// Brackets within a comment.
+    CommentNested,
+    /// Prose behind a `;`.
+    TextAfterSemicolon { text: String },
+    /// A block with more words than are read.
+    BlockTooLong { most: usize },
+    /// The text is longer than can be handled.
+    TextTooLong { bytes: usize, most: usize },
+    /// There is nothing to run.
+    EmptyProgram,
+    /// A program number of zero.
+    ProgramNumberZero,
+    /// The same program number twice.
+    DuplicateProgram { number: u32 },
+    /// The text ends without M30 or M02.
+    NoEnd,
+
+    // Bounds
+    /// More messages than are shown.
+    MoreMessages { hidden: usize },
+    /// More motions than are kept.
+    TooManyMotions { most: usize },
+    /// The run was stopped from outside.
+    Stopped { seconds: f64 },
+
+    // Codes and words
+    /// No such G code.
+    UnknownG { word: String },
+    /// An M code this project does not know.
+    UnknownM { word: String },
+    /// Recognised, not done yet.
+    NotYet { what: String },
+    /// A point in an address that takes none.
+    PointNotAllowed { word: String },
+    /// A minus in an address that takes none.
+    MinusNotAllowed { word: String },
+    /// The same address twice.
+    DuplicateWord { address: char, used: String },
+    /// Two G codes of one group.
+    SameGroup { dropped: String, used: String },
+    /// X with U, or Z with W.
+    AbsoluteAndIncremental { absolute: String, incremental: String, used: String },
+    /// T in a block with G50, G10 or G04.
+    ToolWithSetting { word: String },
+    /// A T word of one or two digits.
+    ShortTool { word: String, offset: u16 },
+    /// A T word that names no tool.
+    ToolNumber { word: String },
+    /// G90 without axis words, as mills use it.
+    G90AsAbsolute,
+    /// I in a G92 block.
+    LetterIInG92 { as_taper: bool },
+    /// G28 without an axis.
+    G28NoAxis,
+    /// G04 without a time.
+    DwellNoTime,
+
+    // Feed and spindle
+    /// A cut before any F.
+    FeedMissing,
+    /// A thread without its lead.
+    LeadMissing { code: &'static str },
+    /// F looks like the other unit.
+    FeedUnit { feed: f64, per_turn: bool },
+    /// The feed unit changed, F did not.
+    FeedNotRepeated { feed: f64, per_turn: bool },
+    /// A cut with the spindle stopped.
+    SpindleStopped,
+    /// G96 without a highest speed.
+    NoSpeedClamp,
+    /// The lowest speed is above the highest.
+    ClampReversed { lowest: f64, highest: f64 },
+    /// G96 while threading.
+    ThreadAtSurfaceSpeed { code: &'static str },
+
+    // Arcs
+    /// Neither R nor I, K.
+    ArcNoCenter { code: &'static str },
+    /// R is too small for the distance.
+    ArcRadiusTooSmall { radius: f64, distance: f64 },
+    /// The end does not lie on the circle.
+    ArcEndOffCircle { start_radius: f64, end_radius: f64 },
+    /// R is negative and the control does not take it.
+    ArcRadiusNegative { radius: f64 },
+    /// R with an end that is the start.
+    ArcNowhere,
+
+    // Cycles
+    /// The start of the cut lies beyond the start point of the cycle.
+    TaperBeyondStart { taper: f64, limit: f64, axis: char },
+    /// R fits the drawing but not the real start point.
+    TaperNotExtended { taper: f64, needed: f64, crossing: f64, wanted: f64, axis: char },
+    /// Nose compensation in force where it does nothing.
+    CompensationIdle { code: &'static str },
+}
+
+impl Message {
+    /// Stable code: the identifier of the semantics or the number of the alarm.
+    pub fn code(&self) -> &'static str {
+        self.facts().0
+    }
+
+    /// Stable name of the fault.
+    pub fn slug(&self) -> &'static str {
+        self.facts().1
+    }
+
+    /// How grave it usually is.
+    pub fn severity(&self) -> Severity {
+        self.facts().2
+    }
+
+    /// The alarm a real control raises.
+    pub fn alarm(&self) -> Option<&'static str> {
+        self.facts().3
+    }
+
+    /// Whose matter it is.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::NotYet { .. }
+            | Self::TooManyMotions { .. }
+            | Self::TextTooLong { .. }
+            | Self::Stopped { .. } => Kind::Unsupported,
+            Self::UnknownM { .. } | Self::ShortTool { .. } | Self::LetterIInG92 { .. } => Kind::Machine,
+            _ => Kind::Wrong,
+        }
+    }
+
+    fn facts(&self) -> (&'static str, &'static str, Severity, Option<&'static str>) {
+        use Severity::{Error, Info, Warning};
+        match self {
+            Self::NumberMissing { .. } => ("PS0005", "number-missing", Error, Some("PS0005")),
+            Self::AddressMissing { .. } => ("PS0004", "address-missing", Error, Some("PS0004")),
+            Self::NotUnderstood { .. } => ("PS0009", "character-not-understood", Error, Some("PS0009")),
+            Self::PlainText { .. } => ("W-PLAIN-TEXT", "text-outside-comment", Error, Some("PS0009")),
+            Self::SecondPoint { .. } => ("PS0007", "second-decimal-point", Error, Some("PS0007")),
+            Self::TooManyDigits { .. } => ("PS0003", "too-many-digits", Error, Some("PS0003")),
+            Self::BlankInNumber { .. } => ("W-BLANK-IN-NUMBER", "blank-in-number", Warning, None),
+            Self::LetterForDigit { .. } => ("W-OCR", "letter-for-digit", Error, Some("PS0005")),
+            Self::ZeroForO { .. } => ("W-OCR", "zero-for-letter-o", Warning, None),
+            Self::PrintedMinus => ("W-OCR", "printed-minus", Warning, None),
+            Self::CommaForPoint { .. } => ("W-OCR", "comma-for-point", Error, Some("PS0004")),
+            Self::CommentOpen => ("W-COMMENT-OPEN", "comment-not-closed", Warning, None),
+            Self::CommentNested => ("W-COMMENT-NESTED", "comment-in-comment", Warning, None),
+            Self::TextAfterSemicolon { .. } => ("W-TEXT-AFTER-EOB", "text-after-semicolon", Warning, None),
+            Self::BlockTooLong { .. } => ("E-BLOCK-TOO-LONG", "block-too-long", Error, None),
+            Self::TextTooLong { .. } => ("E-TEXT-TOO-LONG", "text-too-long", Error, None),
+            Self::EmptyProgram => ("I-EMPTY", "empty-program", Info, None),
+            Self::ProgramNumberZero => ("E-PROGRAM-ZERO", "program-number-zero", Error, None),
+            Self::DuplicateProgram { .. } => ("W-DUP-O", "duplicate-program-number", Warning, None),
+            Self::NoEnd => ("W-NO-END", "no-program-end", Warning, Some("PS5010")),
+            Self::MoreMessages { .. } => ("I-MORE", "more-messages", Info, None),
+            Self::TooManyMotions { .. } => ("E-TOO-MANY-MOTIONS", "too-many-motions", Error, None),
+            Self::Stopped { .. } => ("E-STOPPED", "run-stopped", Error, None),
+            Self::UnknownG { .. } => ("PS0010", "unknown-g-code", Error, Some("PS0010")),
+            Self::UnknownM { .. } => ("W-M-UNKNOWN", "unknown-m-code", Info, None),
+            Self::NotYet { .. } => ("N-NOT-YET", "not-supported-yet", Warning, None),
+            Self::PointNotAllowed { .. } => ("PS0007", "point-not-allowed", Error, Some("PS0007")),
+            Self::MinusNotAllowed { .. } => ("PS0006", "minus-not-allowed", Error, Some("PS0006")),
+            Self::DuplicateWord { .. } => ("W-DUP-WORD", "duplicate-word", Warning, Some("PS5074")),
+            Self::SameGroup { .. } => ("W-SAME-GROUP", "two-codes-of-one-group", Warning, Some("PS5074")),
+            Self::AbsoluteAndIncremental { .. } => ("W-X-AND-U", "absolute-and-incremental", Warning, None),
+            Self::ToolWithSetting { .. } => ("PS0245", "tool-with-setting-code", Error, Some("PS0245")),
+            Self::ShortTool { .. } => ("W-T1", "short-tool-word", Warning, None),
+            Self::ToolNumber { .. } => ("PS0043", "tool-number", Error, Some("PS0043")),
+            Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
+            Self::LetterIInG92 { .. } => ("W-G92-I", "letter-i-in-g92", Warning, None),
+            Self::G28NoAxis => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
+            Self::DwellNoTime => ("W-DWELL-NO-TIME", "dwell-without-time", Warning, None),
+            Self::FeedMissing => ("PS0011", "feed-missing", Error, Some("PS0011")),
+            Self::LeadMissing { .. } => ("PS0011", "lead-missing", Error, Some("PS0011")),
+            Self::FeedUnit { .. } => ("W-FEED-MODE", "feed-unit-mixed-up", Warning, None),
+            Self::FeedNotRepeated { .. } => ("W-FEED-KEPT", "feed-kept-in-other-unit", Warning, None),
+            Self::SpindleStopped => ("W-NO-SPINDLE", "cut-with-spindle-stopped", Warning, None),
+            Self::NoSpeedClamp => ("W-CSS-NOCLAMP", "surface-speed-without-clamp", Warning, None),
+            Self::ClampReversed { .. } => ("W-CSS-UNSET", "speed-clamp-reversed", Warning, None),
+            Self::ThreadAtSurfaceSpeed { .. } => ("W-THREAD-CSS", "thread-at-surface-speed", Warning, None),
+            Self::ArcNoCenter { .. } => ("PS0022", "arc-without-radius", Error, Some("PS0022")),
+            Self::ArcRadiusTooSmall { .. } => ("PS0020", "arc-radius-too-small", Error, Some("PS0020")),
+            Self::ArcEndOffCircle { .. } => ("PS0020", "arc-end-off-circle", Error, Some("PS0020")),
+            Self::ArcRadiusNegative { .. } => ("PS0023", "arc-radius-negative", Error, Some("PS0023")),
+            Self::ArcNowhere => ("W-ARC-NOWHERE", "arc-without-way", Warning, None),
+            Self::TaperBeyondStart { .. } => ("E-TAPER-R", "taper-beyond-start-point", Error, None),
+            Self::TaperNotExtended { .. } => ("W-TAPER-NOT-EXTENDED", "taper-not-extended", Warning, None),
+            Self::CompensationIdle { .. } => ("W-TNRC-CYCLE", "compensation-without-effect", Warning, None),
+        }
+    }
+}

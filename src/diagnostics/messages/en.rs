@@ -1,0 +1,223 @@
+//! The messages in English.
+
+use super::{Sentence, number};
+use crate::diagnostics::message::Message;
+use crate::motion::{Motion, MotionKind, Step};
+
+pub(super) fn sentence(message: &Message) -> Sentence {
+    match message {
+        Message::NumberMissing { address } => Sentence::new(format!("`{address}` has no number."))
+            .help("Every address letter needs a value behind it. A remark belongs in brackets: `( … )`."),
+        Message::AddressMissing { number } => Sentence::new(format!("The number `{number}` has no address letter."))
+            .help("Put the letter it belongs to in front of it, such as X, Z or F."),
+        Message::NotUnderstood { text } => Sentence::new(format!("`{text}` does not belong to any word."))
+            .help("Was a sign misread or lost here? A remark belongs in brackets: `( … )`."),
+        Message::PlainText { text } => Sentence::new(format!("`{text}` is plain text, not a block."))
+            .help("A control stops here with an alarm. Put remarks in brackets: `( … )`."),
+        Message::SecondPoint { word } => Sentence::new(format!("`{word}` has two decimal points."))
+            .help("Delete one of them; check which number was meant."),
+        Message::TooManyDigits { word } => Sentence::new(format!("`{word}` has more than 8 digits."))
+            .help("Controls take up to 8 digits in a number, the decimals included."),
+        Message::BlankInNumber { written, joined } => {
+            Sentence::new(format!("`{written}` has a blank inside its number; a control reads `{joined}`."))
+                .help("Delete the blank, or put in the letter that was lost.")
+        }
+        Message::LetterForDigit { word, digit, .. } => {
+            Sentence::new(format!("`{word}` has a letter where the digit {digit} belongs."))
+                .help("The letter O and the digit 0, and l and 1, look alike; the control knows the difference.")
+        }
+        Message::ZeroForO { number } => {
+            Sentence::new(format!("`{number}` was read as a program number: the first character should be the letter O."))
+                .help("Program numbers begin with the letter O, not with a zero.")
+        }
+        Message::PrintedMinus => Sentence::new("This is a printed dash, not a minus sign; it was read as a minus.")
+            .help("A control does not know this character. Replace it with `-`."),
+        Message::CommaForPoint { word, .. } => Sentence::new(format!("`{word}` has a comma where the decimal point belongs."))
+            .help("G-code writes decimals with a point."),
+        Message::CommentOpen => Sentence::new("This bracket is never closed; the rest of the line was taken as a comment.")
+            .help("Close the comment with `)`. A control may swallow the following blocks too."),
+        Message::CommentNested => Sentence::new("There are brackets inside this comment.")
+            .help("For a control the comment ends at the first `)`; what follows it would be read as words."),
+        Message::TextAfterSemicolon { text } => Sentence::new(format!("`{text}` behind the `;` was taken as a remark."))
+            .help("On a FANUC or GSK control `;` ends a block; a remark belongs in brackets: `( … )`."),
+        Message::BlockTooLong { most } => Sentence::new(format!("This block has more than {most} words."))
+            .help("Was a line end lost? The rest of the block is not read."),
+        Message::TextTooLong { bytes, most } => {
+            Sentence::new(format!("The text has {bytes} bytes; the playground reads up to {most}."))
+                .help("Split the program, or open only the part you want to see.")
+        }
+        Message::EmptyProgram => {
+            Sentence::new("There is no program yet.").help("Type or paste one, or pick an example from the gallery.")
+        }
+        Message::ProgramNumberZero => {
+            Sentence::new("O0 is not a program number.").help("Use a number from O1 to O9999.")
+        }
+        Message::DuplicateProgram { number } => Sentence::new(format!("O{number} stands here a second time."))
+            .help("A control keeps only one program under a number."),
+        Message::NoEnd => Sentence::new("The program ends without M30 or M02.")
+            .help("Put M30 at the end: without it the control stops with an alarm, and spindle and coolant keep running."),
+        Message::MoreMessages { hidden } => Sentence::new(format!("{hidden} more messages are not shown."))
+            .help("Mend the first ones; later ones are often their consequence."),
+        Message::TooManyMotions { most } => {
+            Sentence::new(format!("The program makes more than {most} motions; the rest is not shown."))
+                .help("Is an amount in a cycle far too small?")
+        }
+        Message::Stopped { seconds } => {
+            Sentence::new(format!("The run was stopped after {} s; what follows is not shown.", number(*seconds)))
+        }
+        Message::UnknownG { word } => Sentence::new(format!("`{word}` is not a G code of this control."))
+            .help("The whole block is not carried out. Check the number."),
+        Message::UnknownM { word } => Sentence::new(format!("`{word}` is known only to some machines; it is passed over."))
+            .help("The machine's own manual says what it does."),
+        Message::NotYet { what } => Sentence::new(format!("{what} is not supported here yet."))
+            .help("This is no fault of the program. Motions after it may be wrong and are drawn faint."),
+        Message::PointNotAllowed { word } => Sentence::new(format!("`{word}` must be a whole number, without a point.")),
+        Message::MinusNotAllowed { word } => Sentence::new(format!("`{word}` cannot be negative.")),
+        Message::DuplicateWord { address, used } => {
+            Sentence::new(format!("{address} stands twice in this block; `{used}` counts."))
+                .help("The control takes the later one, or stops with an alarm. Delete the wrong one.")
+        }
+        Message::SameGroup { dropped, used } => {
+            Sentence::new(format!("`{dropped}` and `{used}` exclude each other; `{used}` counts."))
+                .help("Both belong to one modal group. In a block the last of a group is valid.")
+        }
+        Message::AbsoluteAndIncremental { absolute, incremental, used } => {
+            Sentence::new(format!("`{absolute}` and `{incremental}` name the same axis; `{used}` counts."))
+                .help("Controls differ here: FANUC takes the later word, GSK the absolute one.")
+        }
+        Message::ToolWithSetting { word } => {
+            Sentence::new(format!("`{word}` may not stand in one block with G50, G10 or G04."))
+                .help("Call the tool in a block of its own.")
+        }
+        Message::ShortTool { word, offset } => {
+            Sentence::new(format!("`{word}` has no station number: it selects offset {offset} and leaves the turret where it is."))
+                .help("On a four-digit control write station and offset, such as T0101.")
+        }
+        Message::ToolNumber { word } => {
+            Sentence::new(format!("`{word}` is not a tool number.")).help("Write station and offset, such as T0101.")
+        }
+        Message::G90AsAbsolute => Sentence::new("G90 on a lathe is the turning cycle, not absolute programming.")
+            .help("X and Z are always absolute here, U and W incremental. As it stands, the next X or Z would start a cycle: delete G90."),
+        Message::LetterIInG92 { as_taper } => {
+            let reading = if *as_taper { "the taper, as R" } else { "threads per inch" };
+            Sentence::new(format!("I in G92 was read as {reading}."))
+                .help("FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.")
+        }
+        Message::G28NoAxis => {
+            Sentence::new("G28 names no axis, so nothing moves.").help("Write G28 U0 W0 to send both axes home.")
+        }
+        Message::DwellNoTime => {
+            Sentence::new("G04 has no time, so it does not wait.").help("Write X or U in seconds, or P in milliseconds.")
+        }
+        Message::FeedMissing => Sentence::new("There is no feed: no F other than zero has been given before this cut.")
+            .help("Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute)."),
+        Message::LeadMissing { code } => Sentence::new(format!("{code} has no lead."))
+            .help("F gives the lead of the thread in mm."),
+        Message::FeedUnit { feed, per_turn: true } => {
+            let feed = number(*feed);
+            Sentence::new(format!("F{feed} under G99 is {feed} mm per turn of the spindle."))
+                .help("That is far too much for a cut. Was G98 (mm per minute) meant? Set the control's feed mode, or write G98.")
+        }
+        Message::FeedUnit { feed, per_turn: false } => {
+            let feed = number(*feed);
+            Sentence::new(format!("F{feed} under G98 is only {feed} mm per minute."))
+                .help("Was G99 (mm per turn) meant? Set the control's feed mode, or write G99.")
+        }
+        Message::FeedNotRepeated { feed, per_turn } => {
+            let (code, unit) = if *per_turn { ("G99", "mm per turn") } else { ("G98", "mm per minute") };
+            Sentence::new(format!("After {code} the old F{} now counts as {unit}.", number(*feed)))
+                .help("Write F anew whenever the feed mode changes.")
+        }
+        Message::SpindleStopped => Sentence::new("The tool cuts while the spindle stands still.")
+            .help("Start the spindle with M03 or M04 before the first cut."),
+        Message::NoSpeedClamp => Sentence::new("G96 without a highest spindle speed.")
+            .help("Towards the centre the speed rises without bound. Give a limit first, such as G50 S2000."),
+        Message::ClampReversed { lowest, highest } => Sentence::new(format!(
+            "The lowest spindle speed Q{} is above the highest S{}.",
+            number(*lowest),
+            number(*highest)
+        )),
+        Message::ThreadAtSurfaceSpeed { code } => {
+            Sentence::new(format!("{code} cuts a thread under G96, where the spindle speed changes with X."))
+                .help("Every pass must meet the same groove: give a constant speed with G97 S….")
+        }
+        Message::ArcNoCenter { code } => Sentence::new(format!("{code} has neither R nor I, K."))
+            .help("Give the radius with R, or the centre from the start point with I and K."),
+        Message::ArcRadiusTooSmall { radius, distance } => Sentence::new(format!(
+            "R{} is too small: start and end of the arc are {} mm apart.",
+            number(*radius),
+            number(*distance)
+        ))
+        .help(format!("The radius must be at least {} mm, half the distance. X counts as a diameter.", number(distance / 2.0))),
+        Message::ArcEndOffCircle { start_radius, end_radius } => Sentence::new(format!(
+            "The end point is not on the circle: the centre is {} mm from the start but {} mm from the end.",
+            number(*start_radius),
+            number(*end_radius)
+        ))
+        .help("I is a radius value from the start point to the centre, K the same along Z; both have a sign."),
+        Message::ArcRadiusNegative { radius } => Sentence::new(format!("This control does not take R{}.", number(*radius)))
+            .help("Give arcs of more than 180° with I and K."),
+        Message::ArcNowhere => Sentence::new("The arc ends where it begins, so with R nothing moves.")
+            .help("A full circle is written with I and K."),
+        Message::TaperBeyondStart { taper, limit, axis } => Sentence::new(format!(
+            "`R{}` is larger than {} of `{axis}{}`: the cut would begin outside the start point.",
+            number(*taper),
+            if *axis == 'U' { "half" } else { "the length" },
+            number(*limit)
+        ))
+        .help("When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point."),
+        Message::TaperNotExtended { taper, needed, crossing, wanted, axis } => Sentence::new(format!(
+            "R{} is the taper of the drawing, not of the real start point: the cut leaves the stock at {axis}{}, not {axis}{}.",
+            number(*taper),
+            number(*crossing),
+            number(*wanted)
+        ))
+        .help(format!("The cut begins outside the stock, so R must be longer in proportion: R{}.", number(*needed))),
+        Message::CompensationIdle { code } => {
+            Sentence::new(format!("Nose radius compensation is on, but it changes nothing in this {code}."))
+                .help("Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.")
+        }
+    }
+}
+
+pub(super) fn fix_title(message: &Message) -> String {
+    match message {
+        Message::CommentOpen => "Close the comment".into(),
+        Message::CommaForPoint { .. } => "Write a decimal point".into(),
+        Message::LetterForDigit { digit, .. } => format!("Write the digit {digit}"),
+        Message::ZeroForO { .. } => "Write the letter O".into(),
+        Message::PrintedMinus => "Write a minus".into(),
+        other => sentence(other).message,
+    }
+}
+
+pub(super) fn motion(motion: &Motion) -> String {
+    let kind = match motion.kind {
+        MotionKind::Rapid => "rapid",
+        MotionKind::Feed => "feed",
+        MotionKind::ArcClockwise => "arc G02",
+        MotionKind::ArcCounterclockwise => "arc G03",
+        MotionKind::Thread => "thread",
+        MotionKind::Dwell => "dwell",
+    };
+    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    if let Some(seconds) = motion.seconds {
+        return format!("dwell {} s at {to}", number(seconds));
+    }
+    let Some(cycle) = motion.cycle else {
+        return format!("{kind} to {to}");
+    };
+    let step = match cycle.step {
+        Step::Infeed => "infeed",
+        Step::Cut => "cut",
+        Step::PullOut => "pull-out",
+        Step::Retract => "retract",
+        Step::Return => "return",
+    };
+    let manner = match motion.kind {
+        MotionKind::Rapid => "at rapid",
+        MotionKind::Thread => "in step with the spindle",
+        _ => "at feed",
+    };
+    format!("{}, pass {}: {step} {manner} to {to}", cycle.cycle.code(), cycle.pass)
+}

@@ -1,0 +1,9 @@
+//! Messages to the user: what is wrong, where, what a control would do, and the repair.
+
+mod diagnostic;
+mod message;
+pub mod messages;
+pub mod rules;
+
+pub use diagnostic::{Diagnostic, Edit, Fix};
+pub use message::{Kind, Message, Severity};

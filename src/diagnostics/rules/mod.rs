@@ -1,0 +1,5 @@
+//! Rules: what a good instructor would remark though the control runs it. One small file for each family.
+
+mod taper;
+
+pub use taper::taper_not_extended;

@@ -1,0 +1,81 @@
+//! Tapers cut with G90 and G94.
+//!
+//! The first move of these cycles is a rapid, so the start point lies outside the blank and the cut begins
+//! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
+
+use crate::control::setup::Stock;
+use crate::diagnostics::Message;
+use crate::geometry::Point;
+use crate::motion::Cycle;
+
+/// Lengths this near count as equal here, mm.
+const NEAR: f64 = 0.001;
+
+/// Tells when R looks like the taper of the drawing though the cut begins outside the blank: R would be a
+/// round number at the blank's surface, but the cut leaves the blank at an odd place.
+pub fn taper_not_extended(
+    cycle: Cycle,
+    start: Point,
+    end: Point,
+    taper: f64,
+    stock: Stock,
+) -> Option<Message> {
+    if taper == 0.0 {
+        return None;
+    }
+    // `wanted`: where the cut begins; `part`: how much of the cut lies beyond the end at the blank's surface.
+    let (wanted, part, scale, base, axis) = match cycle {
+        Cycle::Facing => {
+            let surface = stock.diameter / 2.0;
+            if start.x <= surface + NEAR || end.x >= surface - NEAR {
+                return None;
+            }
+            (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
+        }
+        Cycle::Turning => {
+            if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR {
+                return None;
+            }
+            (2.0 * (end.x + taper), (stock.face - end.z) / (start.z - end.z), 2.0, 2.0 * end.x, 'X')
+        }
+        Cycle::Threading => return None,
+    };
+    let crossing = base + scale * taper * part;
+    (is_round(wanted) && !is_round(crossing)).then(|| Message::TaperNotExtended {
+        taper,
+        needed: taper / part,
+        crossing,
+        wanted,
+        axis,
+    })
+}
+
+/// Whether a drawing would carry this length: a multiple of half a millimetre.
+fn is_round(length: f64) -> bool {
+    (length * 2.0 - (length * 2.0).round()).abs() <= 2.0 * NEAR
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STOCK: Stock = Stock { diameter: 50.0, bore: 0.0, face: 0.0, length: 60.0 };
+
+    #[test]
+    fn seed_004_needs_r_minus_24_from_x54() {
+        let (start, end) = (Point::new(27.0, 5.0), Point::new(15.0, 0.0));
+        let Some(Message::TaperNotExtended { needed, crossing, wanted, .. }) =
+            taper_not_extended(Cycle::Facing, start, end, -20.0, STOCK)
+        else {
+            panic!("R-20 from X54 must be told")
+        };
+        assert!((needed + 24.0).abs() < 1e-9 && (crossing + 16.6667).abs() < 1e-3 && wanted == -20.0);
+        assert_eq!(taper_not_extended(Cycle::Facing, start, end, -24.0, STOCK), None);
+    }
+
+    #[test]
+    fn a_start_at_the_blank_needs_no_extension() {
+        let (start, end) = (Point::new(25.0, 5.0), Point::new(15.0, 0.0));
+        assert_eq!(taper_not_extended(Cycle::Facing, start, end, -20.0, STOCK), None);
+    }
+}

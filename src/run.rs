@@ -1,0 +1,201 @@
+//! One run of a program from its text to motions and messages, in slices that can be spread over time.
+//!
+//! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, nothing of
+//! what they do.
+
+use std::collections::BTreeSet;
+
+use crate::control::interpreter::{Flow, Interpreter};
+use crate::control::modal::State;
+use crate::control::setup::Setup;
+use crate::diagnostics::{Diagnostic, Message};
+use crate::limits::Limits;
+use crate::motion::Motions;
+use crate::text::block::Block;
+use crate::text::parser::{Parser, Resume};
+use crate::text::source::Span;
+
+/// What a program does and what is to be said of it.
+#[derive(Clone, Debug, Default)]
+pub struct Analysis {
+    /// All motions in order.
+    pub motions: Motions,
+    /// All messages in order of their place.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Blocks read.
+    pub blocks: usize,
+}
+
+/// A run under way.
+pub struct Run {
+    text: Vec<u8>,
+    interpreter: Interpreter,
+    block: Block,
+    at: Resume,
+    blocks: usize,
+    programs: BTreeSet<u32>,
+    /// Something of the main program was carried out.
+    begun: bool,
+    /// The main program ended; what follows is only read, for its mistakes.
+    ended: bool,
+    finished: bool,
+}
+
+impl Run {
+    /// Begins a run within the usual bounds.
+    pub fn new(text: Vec<u8>, setup: Setup) -> Self {
+        Self::within(text, setup, Limits::default())
+    }
+
+    /// Begins a run within other bounds.
+    pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
+        let mut run = Self {
+            interpreter: Interpreter::new(setup, limits),
+            block: Block::default(),
+            at: Resume::default(),
+            blocks: 0,
+            programs: BTreeSet::new(),
+            begun: false,
+            ended: false,
+            finished: false,
+            text,
+        };
+        if run.text.len() > limits.text {
+            let message = Message::TextTooLong { bytes: run.text.len(), most: limits.text };
+            run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
+            run.finish();
+        }
+        run
+    }
+
+    /// Runs at most so many blocks; true once the run has ended.
+    pub fn advance(&mut self, blocks: usize) -> bool {
+        if self.finished {
+            return true;
+        }
+        let text = std::mem::take(&mut self.text);
+        let mut parser = Parser::resume(&text, self.at);
+        let mut left = blocks;
+        let mut more = true;
+        while left > 0 {
+            more = parser.next_block(&mut self.block);
+            if !more {
+                break;
+            }
+            left -= 1;
+            self.blocks += 1;
+            self.step(&text);
+        }
+        self.at = parser.position();
+        self.text = text;
+        if !more {
+            self.end_of_text();
+        }
+        self.finished
+    }
+
+    /// Ends the run early and says so.
+    pub fn stop(&mut self, seconds: f64) {
+        if !self.finished {
+            let at = self.at.byte as usize;
+            self.interpreter.tell(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.finish();
+        }
+    }
+
+    /// Share of the text that is read, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        if self.finished { 1.0 } else { f64::from(self.at.byte) / self.text.len().max(1) as f64 }
+    }
+
+    /// Whether the run has ended.
+    pub fn is_finished(&self) -> bool {
+        self.finished
+    }
+
+    /// The text.
+    pub fn text(&self) -> &[u8] {
+        &self.text
+    }
+
+    /// The state of the control after the last block.
+    pub fn state(&self) -> &State {
+        &self.interpreter.state
+    }
+
+    /// The setup.
+    pub fn setup(&self) -> &Setup {
+        self.interpreter.setup()
+    }
+
+    /// Motions of all full chunks; all motions once the run has ended.
+    pub fn motions(&self) -> &Motions {
+        self.interpreter.motions()
+    }
+
+    /// Messages so far; in order of their place once the run has ended.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        self.interpreter.diagnostics()
+    }
+
+    /// Blocks read so far.
+    pub fn blocks(&self) -> usize {
+        self.blocks
+    }
+
+    /// What came of the run.
+    pub fn into_analysis(self) -> Analysis {
+        let (motions, diagnostics) = self.interpreter.into_parts();
+        Analysis { motions, diagnostics, blocks: self.blocks }
+    }
+
+    /// Carries out the block just read.
+    #[inline]
+    fn step(&mut self, text: &[u8]) {
+        if let Some((number, span)) = self.block.program {
+            self.program(number, span);
+        }
+        if self.ended {
+            self.interpreter.tell_faults(&self.block);
+            return;
+        }
+        self.begun |= !self.block.words.is_empty();
+        if self.interpreter.run(text, &self.block) == Flow::End {
+            self.ended = true;
+        }
+    }
+
+    /// An O number: the head of the main program, or of one that follows it.
+    fn program(&mut self, number: u32, span: Span) {
+        if number == 0 {
+            self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
+        } else if !self.programs.insert(number) {
+            self.interpreter.tell(Diagnostic::new(Message::DuplicateProgram { number }, span));
+        }
+        if self.begun && !self.ended {
+            self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
+            self.ended = true;
+        }
+    }
+
+    fn end_of_text(&mut self) {
+        let end = self.text.len();
+        if self.begun && !self.ended {
+            let last = self.text.trim_ascii_end().len();
+            self.interpreter.tell(Diagnostic::new(Message::NoEnd, Span::new(last.saturating_sub(1), last)));
+        } else if !self.begun && self.diagnostics().is_empty() {
+            self.interpreter.tell(Diagnostic::new(Message::EmptyProgram, Span::new(0, 0)));
+        }
+        let hidden = self.interpreter.hidden();
+        if hidden > 0 {
+            self.interpreter
+                .tell_always(Diagnostic::new(Message::MoreMessages { hidden }, Span::new(end, end)));
+        }
+        self.finish();
+    }
+
+    fn finish(&mut self) {
+        self.interpreter.close();
+        self.finished = true;
+    }
+}

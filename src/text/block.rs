@@ -1,0 +1,125 @@
+//! Blocks and words as they were written.
+
+use super::lexer::Number;
+use super::source::Span;
+use crate::diagnostics::{Diagnostic, Message};
+use crate::limits::WORDS_PER_BLOCK;
+
+/// The value of a word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A signed number.
+    Number {
+        /// Digits and point.
+        number: Number,
+        /// Whether a minus stands before it.
+        negative: bool,
+    },
+    /// A macro expression (`#1`, `[#1+2]`), still to be read.
+    Expression,
+}
+
+/// An address letter with its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Word {
+    /// The address, an upper-case ASCII letter.
+    pub address: u8,
+    /// Whether a comma stands before the letter (`,C2`).
+    pub comma: bool,
+    /// The value.
+    pub value: Value,
+    /// Letter, sign and number.
+    pub span: Span,
+}
+
+/// What a block is, read as a whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BlockKind {
+    /// Words, maybe none.
+    #[default]
+    Words,
+    /// `%` alone: the start or end of the tape.
+    Percent,
+    /// A macro statement: an assignment or `IF`, `WHILE`, `GOTO`, `DO`, `END`.
+    Macro,
+}
+
+/// One block: everything up to a line end or `;`. Its storage is reused from block to block.
+#[derive(Clone, Debug, Default)]
+pub struct Block {
+    /// All its bytes, comments included, without the end of block.
+    pub span: Span,
+    /// Line, from 0.
+    pub line: u32,
+    /// What it is.
+    pub kind: BlockKind,
+    /// Level of block delete: `/` and `/1` are 1.
+    pub delete: Option<u8>,
+    /// Program number (`O1234`) at its head.
+    pub program: Option<(u32, Span)>,
+    /// Sequence number (`N10`) at its head.
+    pub sequence: Option<u32>,
+    /// The other words, in order.
+    pub words: Vec<Word>,
+    /// Comments, brackets included.
+    pub comments: Vec<Span>,
+    /// What is wrong with the way it is written.
+    pub faults: Vec<Diagnostic>,
+    /// It has more words than are kept.
+    overlong: bool,
+}
+
+impl Block {
+    /// Whether it holds nothing that could be carried out.
+    pub fn is_empty(&self) -> bool {
+        self.kind == BlockKind::Words && self.words.is_empty() && self.program.is_none()
+    }
+
+    /// Whether a fault of its writing keeps it from being carried out.
+    pub fn is_broken(&self) -> bool {
+        self.faults.iter().any(|fault| fault.is_error())
+    }
+
+    /// Adds a word; a block that never ends is cut off with a fault rather than kept.
+    #[inline]
+    pub(super) fn word(&mut self, word: Word) {
+        if self.words.len() < WORDS_PER_BLOCK {
+            self.words.push(word);
+        } else if !self.overlong {
+            self.overlong = true;
+            self.faults.clear();
+            self.fault(Diagnostic::new(Message::BlockTooLong { most: WORDS_PER_BLOCK }, word.span));
+        }
+    }
+
+    pub(super) fn comment(&mut self, span: Span) {
+        if self.comments.len() < WORDS_PER_BLOCK {
+            self.comments.push(span);
+        }
+    }
+
+    pub(super) fn fault(&mut self, fault: Diagnostic) {
+        if self.faults.len() < WORDS_PER_BLOCK {
+            self.faults.push(fault);
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.overlong = false;
+        self.kind = BlockKind::Words;
+        self.delete = None;
+        self.program = None;
+        self.sequence = None;
+        self.words.clear();
+        self.comments.clear();
+        self.faults.clear();
+    }
+
+    /// From the first word to the last; the whole block where there is none.
+    pub fn words_span(&self) -> Span {
+        match (self.words.first(), self.words.last()) {
+            (Some(first), Some(last)) => first.span.to(last.span),
+            _ => self.span,
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Which class each piece of the text belongs to, for an editor to colour.
+//!
+//! In: some lines of the text. Out: classed spans in order. The page knows no G-code: it only maps class
+//! numbers to colours.
+
+use super::block::{Block, BlockKind, Value};
+use super::parser::{Parser, Resume};
+use super::source::Span;
+
+/// What a piece of text is, for its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum TokenClass {
+    /// A comment.
+    Comment = 0,
+    /// A G word.
+    GCode = 1,
+    /// An M word.
+    MCode = 2,
+    /// An axis word: X Z U W C H Y V.
+    Axis = 3,
+    /// Another data word: R I K P Q …
+    Data = 4,
+    /// A program or sequence number.
+    Number = 5,
+    /// F, S, T.
+    Technology = 6,
+    /// A macro statement or expression.
+    Macro = 7,
+    /// Not understood.
+    Unknown = 8,
+    /// `%`, `;`, `/`.
+    Punctuation = 9,
+}
+
+/// The classed pieces of the lines from `start` (its first byte) to byte `end`, in order of place.
+pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass)> {
+    let part = &text[..end.min(text.len())];
+    let mut parser = Parser::resume(part, Resume::inside(start as u32, 0));
+    let mut block = Block::default();
+    let mut found = Vec::new();
+    loop {
+        let line_start = parser.position().byte as usize;
+        if !parser.next_block(&mut block) {
+            break;
+        }
+        found.extend(block.comments.iter().map(|&span| (span, TokenClass::Comment)));
+        match block.kind {
+            BlockKind::Percent => found.push((block.span, TokenClass::Punctuation)),
+            BlockKind::Macro => found.push((without_comments(&block), TokenClass::Macro)),
+            BlockKind::Words => {}
+        }
+        if let Some((_, span)) = block.program {
+            found.push((span, TokenClass::Number));
+        }
+        if block.sequence.is_some() {
+            found.extend(
+                sequence_span(part, line_start, block.span.end as usize)
+                    .map(|span| (span, TokenClass::Number)),
+            );
+        }
+        for word in &block.words {
+            let class = match (word.address, word.value) {
+                (_, Value::Expression) => TokenClass::Macro,
+                (b'G', _) => TokenClass::GCode,
+                (b'M', _) => TokenClass::MCode,
+                (b'X' | b'Z' | b'U' | b'W' | b'C' | b'H' | b'Y' | b'V', _) if !word.comma => TokenClass::Axis,
+                (b'F' | b'S' | b'T', _) => TokenClass::Technology,
+                (b'O' | b'N', _) => TokenClass::Number,
+                _ => TokenClass::Data,
+            };
+            found.push((word.span, class));
+        }
+        let errors = block.faults.iter().filter(|fault| fault.is_error());
+        found.extend(errors.map(|fault| (fault.span, TokenClass::Unknown)));
+    }
+    found.retain(|(span, _)| !span.is_empty());
+    found.sort_by_key(|(span, _)| span.start);
+    // Faults may lie over words: the first of two overlapping pieces wins, so that spans never cross.
+    let mut last = 0;
+    found.retain(|(span, _)| {
+        let keep = span.start >= last;
+        if keep {
+            last = span.end;
+        }
+        keep
+    });
+    found
+}
+
+/// The part of a macro block before its first comment.
+fn without_comments(block: &Block) -> Span {
+    let end = block.comments.first().map_or(block.span.end, |comment| comment.start);
+    Span { start: block.span.start, end: end.max(block.span.start) }
+}
+
+/// The `N10` at the head of a block.
+fn sequence_span(text: &[u8], start: usize, end: usize) -> Option<Span> {
+    let bytes = &text[start..end];
+    let first = bytes.iter().position(|byte| byte.eq_ignore_ascii_case(&b'N'))?;
+    let length = bytes[first + 1..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b' ').count();
+    let length =
+        bytes[first + 1..first + 1 + length].iter().rposition(u8::is_ascii_digit).map_or(0, |last| last + 1);
+    Some(Span::new(start + first, start + first + 1 + length))
+}

@@ -1,0 +1,349 @@
+//! Text to tokens, lossless: every byte belongs to exactly one token, in order.
+//!
+//! In: the bytes of a program, any bytes at all. Out: [`Token`]s. Never fails: what is not understood becomes
+//! a token too. Knows nothing of words, blocks or codes.
+
+use super::source::Span;
+
+/// An unsigned number exactly as written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Number {
+    /// All digits read as one integer, the point left out; those past 18 significant ones are dropped.
+    pub mantissa: u64,
+    /// Digits after the point.
+    pub decimals: u8,
+    /// Digits written, leading zeros left out; capped at 255.
+    pub digits: u8,
+    /// Decimal points written: 0, 1, or a mistake.
+    pub points: u8,
+}
+
+/// Powers of ten that a double holds exactly.
+const POWERS: [f64; 19] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18];
+
+/// Most digits that are kept; `mantissa` never overflows.
+const KEPT_DIGITS: u8 = 18;
+
+impl Number {
+    /// The value as a double; correctly rounded up to 15 significant digits.
+    pub fn value(self) -> f64 {
+        self.mantissa as f64 / POWERS[self.decimals as usize]
+    }
+
+    /// The value with the digits after the first `places` decimals cut off, as controls do with digits below
+    /// the least input increment (FANUC B-64114EN §8.3).
+    pub fn truncated(self, places: u8) -> f64 {
+        if self.decimals <= places {
+            return self.value();
+        }
+        let dropped = 10u64.pow(u32::from(self.decimals - places));
+        (self.mantissa / dropped) as f64 / POWERS[places as usize]
+    }
+
+    /// Whether a decimal point was written.
+    pub fn has_point(self) -> bool {
+        self.points > 0
+    }
+
+    /// The value when it is a whole number written without a point.
+    pub fn integer(self) -> Option<u64> {
+        (self.points == 0).then_some(self.mantissa)
+    }
+
+    /// Reads the digits and points of some bytes and skips everything else.
+    pub fn read(bytes: &[u8]) -> Self {
+        let mut number = Self::default();
+        for &byte in bytes {
+            number.push(byte);
+        }
+        number
+    }
+
+    #[inline]
+    fn push(&mut self, byte: u8) {
+        match byte {
+            b'0'..=b'9' => {
+                if self.digits > 0 || byte != b'0' {
+                    self.digits = self.digits.saturating_add(1);
+                }
+                // A second point ends the value; whole digits past the limit saturate rather than shift the point.
+                if self.points <= 1 && self.digits <= KEPT_DIGITS && self.decimals < KEPT_DIGITS {
+                    self.mantissa = self.mantissa * 10 + u64::from(byte - b'0');
+                    self.decimals += u8::from(self.points == 1);
+                }
+            }
+            b'.' => self.points = self.points.saturating_add(1),
+            _ => {}
+        }
+    }
+}
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TokenKind {
+    /// Spaces, tabs, a byte order mark.
+    Blank,
+    /// `\n`, `\r\n` or a lone `\r`.
+    LineEnd,
+    /// `;`: an end of block inside a line.
+    Semicolon,
+    /// A letter, upper-cased: the address of a word.
+    Letter(u8),
+    /// Digits and points.
+    Number(Number),
+    /// `+`.
+    Plus,
+    /// `-`.
+    Minus,
+    /// A dash that print puts where a minus belongs (U+2212, U+2013, U+FF0D).
+    PrintedMinus,
+    /// `( … )`, closed on its line.
+    Comment,
+    /// A comment with further brackets inside.
+    NestedComment,
+    /// `(` without its `)` before the line ends.
+    OpenComment,
+    /// `%`.
+    Percent,
+    /// `/`.
+    Slash,
+    /// `:`.
+    Colon,
+    /// `,` or the full-width comma.
+    Comma,
+    /// `#`, `[`, `]`, `=`, `*`: signs of macro expressions.
+    Macro(u8),
+    /// Anything else, as long a run as there is.
+    Unknown,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// Splits text into tokens, one at a time.
+#[derive(Clone, Debug)]
+pub struct Lexer<'a> {
+    text: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Lexer<'a> {
+    /// Starts at byte `at` of `text`.
+    pub fn new(text: &'a [u8], at: usize) -> Self {
+        Self { text, at }
+    }
+
+    /// The text.
+    pub fn text(&self) -> &'a [u8] {
+        self.text
+    }
+
+    /// Byte of the next token.
+    pub fn position(&self) -> usize {
+        self.at
+    }
+
+    /// Goes on from another byte.
+    pub fn seek(&mut self, at: usize) {
+        self.at = at;
+    }
+
+    /// The next byte, not taken.
+    #[inline]
+    pub fn peek_byte(&self) -> Option<u8> {
+        self.text.get(self.at).copied()
+    }
+
+    /// The next token, or `None` at the end of the text.
+    #[inline]
+    pub fn next_token(&mut self) -> Option<Token> {
+        let start = self.at;
+        let &byte = self.text.get(start)?;
+        let kind = match byte {
+            b'A'..=b'Z' => self.one(TokenKind::Letter(byte)),
+            b'0'..=b'9' | b'.' => self.number(),
+            b' ' | b'\t' => {
+                while matches!(self.peek_byte(), Some(b' ' | b'\t')) {
+                    self.at += 1;
+                }
+                TokenKind::Blank
+            }
+            b'-' => self.one(TokenKind::Minus),
+            b'\n' => self.one(TokenKind::LineEnd),
+            b'a'..=b'z' => self.one(TokenKind::Letter(byte.to_ascii_uppercase())),
+            b'\r' => {
+                self.at += 1 + usize::from(self.text.get(start + 1) == Some(&b'\n'));
+                TokenKind::LineEnd
+            }
+            b';' => self.one(TokenKind::Semicolon),
+            b'+' => self.one(TokenKind::Plus),
+            b'(' => self.comment(1),
+            b'%' => self.one(TokenKind::Percent),
+            b'/' => self.one(TokenKind::Slash),
+            b':' => self.one(TokenKind::Colon),
+            b',' => self.one(TokenKind::Comma),
+            b'#' | b'[' | b']' | b'=' | b'*' => self.one(TokenKind::Macro(byte)),
+            _ => match self.printed() {
+                Some((kind, len)) => {
+                    self.at += len;
+                    match kind {
+                        TokenKind::OpenComment => self.comment(0),
+                        kind => kind,
+                    }
+                }
+                None => self.unknown(),
+            },
+        };
+        Some(Token { kind, span: Span::new(start, self.at) })
+    }
+
+    #[inline]
+    fn one(&mut self, kind: TokenKind) -> TokenKind {
+        self.at += 1;
+        kind
+    }
+
+    #[inline]
+    fn number(&mut self) -> TokenKind {
+        let mut number = Number::default();
+        while let Some(byte @ (b'0'..=b'9' | b'.')) = self.peek_byte() {
+            number.push(byte);
+            self.at += 1;
+        }
+        TokenKind::Number(number)
+    }
+
+    /// Reads a comment whose opening bracket is `skip` bytes long at the current place (0: already taken).
+    fn comment(&mut self, skip: usize) -> TokenKind {
+        self.at += skip;
+        let mut depth = 1u32;
+        let mut nested = false;
+        let mut first_close = None;
+        loop {
+            let Some(byte) = self.peek_byte() else { break };
+            let (open, close, len) = match byte {
+                b'\n' | b'\r' => break,
+                b'(' => (true, false, 1),
+                b')' => (false, true, 1),
+                0xEF if self.text[self.at..].starts_with("（".as_bytes()) => (true, false, 3),
+                0xEF if self.text[self.at..].starts_with("）".as_bytes()) => (false, true, 3),
+                _ => (false, false, 1),
+            };
+            self.at += len;
+            if open {
+                depth += 1;
+                nested = true;
+            }
+            if close {
+                depth -= 1;
+                first_close.get_or_insert(self.at);
+                if depth == 0 {
+                    return if nested { TokenKind::NestedComment } else { TokenKind::Comment };
+                }
+            }
+        }
+        // Never balanced: the first closing bracket ends it, as on a control; without one the line does.
+        match first_close {
+            Some(end) => {
+                self.at = end;
+                TokenKind::NestedComment
+            }
+            None => TokenKind::OpenComment,
+        }
+    }
+
+    /// A sign that print or copying puts in place of an ASCII one, and its length in bytes.
+    fn printed(&self) -> Option<(TokenKind, usize)> {
+        let rest = &self.text[self.at..];
+        let signs: [(&str, TokenKind); 9] = [
+            ("\u{feff}", TokenKind::Blank),
+            ("\u{a0}", TokenKind::Blank),
+            ("\u{3000}", TokenKind::Blank),
+            ("；", TokenKind::Semicolon),
+            ("（", TokenKind::OpenComment),
+            ("，", TokenKind::Comma),
+            ("\u{2212}", TokenKind::PrintedMinus),
+            ("\u{2013}", TokenKind::PrintedMinus),
+            ("\u{ff0d}", TokenKind::PrintedMinus),
+        ];
+        signs
+            .into_iter()
+            .find(|(sign, _)| rest.starts_with(sign.as_bytes()))
+            .map(|(sign, kind)| (kind, sign.len()))
+    }
+
+    fn unknown(&mut self) -> TokenKind {
+        loop {
+            self.at += 1;
+            match self.peek_byte() {
+                Some(byte) if byte >= 0x80 && self.printed().is_some() => break,
+                Some(0x80.. | 0..=8 | 0x0B | 0x0C | 0x0E..=0x1F | 0x7F) => {}
+                Some(b'!' | b'"' | b'$' | b'&' | b'\'' | b')' | b'<' | b'>' | b'?' | b'@') => {}
+                Some(b'\\' | b'^' | b'_' | b'`' | b'{' | b'|' | b'}' | b'~') => {}
+                _ => break,
+            }
+        }
+        TokenKind::Unknown
+    }
+}
+
+impl Iterator for Lexer<'_> {
+    type Item = Token;
+
+    fn next(&mut self) -> Option<Token> {
+        self.next_token()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kinds(text: &str) -> Vec<TokenKind> {
+        Lexer::new(text.as_bytes(), 0).map(|token| token.kind).collect()
+    }
+
+    #[test]
+    fn numbers_keep_what_was_written() {
+        let read = |text: &str| Number::read(text.as_bytes());
+        assert_eq!(read("1.25").value(), 1.25);
+        assert_eq!(read("1.23456").truncated(3), 1.234);
+        assert_eq!(read("1.23").truncated(3), 1.23);
+        assert_eq!(read("0010").integer(), Some(10));
+        assert_eq!(read("0010").digits, 2);
+        assert_eq!(read("12.8.").points, 2);
+        assert_eq!(read(".5").value(), 0.5);
+        assert_eq!(read("5.").integer(), None);
+        assert!(read(&"9".repeat(500)).value() > 1e17);
+        assert!(read(&format!("0.{}", "1".repeat(500))).value() < 0.2);
+        assert!(read(&format!("0.{}", "0".repeat(500))).value() == 0.0);
+    }
+
+    #[test]
+    fn comments_end_on_their_line() {
+        use TokenKind::*;
+        assert_eq!(kinds("(A)X"), [Comment, Letter(b'X')]);
+        assert_eq!(kinds("(A(B)C)"), [NestedComment]);
+        assert_eq!(kinds("(A\nX"), [OpenComment, LineEnd, Letter(b'X')]);
+        assert_eq!(kinds("（外圆）；"), [Comment, Semicolon]);
+    }
+
+    #[test]
+    fn every_byte_belongs_to_one_token() {
+        let text: Vec<u8> = (0..=255u8).chain("−（x）；（".bytes()).collect();
+        let mut at = 0;
+        for token in Lexer::new(&text, 0) {
+            assert_eq!(token.span.start, at);
+            assert!(!token.span.is_empty());
+            at = token.span.end;
+        }
+        assert_eq!(at as usize, text.len());
+    }
+}

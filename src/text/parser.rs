@@ -1,0 +1,503 @@
+//! Tokens to blocks. Never fails: what cannot be read becomes a fault of its block, and reading goes on.
+//!
+//! ```text
+//! program  = { block ( LINE-END | ";" ) }
+//! block    = "%" | { "/" [digit] } [ "O" number | ":" number ] [ "N" number ] ( macro | { word | comment } )
+//! word     = [ "," ] letter [ sign ] ( number | expression )        blanks may stand anywhere between
+//! macro    = ( "#" | "IF" | "WHILE" | "GOTO" | "DO" | "END" ) …      up to the end of the block
+//! comment  = "(" … ")"
+//! ```
+//!
+//! In: text. Out: one [`Block`] at a time, its storage reused, so that a long program costs no memory.
+//! Knows which letters begin a word, not what any word means.
+
+use super::block::{Block, BlockKind, Value, Word};
+use super::lexer::{Lexer, Number, Token, TokenKind};
+use super::source::Span;
+use crate::diagnostics::{Diagnostic, Fix, Message};
+
+/// Most faults of one block that are told; one mistake easily upsets the words behind it.
+const FAULTS_PER_BLOCK: usize = 3;
+
+/// Most digits in a number (FANUC alarm PS0003).
+const MOST_DIGITS: u8 = 8;
+
+/// Reads a program block by block.
+#[derive(Clone, Debug)]
+pub struct Parser<'a> {
+    lexer: Lexer<'a>,
+    line: u32,
+    /// A block was read that holds something.
+    begun: bool,
+    /// The block to come stands behind a `;` on the same line.
+    after_semicolon: bool,
+    ended: bool,
+}
+
+impl<'a> Parser<'a> {
+    /// Starts at the head of `text`.
+    pub fn new(text: &'a [u8]) -> Self {
+        Self::resume(text, Resume::default())
+    }
+
+    /// Goes on where another parser of the same text stood.
+    pub fn resume(text: &'a [u8], at: Resume) -> Self {
+        Self {
+            lexer: Lexer::new(text, at.byte as usize),
+            line: at.line,
+            begun: at.begun,
+            after_semicolon: at.after_semicolon,
+            ended: at.ended,
+        }
+    }
+
+    /// The place where the next block begins.
+    pub fn position(&self) -> Resume {
+        Resume {
+            byte: self.lexer.position() as u32,
+            line: self.line,
+            begun: self.begun,
+            after_semicolon: self.after_semicolon,
+            ended: self.ended,
+        }
+    }
+
+    /// Reads the next block into `block`; false at the end of the program.
+    pub fn next_block(&mut self, block: &mut Block) -> bool {
+        block.clear();
+        if self.ended || self.lexer.peek_byte().is_none() {
+            return false;
+        }
+        let start = self.lexer.position();
+        let behind_semicolon = self.after_semicolon;
+        block.line = self.line;
+        let end = self.read(block);
+        block.span = Span::new(start, end);
+        if behind_semicolon && block.is_broken() && reads_as_prose(block.span.of(self.lexer.text())) {
+            self.take_as_comment(block);
+        }
+        if block.faults.len() > 1 && block.words.is_empty() && block.kind == BlockKind::Words {
+            let span = trimmed(self.lexer.text(), block.span);
+            let quote = short_quote(self.lexer.text(), span);
+            block.faults.clear();
+            block.fault(Diagnostic::new(Message::PlainText { text: quote }, span));
+        }
+        block.faults.truncate(FAULTS_PER_BLOCK);
+        if block.kind == BlockKind::Percent && self.begun {
+            self.ended = true;
+        }
+        self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
+        true
+    }
+
+    /// Reads up to and including the end of the block; returns where its text ends.
+    fn read(&mut self, block: &mut Block) -> usize {
+        loop {
+            let Some(token) = self.lexer.next_token() else { return self.lexer.position() };
+            match token.kind {
+                TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
+                TokenKind::Blank => {}
+                TokenKind::LineEnd => {
+                    self.line += 1;
+                    self.after_semicolon = false;
+                    return token.span.start as usize;
+                }
+                TokenKind::Semicolon => {
+                    self.after_semicolon = true;
+                    return token.span.start as usize;
+                }
+                TokenKind::Comment => block.comment(token.span),
+                TokenKind::NestedComment => {
+                    block.comment(token.span);
+                    block.fault(Diagnostic::new(Message::CommentNested, token.span));
+                }
+                TokenKind::OpenComment => {
+                    block.comment(token.span);
+                    let end = Span { start: token.span.end, end: token.span.end };
+                    let fix = Fix::replace(Message::CommentOpen, end, ")");
+                    let opening = Span { start: token.span.start, end: token.span.start + 1 };
+                    block.fault(Diagnostic::new(Message::CommentOpen, opening).with(fix));
+                }
+                TokenKind::Percent => self.percent(block, token.span),
+                TokenKind::Slash => self.slash(block),
+                TokenKind::Colon => self.letter(block, b'O', token.span, None),
+                TokenKind::Comma => self.comma(block, token.span),
+                TokenKind::Macro(b'#') if block.words.is_empty() => self.macro_statement(block),
+                TokenKind::Number(number) => self.lone_number(block, number, token.span),
+                TokenKind::Macro(_)
+                | TokenKind::Plus
+                | TokenKind::Minus
+                | TokenKind::PrintedMinus
+                | TokenKind::Unknown => {
+                    let quote = short_quote(self.lexer.text(), token.span);
+                    block.fault(Diagnostic::new(Message::NotUnderstood { text: quote }, token.span));
+                }
+            }
+        }
+    }
+
+    /// Reads the word of a letter just taken.
+    fn letter(&mut self, block: &mut Block, letter: u8, first: Span, comma: Option<Span>) {
+        if comma.is_none() && self.begins_keyword(letter, first) {
+            return self.macro_statement(block);
+        }
+        let mut negative = false;
+        let mut after = self.lexer.position();
+        let start = comma.unwrap_or(first);
+        loop {
+            let token = self.lexer.next_token();
+            match token.map(|token| token.kind) {
+                Some(TokenKind::Number(number)) => {
+                    let span = start.to(token.map_or(first, |token| token.span));
+                    return self.word(block, letter, comma.is_some(), negative, number, span);
+                }
+                Some(TokenKind::Blank | TokenKind::Plus) => {}
+                Some(TokenKind::Minus) => negative = true,
+                Some(TokenKind::PrintedMinus) => {
+                    negative = true;
+                    let span = token.map_or(first, |token| token.span);
+                    let message = Message::PrintedMinus;
+                    let fix = Fix::replace(message.clone(), span, "-");
+                    block.fault(Diagnostic::new(message, span).with(fix));
+                }
+                Some(TokenKind::Macro(b'#' | b'[')) => {
+                    let end = self.skip_expression(token.map_or(first, |token| token.span));
+                    let span = Span { start: start.start, end };
+                    block.word(Word {
+                        address: letter,
+                        comma: comma.is_some(),
+                        value: Value::Expression,
+                        span,
+                    });
+                    return;
+                }
+                Some(TokenKind::Comma) if self.digit_follows() => {
+                    return self.comma_for_point(
+                        block,
+                        letter,
+                        start,
+                        token.map_or(first, |token| token.span),
+                    );
+                }
+                Some(TokenKind::Letter(other @ (b'O' | b'L'))) if self.misread(token, first, other) => {
+                    return self.letter_for_digit(
+                        block,
+                        letter,
+                        first,
+                        token.map_or(first, |token| token.span),
+                    );
+                }
+                _ => break,
+            }
+            after = self.lexer.position();
+        }
+        self.lexer.seek(after);
+        let message = Message::NumberMissing { address: letter as char };
+        block.fault(Diagnostic::new(message, start));
+    }
+
+    /// Stores a complete word, or what its number is worth complaining about.
+    fn word(
+        &mut self,
+        block: &mut Block,
+        letter: u8,
+        comma: bool,
+        negative: bool,
+        number: Number,
+        span: Span,
+    ) {
+        let (mut number, mut span) = (number, span);
+        if self.blank_then_digit() {
+            (number, span) = self.split_number(block, span);
+        }
+        if number.points > 1 {
+            let quote = span.quote(self.lexer.text());
+            block.fault(Diagnostic::new(Message::SecondPoint { word: quote }, span));
+            return;
+        }
+        if number.digits == 0 && number.mantissa == 0 && !self.has_digit(span) {
+            let message = Message::NumberMissing { address: letter as char };
+            block.fault(Diagnostic::new(message, span));
+            return;
+        }
+        if number.digits > MOST_DIGITS {
+            let quote = short_quote(self.lexer.text(), span);
+            block.fault(Diagnostic::new(Message::TooManyDigits { word: quote }, span));
+            return;
+        }
+        let at_head = block.words.is_empty() && !comma && !negative && number.points == 0;
+        match letter {
+            b'O' if at_head && block.program.is_none() && block.sequence.is_none() => {
+                block.program = Some((number.mantissa as u32, span));
+            }
+            b'N' if at_head && block.sequence.is_none() => block.sequence = Some(number.mantissa as u32),
+            address => {
+                block.word(Word { address, comma, value: Value::Number { number, negative }, span });
+            }
+        }
+    }
+
+    /// Joins digits that blanks tear apart: a control does not see the blanks.
+    fn split_number(&mut self, block: &mut Block, span: Span) -> (Number, Span) {
+        let mut end = span.end;
+        while self.blank_then_digit() {
+            let _blank = self.lexer.next_token();
+            if let Some(token) = self.lexer.next_token() {
+                end = token.span.end;
+            }
+        }
+        let whole = Span { start: span.start, end };
+        let text = whole.of(self.lexer.text());
+        let joined: String =
+            text.iter().filter(|byte| !byte.is_ascii_whitespace()).map(|&byte| byte as char).collect();
+        let written = whole.quote(self.lexer.text());
+        block.fault(Diagnostic::new(Message::BlankInNumber { written, joined }, whole));
+        (Number::read(text), whole)
+    }
+
+    /// A number without an address; `00006` at the head of a program is a misread `O0006`.
+    fn lone_number(&mut self, block: &mut Block, number: Number, span: Span) {
+        let text = span.of(self.lexer.text());
+        let at_head =
+            !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
+        if at_head && text.len() >= 4 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
+            let first = Span { start: span.start, end: span.start + 1 };
+            let message = Message::ZeroForO { number: span.quote(self.lexer.text()) };
+            let fix = Fix::replace(message.clone(), first, "O");
+            block.fault(Diagnostic::new(message, first).with(fix));
+            block.program = Some((number.mantissa as u32, span));
+            return;
+        }
+        let quote = short_quote(self.lexer.text(), span);
+        block.fault(Diagnostic::new(Message::AddressMissing { number: quote }, span));
+    }
+
+    /// `Z,15`: a comma where the point belongs.
+    fn comma_for_point(&mut self, block: &mut Block, letter: u8, start: Span, comma: Span) {
+        let digits = self.lexer.next_token().map_or(comma, |token| token.span);
+        let span = start.to(digits);
+        let message = Message::CommaForPoint { address: letter as char, word: span.quote(self.lexer.text()) };
+        let fix = Fix::replace(message.clone(), comma, ".");
+        block.fault(Diagnostic::new(message, span).with(fix));
+    }
+
+    /// `GO1`: a letter where a digit belongs.
+    fn letter_for_digit(&mut self, block: &mut Block, address: u8, first: Span, other: Span) {
+        let mut end = other.end;
+        if let (Some(b'0'..=b'9' | b'.'), Some(token)) = (self.lexer.peek_byte(), self.lexer.next_token()) {
+            end = token.span.end;
+        }
+        let span = Span { start: first.start, end };
+        let digit = if other.of(self.lexer.text()).eq_ignore_ascii_case(b"O") { "0" } else { "1" };
+        let word = span.quote(self.lexer.text());
+        let message = Message::LetterForDigit { address: address as char, word, digit };
+        let fix = Fix::replace(message.clone(), other, digit);
+        block.fault(Diagnostic::new(message, span).with(fix));
+        let mut digits = span.of(self.lexer.text())[first.len()..].to_vec();
+        digits[0] = digit.as_bytes()[0];
+        // The block is not carried out, but what it switches on holds for the blocks behind it.
+        let value = Value::Number { number: Number::read(&digits), negative: false };
+        block.word(Word { address, comma: false, value, span });
+    }
+
+    /// Whether a letter right behind an address can only be a misread digit: `GO1`, `MO3`, `Xl5`, `ZO`.
+    fn misread(&self, token: Option<Token>, first: Span, letter: u8) -> bool {
+        let Some(token) = token else { return false };
+        let next = self.lexer.peek_byte();
+        let letters = matches!(next, Some(b'A'..=b'Z' | b'a'..=b'z'));
+        token.span.start == first.end
+            && (matches!(next, Some(b'0'..=b'9' | b'.')) || (letter == b'O' && !letters))
+    }
+
+    fn comma(&mut self, block: &mut Block, comma: Span) {
+        let after = self.lexer.position();
+        let mut token = self.lexer.next_token();
+        if token.is_some_and(|token| token.kind == TokenKind::Blank) {
+            token = self.lexer.next_token();
+        }
+        match token.map(|token| (token.kind, token.span)) {
+            Some((TokenKind::Letter(letter), span)) => self.letter(block, letter, span, Some(comma)),
+            Some((TokenKind::Number(_), span)) if !block.words.is_empty() => {
+                // `Z20,5`: the word was taken at its comma; it is this number that is broken.
+                let word = block.words.pop().map_or(comma, |word| word.span);
+                let whole = word.to(span);
+                let address = self.lexer.text()[word.start as usize].to_ascii_uppercase() as char;
+                let message = Message::CommaForPoint { address, word: whole.quote(self.lexer.text()) };
+                let fix = Fix::replace(message.clone(), comma, ".");
+                block.fault(Diagnostic::new(message, whole).with(fix));
+            }
+            _ => {
+                self.lexer.seek(after);
+                block.fault(Diagnostic::new(Message::NotUnderstood { text: ",".into() }, comma));
+            }
+        }
+    }
+
+    fn percent(&mut self, block: &mut Block, span: Span) {
+        if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
+            block.kind = BlockKind::Percent;
+            // What stands behind the sign on its line is the leader of the tape.
+            while !matches!(self.lexer.peek_byte(), None | Some(b'\n' | b'\r')) {
+                let at = self.lexer.position();
+                self.lexer.seek(at + 1);
+            }
+        } else {
+            block.fault(Diagnostic::new(Message::NotUnderstood { text: "%".into() }, span));
+        }
+    }
+
+    fn slash(&mut self, block: &mut Block) {
+        let mut level = 1;
+        if let Some(byte @ b'1'..=b'9') = self.lexer.peek_byte() {
+            level = byte - b'0';
+            let at = self.lexer.position();
+            self.lexer.seek(at + 1);
+        }
+        if block.words.is_empty() {
+            block.delete.get_or_insert(level);
+        }
+    }
+
+    /// Whether a macro keyword begins at the letter just taken.
+    #[inline]
+    fn begins_keyword(&self, letter: u8, first: Span) -> bool {
+        let keyword: &[u8] = match letter {
+            b'I' => b"IF",
+            b'W' => b"WHILE",
+            b'G' => b"GOTO",
+            b'D' => b"DO",
+            b'E' => b"END",
+            b'T' => b"THEN",
+            _ => return false,
+        };
+        let rest = &self.lexer.text()[first.start as usize..];
+        rest.len() >= keyword.len() && rest[..keyword.len()].eq_ignore_ascii_case(keyword)
+    }
+
+    fn macro_statement(&mut self, block: &mut Block) {
+        block.kind = BlockKind::Macro;
+        while let Some(byte) = self.lexer.peek_byte() {
+            if matches!(byte, b'\n' | b'\r' | b';') {
+                break;
+            }
+            let Some(token) = self.lexer.next_token() else { break };
+            match token.kind {
+                TokenKind::Comment | TokenKind::NestedComment | TokenKind::OpenComment => {
+                    block.comment(token.span);
+                }
+                TokenKind::Semicolon => {
+                    self.lexer.seek(token.span.start as usize);
+                    break;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Skips a macro expression whose first sign was just taken; returns its end.
+    fn skip_expression(&mut self, first: Span) -> u32 {
+        let mut depth = u32::from(first.of(self.lexer.text()) == b"[");
+        let mut end = first.end;
+        loop {
+            let after = self.lexer.position();
+            let Some(token) = self.lexer.next_token() else { return end };
+            match token.kind {
+                TokenKind::LineEnd | TokenKind::Semicolon | TokenKind::Comment | TokenKind::OpenComment => {
+                    self.lexer.seek(after);
+                    return end;
+                }
+                TokenKind::Macro(b'[') => depth += 1,
+                TokenKind::Macro(b']') => depth = depth.saturating_sub(1),
+                TokenKind::Letter(_) if depth == 0 => {
+                    self.lexer.seek(after);
+                    return end;
+                }
+                TokenKind::Blank => continue,
+                _ => {}
+            }
+            end = token.span.end;
+        }
+    }
+
+    /// Text behind a `;` that does not read as words is a remark.
+    fn take_as_comment(&mut self, block: &mut Block) {
+        let (text, span, line) = (self.lexer.text(), block.span, block.line);
+        block.clear();
+        (block.span, block.line) = (span, line);
+        let remark = trimmed(text, span);
+        block.comment(remark);
+        block.fault(Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark));
+    }
+
+    fn digit_follows(&self) -> bool {
+        matches!(self.lexer.peek_byte(), Some(b'0'..=b'9'))
+    }
+
+    #[inline]
+    fn blank_then_digit(&self) -> bool {
+        if !matches!(self.lexer.peek_byte(), Some(b' ' | b'\t')) {
+            return false;
+        }
+        let rest = &self.lexer.text()[self.lexer.position()..];
+        let next = rest.iter().find(|byte| !matches!(byte, b' ' | b'\t'));
+        matches!(next, Some(b'0'..=b'9' | b'.'))
+    }
+
+    fn has_digit(&self, span: Span) -> bool {
+        span.of(self.lexer.text()).iter().any(u8::is_ascii_digit)
+    }
+}
+
+/// Where a parser stands: enough to go on later.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Resume {
+    /// Next byte.
+    pub byte: u32,
+    /// Its line, from 0.
+    pub line: u32,
+    begun: bool,
+    after_semicolon: bool,
+    ended: bool,
+}
+
+impl Resume {
+    /// The first byte of a line in the midst of a program.
+    pub fn inside(byte: u32, line: u32) -> Self {
+        Self { byte, line, begun: false, after_semicolon: false, ended: false }
+    }
+
+    /// Whether the program ended before the text did (`%`).
+    pub fn is_ended(self) -> bool {
+        self.ended
+    }
+}
+
+/// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters
+/// that are not ASCII.
+fn reads_as_prose(bytes: &[u8]) -> bool {
+    !bytes.is_ascii() || bytes.windows(3).any(|run| run.iter().all(u8::is_ascii_alphabetic))
+}
+
+/// The span without blanks at either end.
+fn trimmed(text: &[u8], span: Span) -> Span {
+    let bytes = span.of(text);
+    let front = bytes.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+    let back = bytes.iter().rev().take_while(|byte| byte.is_ascii_whitespace()).count();
+    if front + back >= bytes.len() {
+        return span;
+    }
+    Span { start: span.start + front as u32, end: span.end - back as u32 }
+}
+
+/// Longest quotation of the program in a message, in characters.
+const QUOTE_LENGTH: usize = 40;
+
+fn short_quote(text: &[u8], span: Span) -> String {
+    let end = span.end.min(span.start + 4 * QUOTE_LENGTH as u32);
+    let quote = Span { start: span.start, end }.quote(text);
+    if quote.chars().count() <= QUOTE_LENGTH && end == span.end {
+        return quote;
+    }
+    let short: String = quote.chars().take(QUOTE_LENGTH - 1).collect();
+    short + "…"
+}

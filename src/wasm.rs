@@ -1,0 +1,391 @@
+//! The wasm interface: the only way in and out for JavaScript.
+//!
+//! In: text, a setup as JSON, what the user does with the picture. Out: typed arrays for motions and tokens,
+//! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
+//! every line end counted as one unit, as editors count. Knows no G-code.
+
+use serde::{Deserialize, Serialize};
+use tsify::Tsify;
+use wasm_bindgen::prelude::*;
+use web_sys::OffscreenCanvas;
+
+use crate::api::{self, Places, Summary};
+use crate::control::setup::Setup;
+use crate::diagnostics::messages::Language;
+use crate::geometry::Point;
+use crate::motion::Chunk;
+use crate::run::Run;
+use crate::scene::Scene;
+use crate::scene::camera::{Pixel, Size};
+use crate::scene::canvas::Painter;
+use crate::scene::outline::Outline;
+use crate::scene::palette;
+use crate::scene::pick::pick;
+use crate::scene::view::View;
+use crate::text::highlight::highlight;
+use crate::text::source::{LineIndex, Span};
+
+/// How near a stroke the pointer must be, CSS pixels.
+const REACH: f64 = 8.0;
+
+/// CSS colours of the picture.
+#[derive(Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Palette {
+    background: String,
+    grid: String,
+    axis: String,
+    text: String,
+    stock: String,
+    stock_edge: String,
+    rapid: String,
+    feed: String,
+    thread: String,
+    highlight: String,
+    hover: String,
+    tool: String,
+    uncertain: String,
+}
+
+impl From<Palette> for palette::Palette {
+    fn from(colours: Palette) -> Self {
+        Self {
+            background: colours.background,
+            grid: colours.grid,
+            axis: colours.axis,
+            text: colours.text,
+            stock: colours.stock,
+            stock_edge: colours.stock_edge,
+            rapid: colours.rapid,
+            feed: colours.feed,
+            thread: colours.thread,
+            highlight: colours.highlight,
+            hover: colours.hover,
+            tool: colours.tool,
+            uncertain: colours.uncertain,
+        }
+    }
+}
+
+/// A program, its run and its picture.
+#[wasm_bindgen]
+pub struct Playground {
+    setup: Setup,
+    language: Language,
+    run: Run,
+    lines: LineIndex,
+    outline: Outline,
+    view: View,
+    painter: Option<Painter>,
+    /// Place of the cursor, UTF-16 offset.
+    cursor: Option<u32>,
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// An empty program under the default setup.
+    #[wasm_bindgen(constructor)]
+    #[allow(clippy::new_without_default, reason = "JavaScript has no Default")]
+    pub fn new() -> Playground {
+        let run = Run::new(Vec::new(), Setup::default());
+        let outline = Outline::new();
+        let view =
+            View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
+        let lines = LineIndex::new(run.text());
+        let (setup, language) = (Setup::default(), Language::default());
+        Playground { setup, language, run, lines, outline, view, painter: None, cursor: None }
+    }
+
+    /// Takes a program; what ran before is dropped.
+    #[wasm_bindgen(js_name = setText)]
+    pub fn set_text(&mut self, text: String) {
+        self.begin(text.into_bytes());
+    }
+
+    /// Takes a program as bytes, such as those of a file.
+    #[wasm_bindgen(js_name = setBytes)]
+    pub fn set_bytes(&mut self, bytes: Vec<u8>) {
+        self.begin(bytes);
+    }
+
+    /// Takes a setup as JSON. Throws a text that names what is wrong, such as an unknown key.
+    #[wasm_bindgen(js_name = setSetup)]
+    pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
+        self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
+        self.start();
+        Ok(())
+    }
+
+    /// Chooses the language of the messages: `en`, `zh` or `ru`.
+    #[wasm_bindgen(js_name = setLanguage)]
+    pub fn set_language(&mut self, tag: &str) {
+        self.language = Language::from_tag(tag);
+    }
+
+    /// Begins a run of the text under the setup.
+    pub fn start(&mut self) {
+        let text = self.run.text().to_vec();
+        self.begin(text);
+    }
+
+    /// Runs at most so many blocks; true when the run has ended.
+    pub fn advance(&mut self, blocks: u32) -> bool {
+        let before = self.run.is_finished();
+        let ended = self.run.advance(blocks as usize);
+        self.outline.extend(self.run.motions());
+        if ended && !before {
+            let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+            self.view.follow(&scene);
+            self.light_up();
+        }
+        ended
+    }
+
+    /// Share of the program that has run, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.run.progress()
+    }
+
+    /// Ends the run early, after so many seconds; a message says so.
+    pub fn stop(&mut self, seconds: f64) {
+        self.run.stop(seconds);
+        self.outline.extend(self.run.motions());
+    }
+
+    /// Counts of what has run so far.
+    #[wasm_bindgen(unchecked_return_type = "Summary")]
+    pub fn summary(&self) -> Result<JsValue, JsValue> {
+        to_js(&Summary {
+            blocks: self.run.blocks() as u32,
+            lines: self.lines.len(),
+            finished: self.run.is_finished(),
+            ..Summary::new(self.run.motions(), self.run.diagnostics())
+        })
+    }
+
+    /// The messages so far.
+    #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
+    pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
+        let places = self.places();
+        let rows = self.run.diagnostics().iter().map(|found| places.diagnostic(found, self.language));
+        to_js(&rows.collect::<Vec<_>>())
+    }
+
+    /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
+    pub fn tokens(&self, first: u32, end: u32) -> Vec<u32> {
+        let end = end.min(self.lines.len());
+        if first >= end {
+            return Vec::new();
+        }
+        let text = self.run.text();
+        let bytes =
+            (self.lines.line(text, first).start as usize, self.lines.line(text, end - 1).end as usize);
+        let places = self.places();
+        let found = highlight(text, bytes.0, bytes.1);
+        let triple = |(span, class)| {
+            let (from, to) = places.offsets(span);
+            [from, to, class as u32]
+        };
+        found.into_iter().flat_map(triple).collect()
+    }
+
+    /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
+    #[wasm_bindgen(unchecked_return_type = "Motion[]")]
+    pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        let motions = self.run.motions();
+        let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
+        let rows = range.map(|index| api::motion(&motions.get(index), motions.line(index)));
+        to_js(&rows.collect::<Vec<_>>())
+    }
+
+    /// Number of chunks the motions are kept in.
+    #[wasm_bindgen(js_name = chunkCount)]
+    pub fn chunk_count(&self) -> usize {
+        self.run.motions().chunks().len()
+    }
+
+    /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
+    pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
+        self.run.motions().chunks().get(index).map(MotionChunk::new)
+    }
+
+    /// Draws on a canvas from now on.
+    #[wasm_bindgen(js_name = attachCanvas)]
+    pub fn attach_canvas(&mut self, canvas: OffscreenCanvas) -> Result<(), JsValue> {
+        self.painter = Some(Painter::new(canvas)?);
+        Ok(())
+    }
+
+    /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
+    pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
+        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        self.view.resize(&scene, Size { width, height }, pixel_ratio);
+    }
+
+    /// Colours of the picture.
+    #[wasm_bindgen(js_name = setPalette)]
+    pub fn set_palette(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
+    ) -> Result<(), JsValue> {
+        let colours: Palette = serde_wasm_bindgen::from_value(colours)?;
+        self.view.palette = colours.into();
+        Ok(())
+    }
+
+    /// Shows everything worth looking at.
+    pub fn fit(&mut self) {
+        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        self.view.fit(&scene);
+    }
+
+    /// Moves the picture, CSS pixels.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.view.pan(dx, dy);
+    }
+
+    /// Makes the picture `factor` times as large about a place, CSS pixels.
+    pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
+        self.view.zoom(factor, Pixel::new(x, y));
+    }
+
+    /// Lights up the strokes of the block at an offset.
+    #[wasm_bindgen(js_name = setCursor)]
+    pub fn set_cursor(&mut self, offset: Option<u32>) {
+        self.cursor = offset;
+        self.light_up();
+    }
+
+    /// Marks the stroke under the pointer.
+    #[wasm_bindgen(js_name = setHover)]
+    pub fn set_hover(&mut self, motion: Option<u32>) {
+        self.view.hover =
+            motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
+    }
+
+    /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
+    #[wasm_bindgen(js_name = setPlayhead)]
+    pub fn set_playhead(&mut self, distance: Option<f64>) {
+        self.view.playhead = distance;
+    }
+
+    /// Length of the whole path, mm.
+    #[wasm_bindgen(js_name = pathLength)]
+    pub fn path_length(&self) -> f64 {
+        self.outline.length()
+    }
+
+    /// Length of the path before a motion, mm.
+    #[wasm_bindgen(js_name = lengthBefore)]
+    pub fn length_before(&self, motion: u32) -> f64 {
+        Scene::new(self.run.motions(), &self.outline, None).length_before(motion as usize)
+    }
+
+    /// The stroke the tool is on.
+    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
+    pub fn playhead(&self) -> Result<JsValue, JsValue> {
+        let scene = Scene::new(self.run.motions(), &self.outline, None);
+        match self.view.playhead.and_then(|length| scene.at_length(length)) {
+            Some(place) => self.stroke(place.motion, place.at),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+
+    /// The stroke at a place of the picture, CSS pixels.
+    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
+    pub fn pick(&self, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let scene = Scene::new(self.run.motions(), &self.outline, None);
+        match pick(&scene, self.view.camera(), Pixel::new(x, y), REACH) {
+            Some(found) => self.stroke(found.stroke.motion, found.at),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+
+    /// Where a place is in the picture: X a diameter in mm, Z in mm; two CSS pixels from the top left corner.
+    #[wasm_bindgen(js_name = screenOf)]
+    pub fn screen_of(&self, x: f64, z: f64) -> Vec<f64> {
+        let pixel = self.view.camera().to_screen(Point::new(x / 2.0, z));
+        vec![pixel.x, pixel.y]
+    }
+
+    /// Paints what has changed.
+    pub fn draw(&mut self) -> Result<(), JsValue> {
+        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        match &mut self.painter {
+            Some(painter) => painter.draw(&scene, &self.view),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Playground {
+    fn begin(&mut self, text: Vec<u8>) {
+        self.lines = LineIndex::new(&text);
+        self.run = Run::new(text, self.setup.clone());
+        self.outline = Outline::new();
+        self.view.hover = None;
+        self.view.highlight.clear();
+    }
+
+    /// Marks the strokes of the block the cursor is in.
+    fn light_up(&mut self) {
+        let scene = Scene::new(self.run.motions(), &self.outline, None);
+        let Some(cursor) = self.cursor else {
+            self.view.highlight.clear();
+            return;
+        };
+        let text = self.run.text();
+        let byte = self.lines.byte_at_utf16(text, cursor);
+        let line = self.lines.line(text, self.lines.line_of(byte.min(text.len() as u32)));
+        self.view.highlight = scene.motions_of(block_at(text, line, byte));
+    }
+
+    fn places(&self) -> Places<'_> {
+        Places { text: self.run.text(), lines: &self.lines }
+    }
+
+    fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
+        to_js(&self.places().stroke(self.run.motions(), motion, at, self.language))
+    }
+}
+
+/// The part of a line between the semicolons around a byte.
+fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
+    let bytes = line.of(text);
+    let at = (byte - line.start) as usize;
+    let start = bytes[..at].iter().rposition(|&byte| byte == b';').map_or(0, |found| found + 1);
+    let end = bytes[at..].iter().position(|&byte| byte == b';').map_or(bytes.len(), |found| at + found);
+    // Behind the last semicolon there is often nothing but the cursor: the block before it is meant.
+    if bytes[start..end].trim_ascii().is_empty() && start > 0 {
+        return block_at(text, line, line.start + start as u32 - 1);
+    }
+    Span::new(line.start as usize + start, line.start as usize + end)
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    Ok(value.serialize(&serde_wasm_bindgen::Serializer::new())?)
+}
+
+/// Motions of one chunk as columns.
+#[wasm_bindgen(getter_with_clone)]
+pub struct MotionChunk {
+    /// 0 rapid, 1 feed, 2 arc clockwise, 3 arc counter-clockwise, 4 thread, 5 dwell.
+    pub kind: Vec<u8>,
+    /// End points: radius, mm.
+    pub x: Vec<f64>,
+    /// End points: length, mm.
+    pub z: Vec<f64>,
+    /// Lines, from 1.
+    pub line: Vec<u32>,
+}
+
+impl MotionChunk {
+    fn new(chunk: &Chunk) -> Self {
+        Self {
+            kind: chunk.kinds().to_vec(),
+            x: chunk.xs().to_vec(),
+            z: chunk.zs().to_vec(),
+            line: (0..chunk.len()).map(|index| chunk.line(index) + 1).collect(),
+        }
+    }
+}
