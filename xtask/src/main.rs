@@ -1,2 +1,109 @@
-//! Builds, serves and tests the project.
-fn main() {}
+//! The developer's commands: `cargo xtask …` builds, serves and tests the project, and first gets what it needs for
+//! that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the command line is not understood.
+//!
+//! Dependencies: none, because every user compiles this first.
+
+mod browser;
+mod debian;
+mod package;
+mod play;
+mod run;
+mod serve;
+mod setup;
+mod test;
+mod tools;
+mod wasm_std;
+
+use std::env;
+use std::process::ExitCode;
+
+use play::{Browser, Options};
+
+const USAGE: &str = "\
+cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
+cargo xtask test                          check and test everything
+cargo xtask setup                         only install what the other commands need
+";
+
+/// A command line, understood.
+#[derive(Debug, PartialEq, Eq)]
+enum Task {
+    Play(Options),
+    Test,
+    Setup,
+    Help,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> =
+        env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let task = match parse(&words) {
+        Ok(task) => task,
+        Err(message) => {
+            eprintln!("xtask: {message}\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    let result = match task {
+        Task::Play(options) => play::main(options),
+        Task::Test => test::main(),
+        Task::Setup => setup::main(),
+        Task::Help => {
+            print!("{USAGE}");
+            Ok(())
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("\nxtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn parse(words: &[&str]) -> run::Result<Task> {
+    match words {
+        ["play", options @ ..] => parse_play(options).map(Task::Play),
+        ["test"] => Ok(Task::Test),
+        ["setup"] => Ok(Task::Setup),
+        ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
+        [] => Err("which command?".to_owned()),
+        _ => Err(format!("`{}` is not understood", words.join(" "))),
+    }
+}
+
+fn parse_play(words: &[&str]) -> run::Result<Options> {
+    let mut options = Options { port: None, browser: Browser::Open };
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match *word {
+            "--no-open" => options.browser = Browser::Leave,
+            "--port" => {
+                let number = words.next().ok_or("--port wants a number")?;
+                options.port = Some(number.parse().map_err(|_| format!("`{number}` is no port number"))?);
+            }
+            other => return Err(format!("`{other}` is not understood")),
+        }
+    }
+    Ok(options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn command_lines() {
+        let play = |port, browser| Ok(Task::Play(Options { port, browser }));
+        assert_eq!(parse(&["play"]), play(None, Browser::Open));
+        assert_eq!(parse(&["play", "--no-open", "--port", "81"]), play(Some(81), Browser::Leave));
+        assert_eq!(parse(&["test"]), Ok(Task::Test));
+        assert_eq!(parse(&["test", "--help"]), Ok(Task::Help));
+        assert!(parse(&["play", "--port", "x"]).is_err());
+        assert!(parse(&["play", "--port"]).is_err());
+        assert!(parse(&["test", "more"]).is_err());
+        assert!(parse(&[]).is_err());
+    }
+}

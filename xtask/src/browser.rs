@@ -1,0 +1,113 @@
+//! In: this machine. Out: the path of a Chromium, Chrome or Edge for the browser tests, found or installed.
+//! A missing browser is an error that says what to do, never a test left out.
+
+use std::env;
+use std::path::PathBuf;
+
+use crate::debian;
+use crate::run::{self, Result};
+
+/// Names the browser to use: read here, and passed on to the browser tests.
+pub const VARIABLE: &str = "PLAYGROUND_CHROMIUM";
+
+/// Finds a browser or installs one. The page's npm packages must be there: Playwright's own browser is the last way.
+pub fn ensure() -> Result<PathBuf> {
+    if let Some(path) = env::var_os(VARIABLE).filter(|value| !value.is_empty()).map(PathBuf::from) {
+        return if works(&path) {
+            Ok(path)
+        } else {
+            Err(format!("{VARIABLE} is {}, which is no browser that starts", path.display()))
+        };
+    }
+    if let Some(path) = installed() {
+        return Ok(path);
+    }
+    let mut refused = String::new();
+    if debian::available() {
+        match debian::install("installing the Chromium browser", &["chromium"]) {
+            Ok(()) => refused = "Debian's package `chromium` is installed, but does not start".to_owned(),
+            Err(error) => refused = error,
+        }
+        if let Some(path) = installed() {
+            return Ok(path);
+        }
+    }
+    if let Some(path) = playwrights().filter(works) {
+        return Ok(path);
+    }
+    let mut install = run::command("node");
+    install.current_dir(run::www()).args(["node_modules/@playwright/test/cli.js", "install", "chromium"]);
+    if let Err(error) = run::quiet("installing Playwright's Chromium browser", &mut install) {
+        refused = [refused, error].join("\n");
+    }
+    playwrights().filter(works).ok_or_else(|| {
+        format!(
+            "{}\n\nThe browser tests need Chromium, Chrome or Edge, and none could be found or installed.\n\
+             Install one, or set {VARIABLE} to the path of one, then start this command again.",
+            refused.trim()
+        )
+    })
+}
+
+/// A browser in one of the usual places.
+fn installed() -> Option<PathBuf> {
+    const NAMES: [&str; 6] = [
+        "chromium",
+        "chromium-browser",
+        "google-chrome-stable",
+        "google-chrome",
+        "chrome",
+        "microsoft-edge-stable",
+    ];
+    let folders: Vec<PathBuf> =
+        env::var_os("PATH").map(|path| env::split_paths(&path).collect()).unwrap_or_default();
+    let on_path = NAMES.iter().flat_map(|name| {
+        folders.iter().map(move |folder| folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)))
+    });
+    on_path.chain(usual_places()).find(|path| path.is_file() && works(path))
+}
+
+fn usual_places() -> Vec<PathBuf> {
+    let (roots, places): (Vec<PathBuf>, &[&str]) = if cfg!(windows) {
+        let roots = ["ProgramFiles", "ProgramFiles(x86)", "LOCALAPPDATA"];
+        (
+            roots.iter().filter_map(env::var_os).map(PathBuf::from).collect(),
+            &[
+                r"Google\Chrome\Application\chrome.exe",
+                r"Chromium\Application\chrome.exe",
+                r"Microsoft\Edge\Application\msedge.exe",
+            ],
+        )
+    } else if cfg!(target_os = "macos") {
+        let home = env::var_os("HOME").map(|home| PathBuf::from(home).join("Applications"));
+        (
+            [Some(PathBuf::from("/Applications")), home].into_iter().flatten().collect(),
+            &[
+                "Google Chrome.app/Contents/MacOS/Google Chrome",
+                "Chromium.app/Contents/MacOS/Chromium",
+                "Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
+            ],
+        )
+    } else {
+        (vec![PathBuf::from("/opt")], &["google/chrome/chrome", "microsoft/msedge/msedge"])
+    };
+    roots.iter().flat_map(|root| places.iter().map(|place| root.join(place))).collect()
+}
+
+/// Where the installed version of Playwright keeps its own browser, there or not.
+fn playwrights() -> Option<PathBuf> {
+    let mut node = run::command("node");
+    node.current_dir(run::www());
+    let path = run::ask(node.args(["-p", "require('@playwright/test').chromium.executablePath()"]))?;
+    Some(PathBuf::from(path))
+}
+
+/// Whether it starts at all: some systems have a `chromium` that only says where to get one. On Windows and macOS
+/// there is no such thing, and asking for the version may open a window.
+fn works(path: &PathBuf) -> bool {
+    if cfg!(any(windows, target_os = "macos")) {
+        path.is_file()
+    } else {
+        run::succeeds(run::command(path).arg("--version"))
+    }
+}

@@ -1,0 +1,72 @@
+//! In: names of Debian packages. Out: the packages installed, where this is a Debian on which we may do so without
+//! asking for a password. It does not know what the packages are for.
+
+use std::process::Command;
+use std::sync::OnceLock;
+
+use crate::run::{self, Result};
+
+/// How a program is run with the rights of the administrator.
+#[derive(Clone, Copy)]
+enum Rights {
+    Root,
+    Sudo,
+}
+
+/// Whether packages can be installed here without asking anyone.
+pub fn available() -> bool {
+    rights().is_some()
+}
+
+/// A program run as the administrator; `None` where this is no Debian or a password would be needed.
+pub fn privileged(program: &str) -> Option<Command> {
+    Some(match rights()? {
+        Rights::Root => run::command(program),
+        Rights::Sudo => {
+            let mut command = run::command("sudo");
+            command.args(["-n", "env", "DEBIAN_FRONTEND=noninteractive", program]);
+            command
+        }
+    })
+}
+
+/// Whether all these packages are installed.
+pub fn installed(packages: &[&str]) -> bool {
+    let mut query = run::command("dpkg-query");
+    let states = run::ask(query.args(["--show", "--showformat", "${db:Status-Status}\n"]).args(packages));
+    states.is_some_and(|states| states.lines().all(|state| state == "installed"))
+}
+
+/// Installs packages without their recommendations; `what` says what they are for.
+pub fn install(what: &str, packages: &[&str]) -> Result {
+    static UPDATED: OnceLock<Result> = OnceLock::new();
+    let apt = || privileged("apt-get").ok_or("no right to install Debian packages");
+    let update = || run::quiet("refreshing Debian's list of packages", apt()?.arg("update"));
+    UPDATED.get_or_init(update).clone()?;
+    let mut command = apt()?;
+    command.env("DEBIAN_FRONTEND", "noninteractive");
+    command
+        .args(["install", "-y", "--no-install-recommends", "-o", "DPkg::Lock::Timeout=300"])
+        .args(packages);
+    run::quiet(what, &mut command)
+}
+
+fn rights() -> Option<Rights> {
+    static RIGHTS: OnceLock<Option<Rights>> = OnceLock::new();
+    *RIGHTS.get_or_init(|| {
+        if !is_debian() {
+            None
+        } else if run::ask(run::command("id").arg("-u")).as_deref() == Some("0") {
+            Some(Rights::Root)
+        } else if run::succeeds(run::command("sudo").args(["-n", "true"])) {
+            Some(Rights::Sudo)
+        } else {
+            None
+        }
+    })
+}
+
+/// Debian itself, not its descendants: Ubuntu's package `chromium`, for one, only points to a snap.
+fn is_debian() -> bool {
+    std::fs::read_to_string("/etc/os-release").is_ok_and(|text| text.lines().any(|line| line == "ID=debian"))
+}

@@ -1,0 +1,143 @@
+//! In: a command and a line saying what it is for. Out: the command run, timed and, when it fails, named in a
+//! message a person can act on. It knows nothing of what the commands are.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// What went wrong, in words for the person at the terminal.
+pub type Result<T = ()> = std::result::Result<T, String>;
+
+/// The folder of the repository.
+pub fn root() -> PathBuf {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().unwrap_or(here).to_path_buf()
+}
+
+/// The folder of the page and its npm package.
+pub fn www() -> PathBuf {
+    root().join("www")
+}
+
+/// One plain line for the person at the terminal, on standard error.
+pub fn say(line: impl Display) {
+    eprintln!("xtask: {line}");
+}
+
+/// A time as it is read in a log: `0.4 s`, `12 s`, `3 min 05 s`.
+pub fn pretty(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 9.95 {
+        format!("{seconds:.1} s")
+    } else if seconds < 99.5 {
+        format!("{seconds:.0} s")
+    } else {
+        let whole = seconds.round() as u64;
+        format!("{} min {:02} s", whole / 60, whole % 60)
+    }
+}
+
+/// A program started from the root of the repository. What the surrounding `cargo xtask` put into the environment
+/// for itself does not reach it: an inherited `CARGO` would make it run the wrong one where toolchains are mixed.
+pub fn command(program: impl AsRef<std::ffi::OsStr>) -> Command {
+    let mut command = Command::new(program);
+    command.current_dir(root()).env_remove("CARGO");
+    command
+}
+
+/// `npm`, or what it is called on Windows.
+pub fn npm() -> Command {
+    let mut command = command(if cfg!(windows) { "npm.cmd" } else { "npm" });
+    command.current_dir(www());
+    command
+}
+
+/// Runs a step of a command: says what it does, lets its output through, says how long it took.
+pub fn step(name: &str, command: &mut Command) -> Result<Duration> {
+    say(format_args!("{name} ({})", shown(command)));
+    let start = Instant::now();
+    let status = command.status().map_err(|error| not_started(command, &error))?;
+    let time = start.elapsed();
+    if status.success() {
+        say(format_args!("{name}: done in {}", pretty(time)));
+        Ok(time)
+    } else {
+        Err(format!(
+            "{name}: failed after {} ({status})\n  the command was: {}",
+            pretty(time),
+            shown(command)
+        ))
+    }
+}
+
+/// Runs a step of the set-up: says what it does, keeps its output to itself, and shows that output if it fails.
+pub fn quiet(what: &str, command: &mut Command) -> Result {
+    say(format_args!("{what} …"));
+    let start = Instant::now();
+    let output = capture(command)?;
+    if output.status.success() {
+        say(format_args!("{what}: done in {}", pretty(start.elapsed())));
+        return Ok(());
+    }
+    let text =
+        [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).trim_end().to_owned());
+    Err(format!(
+        "{what}: failed ({})\n  the command was: {}\n{}",
+        output.status,
+        shown(command),
+        text.join("\n")
+    ))
+}
+
+/// What a program prints on standard output, trimmed; `None` when it cannot be started or fails.
+pub fn ask(command: &mut Command) -> Option<String> {
+    let output = capture(command).ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Whether a program is there and ends well; its output is dropped.
+pub fn succeeds(command: &mut Command) -> bool {
+    capture(command).is_ok_and(|output| output.status.success())
+}
+
+/// The command as one would type it.
+pub fn shown(command: &Command) -> String {
+    let mut line = Path::new(command.get_program()).display().to_string();
+    for argument in command.get_args() {
+        line.push(' ');
+        line.push_str(&argument.to_string_lossy());
+    }
+    line
+}
+
+fn capture(command: &mut Command) -> Result<Output> {
+    command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))
+}
+
+fn not_started(command: &Command, error: &std::io::Error) -> String {
+    format!("cannot start `{}`: {error}", shown(command))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_read_well() {
+        let check = |millis, text: &str| assert_eq!(pretty(Duration::from_millis(millis)), text);
+        check(432, "0.4 s");
+        check(9_940, "9.9 s");
+        check(9_960, "10 s");
+        check(99_400, "99 s");
+        check(185_000, "3 min 05 s");
+    }
+
+    #[test]
+    fn a_failing_step_names_itself_and_its_command_and_shows_what_was_said() {
+        let message = quiet("reading nothing", command("cargo").arg("no-such-command")).unwrap_err();
+        assert!(message.starts_with("reading nothing: failed"), "{message}");
+        assert!(message.contains("the command was: cargo no-such-command\n"), "{message}");
+        assert!(message.contains("error: no such command"), "{message}");
+    }
+}

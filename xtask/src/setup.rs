@@ -1,0 +1,106 @@
+//! In: a machine with Rust and Node. Out: a machine on which everything can be built and tested ([`Setup`]).
+//! What is there already is only looked at; what is missing is installed, with a line saying so.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::Command;
+use std::thread::{self, ScopedJoinHandle};
+use std::{env, fs};
+
+use crate::run::{self, Result};
+use crate::wasm_std::{self, Toolchain};
+use crate::{browser, tools};
+
+/// The oldest Node.js the page's tools run on.
+const NODE_MIN: u32 = 20;
+
+/// Where the tools are.
+pub struct Setup {
+    /// What builds for wasm32.
+    pub toolchain: Toolchain,
+    path: OsString,
+}
+
+impl Setup {
+    /// Gets everything a build of the page needs.
+    pub fn for_building() -> Result<Self> {
+        // Slow when cold, each on its own: two programs from source, the standard library, the npm packages.
+        let (wasm_pack, wasm_bindgen, packages, toolchain) = thread::scope(|scope| {
+            let wasm_pack = scope.spawn(tools::wasm_pack);
+            let wasm_bindgen = scope.spawn(tools::wasm_bindgen);
+            let packages = scope.spawn(npm_packages);
+            (joined(wasm_pack), joined(wasm_bindgen), joined(packages), wasm_std::ensure())
+        });
+        let node_bin = packages?;
+        let mut folders: Vec<PathBuf> = [wasm_pack?, wasm_bindgen?].into_iter().flatten().collect();
+        folders.push(node_bin);
+        folders.extend(env::var_os("PATH").iter().flat_map(env::split_paths));
+        let path = env::join_paths(folders).map_err(|error| format!("cannot extend PATH: {error}"))?;
+        Ok(Setup { toolchain: toolchain?, path })
+    }
+
+    /// A program that builds for wasm32 and finds all tools, started from the root of the repository.
+    pub fn command(&self, program: &str) -> Command {
+        let mut command = run::command(program);
+        command.env("PATH", &self.path);
+        self.toolchain.apply(&mut command);
+        command
+    }
+
+    /// npm in the page's folder.
+    pub fn npm(&self, arguments: &[&str]) -> Command {
+        let mut npm = run::npm();
+        npm.env("PATH", &self.path).args(arguments);
+        npm
+    }
+}
+
+/// `cargo xtask setup`: everything, the browser for the tests included.
+pub fn main() -> Result {
+    let setup = Setup::for_building()?;
+    let browser = browser::ensure()?;
+    run::say(format_args!("wasm32 is built by: {}", setup.toolchain));
+    run::say(format_args!("the browser tests use: {}", browser.display()));
+    run::say("all is set up");
+    Ok(())
+}
+
+/// Installs the npm packages of the page, unless those of this very package-lock.json are there; returns the folder of
+/// their programs.
+fn npm_packages() -> Result<PathBuf> {
+    let www = run::www();
+    let read = |name: &str| {
+        let path = www.join(name);
+        fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    };
+    let wanted = read("package.json")? + &read("package-lock.json")?;
+    let stamp = www.join("node_modules").join(".installed-by-xtask");
+    if !fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
+        node()?;
+        run::quiet("installing the page's npm packages", run::npm().args(["ci", "--no-audit", "--no-fund"]))?;
+        fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
+    }
+    let bin = www.join("node_modules").join(".bin");
+    // Without it wasm-pack would leave the module as large as the compiler makes it.
+    if tools::in_node_bin(&bin, "wasm-opt") {
+        Ok(bin)
+    } else {
+        Err("the npm package `binaryen`, which brings wasm-opt, is missing from www/package.json".to_owned())
+    }
+}
+
+fn node() -> Result {
+    let version = run::ask(run::command("node").arg("--version")).unwrap_or_default();
+    let major = version.trim_start_matches('v').split('.').next().and_then(|part| part.parse::<u32>().ok());
+    match major {
+        Some(major) if major >= NODE_MIN => Ok(()),
+        Some(_) => {
+            Err(format!("Node.js {NODE_MIN} or newer is needed; this is {version}: see https://nodejs.org"))
+        }
+        None => Err(format!("Node.js {NODE_MIN} or newer is needed, with npm: see https://nodejs.org")),
+    }
+}
+
+fn joined<T>(task: ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
+    task.join().unwrap_or_else(|_| Err("a step of the set-up ended unexpectedly".to_owned()))
+}

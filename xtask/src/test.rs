@@ -1,0 +1,47 @@
+//! In: the whole working tree. Out: whether it is in order: format, lints, native tests, wasm tests under Node, the
+//! page's types, and the page in a real browser. It stops at the first step that fails.
+
+use std::time::Instant;
+
+use crate::run::{self, Result, command, pretty, step};
+use crate::setup::Setup;
+use crate::{browser, package};
+
+/// `cargo xtask test`.
+pub fn main() -> Result {
+    let start = Instant::now();
+    let mut times = Vec::new();
+    let mut done = |name: &'static str, time| times.push((name, time));
+
+    // What needs no set-up comes first: a slip in the format is told in a second.
+    done("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
+    let mut clippy = command("cargo");
+    clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
+    done("lints", step("lints, native", &mut clippy)?);
+
+    let setting_up = Instant::now();
+    let setup = Setup::for_building()?;
+    let browser = browser::ensure()?;
+    done("set-up", setting_up.elapsed());
+
+    let mut clippy = setup.command("cargo");
+    clippy.args(["clippy", "--target", "wasm32-unknown-unknown", "--lib", "--tests", "--", "-D", "warnings"]);
+    done("wasm lints", step("lints, wasm32", &mut clippy)?);
+    done("native tests", step("native tests", command("cargo").args(["test", "--workspace"]))?);
+    let mut wasm_pack = setup.command("wasm-pack");
+    done(
+        "wasm tests",
+        step("wasm tests under Node", wasm_pack.args(["test", "--node", "--mode", "no-install"]))?,
+    );
+    done("wasm package", package::wasm(&setup)?);
+    done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
+    done("page", package::page(&setup)?);
+    let mut playwright = setup.npm(&["run", "test:browser"]);
+    playwright.env(browser::VARIABLE, browser);
+    done("browser tests", step("browser tests", &mut playwright)?);
+
+    let list: Vec<_> = times.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();
+    run::say(format_args!("times: {}", list.join(", ")));
+    run::say(format_args!("all {} steps passed in {}", times.len(), pretty(start.elapsed())));
+    Ok(())
+}

@@ -1,0 +1,116 @@
+//! In: Cargo.lock. Out: the folders of wasm-pack and of wasm-bindgen's command line in the right versions, to be put
+//! on PATH. They are taken from PATH where they fit, else built once with `cargo install` into a cache folder of the
+//! user, keyed by version, so that every clone of the repository finds them.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use crate::run::{self, Result};
+
+/// The version installed where no fitting one is found.
+const WASM_PACK: &str = "0.15.1";
+
+/// The oldest wasm-pack that fits.
+const WASM_PACK_MIN: (u32, u32) = (0, 13);
+
+/// The folder of wasm-pack; `None` when the one on PATH fits.
+pub fn wasm_pack() -> Result<Option<PathBuf>> {
+    let fits = |version: &str| major_minor(version).is_some_and(|version| version >= WASM_PACK_MIN);
+    if version_on_path("wasm-pack").is_some_and(|version| fits(&version)) {
+        return Ok(None);
+    }
+    cargo_install("wasm-pack", WASM_PACK, &["wasm-pack"]).map(Some)
+}
+
+/// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` when those on PATH fit. Their version must be the
+/// very one of the crate in Cargo.lock: the two speak a private format.
+pub fn wasm_bindgen() -> Result<Option<PathBuf>> {
+    let lock = run::root().join("Cargo.lock");
+    let text =
+        fs::read_to_string(&lock).map_err(|error| format!("cannot read {}: {error}", lock.display()))?;
+    let wanted = locked_version(&text, "wasm-bindgen").ok_or("Cargo.lock names no wasm-bindgen")?;
+    let tools = ["wasm-bindgen", "wasm-bindgen-test-runner"];
+    if tools.iter().all(|tool| version_on_path(tool).as_deref() == Some(wanted)) {
+        return Ok(None);
+    }
+    cargo_install("wasm-bindgen-cli", wanted, &tools).map(Some)
+}
+
+/// The folder in which downloads and builds outlive this clone: `gcode-playground` in the user's cache.
+pub fn cache() -> Result<PathBuf> {
+    let folder = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let home = || folder(if cfg!(windows) { "USERPROFILE" } else { "HOME" });
+    let base = if cfg!(windows) {
+        folder("LOCALAPPDATA").or_else(|| Some(home()?.join("AppData").join("Local")))
+    } else if cfg!(target_os = "macos") {
+        home().map(|home| home.join("Library").join("Caches"))
+    } else {
+        folder("XDG_CACHE_HOME").filter(|path| path.is_absolute()).or_else(|| Some(home()?.join(".cache")))
+    };
+    base.map(|base| base.join("gcode-playground")).ok_or_else(|| "this user has no home folder".to_owned())
+}
+
+fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<PathBuf> {
+    let prefix = cache()?.join("tools").join(format!("{package}-{version}"));
+    let bin = prefix.join("bin");
+    if programs.iter().all(|program| bin.join(format!("{program}{}", env::consts::EXE_SUFFIX)).is_file()) {
+        return Ok(bin);
+    }
+    fs::create_dir_all(&prefix).map_err(|error| format!("cannot make {}: {error}", prefix.display()))?;
+    let mut cargo = run::command("cargo");
+    cargo.args(["install", package, "--version", &format!("={version}"), "--force", "--root"]).arg(&prefix);
+    // Unoptimised they are built in less than half the time, and the little they do is done as fast.
+    cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0").env("CARGO_PROFILE_RELEASE_LTO", "off");
+    // Not in the repository and not with its settings.
+    cargo.current_dir(&prefix);
+    for name in ["CARGO_TARGET_DIR", "CARGO_BUILD_TARGET", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"] {
+        cargo.env_remove(name);
+    }
+    run::quiet(&format!("installing {package} {version} (once, some minutes)"), &mut cargo)?;
+    Ok(bin)
+}
+
+/// The last word of what `program --version` prints first.
+fn version_on_path(program: &str) -> Option<String> {
+    let line = run::ask(run::command(program).arg("--version"))?;
+    Some(line.lines().next()?.split_whitespace().next_back()?.to_owned())
+}
+
+fn major_minor(version: &str) -> Option<(u32, u32)> {
+    let mut parts = version.split('.').map(|part| part.parse().ok());
+    Some((parts.next()??, parts.next()??))
+}
+
+/// The version of a package in the text of a Cargo.lock.
+pub fn locked_version<'lock>(lock: &'lock str, package: &str) -> Option<&'lock str> {
+    let name = format!("name = \"{package}\"");
+    let mut lines = lock.lines().skip_while(|line| *line != name);
+    let version = lines.nth(1)?;
+    version.strip_prefix("version = \"")?.strip_suffix('"')
+}
+
+/// Whether a program of an npm package's `.bin` is there, under the name it has on this system.
+pub fn in_node_bin(bin: &Path, program: &str) -> bool {
+    bin.join(if cfg!(windows) { format!("{program}.cmd") } else { program.to_owned() }).is_file()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_version_is_that_of_the_package_of_this_very_name() {
+        let lock = "[[package]]\nname = \"wasm-bindgen-futures\"\nversion = \"0.4.1\"\n\n\
+                    [[package]]\nname = \"wasm-bindgen\"\nversion = \"0.2.99\"\nsource = \"x\"\n";
+        assert_eq!(locked_version(lock, "wasm-bindgen"), Some("0.2.99"));
+        assert_eq!(locked_version(lock, "wasm"), None);
+    }
+
+    #[test]
+    fn versions_compare_as_numbers() {
+        assert!(major_minor("0.13.0") >= Some(WASM_PACK_MIN));
+        assert!(major_minor("0.9.1") < Some(WASM_PACK_MIN));
+        assert!(major_minor("1.0") > Some(WASM_PACK_MIN));
+        assert_eq!(major_minor("none"), None);
+    }
+}
