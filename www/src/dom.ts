@@ -1,0 +1,68 @@
+// Making elements: the page has no UI framework.
+//
+// In: a tag, properties, children. Out: the element. Must not know what it is for.
+
+type Child = Node | string;
+
+/** Makes an element; `properties` are set as properties, except `part`, `role`, `aria-…` and `data-…`. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  properties: Readonly<Record<string, string | boolean | number>> = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name === 'part' || name === 'role' || name.includes('-')) element.setAttribute(name, String(value));
+    else Reflect.set(element, name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+/** The icons: 20 × 20, drawn with the text's colour. */
+const ICONS = {
+  play: '<path d="M6 3.5v13l10.5-6.5z" fill="currentColor"/>',
+  pause: '<path d="M5.5 4h3v12h-3zM11.5 4h3v12h-3z" fill="currentColor"/>',
+  next: '<path d="M4 4v12l8-6zM13.5 4h2.5v12h-2.5z" fill="currentColor"/>',
+  previous: '<path d="M16 4v12l-8-6zM4 4h2.5v12H4z" fill="currentColor"/>',
+  whole: '<path d="M5 5l10 10M15 5L5 15" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
+  fit: '<path d="M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4" fill="none" stroke="currentColor" stroke-width="1.7" stroke-linecap="round" stroke-linejoin="round"/>',
+  plus: '<path d="M10 4v12M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
+  minus: '<path d="M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
+  chevron: '<path d="M5 7.5l5 5 5-5" fill="none" stroke="currentColor" stroke-width="1.8" stroke-linecap="round" stroke-linejoin="round"/>',
+  error: '<circle cx="10" cy="10" r="7.2" fill="currentColor"/><path d="M10 6v5M10 13.6v.4" stroke="var(--playground-surface)" stroke-width="1.9" stroke-linecap="round"/>',
+  warning: '<path d="M10 2.8l7.6 13.6H2.4z" fill="currentColor" stroke="currentColor" stroke-width="1.2" stroke-linejoin="round"/><path d="M10 8v3.6M10 14v.3" stroke="var(--playground-surface)" stroke-width="1.8" stroke-linecap="round"/>',
+  info: '<circle cx="10" cy="10" r="7.2" fill="currentColor"/><path d="M10 9.4V14M10 6v.3" stroke="var(--playground-surface)" stroke-width="1.9" stroke-linecap="round"/>',
+} as const;
+
+export type IconName = keyof typeof ICONS;
+
+export function icon(name: IconName): HTMLElement {
+  const holder = make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' });
+  holder.innerHTML = `<svg viewBox="0 0 20 20" width="20" height="20">${ICONS[name]}</svg>`;
+  return holder;
+}
+
+/** A message of the interpreter: what stands in backticks is program text. */
+export function prose(text: string): (Node | string)[] {
+  return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
+}
+
+/** Gives a button its name for screen readers and its tooltip. */
+export function name(element: HTMLElement, text: string): void {
+  element.setAttribute('aria-label', text);
+  element.title = text;
+}
+
+/** At most one call of `work` per painted frame. */
+export function perFrame(work: () => void): () => void {
+  let wanted = false;
+  return () => {
+    if (wanted) return;
+    wanted = true;
+    requestAnimationFrame(() => {
+      wanted = false;
+      work();
+    });
+  };
+}

@@ -1,0 +1,54 @@
+// Problems inside the editor: squiggles, gutter marks, tooltips with the message and its repairs.
+//
+// In: the diagnostics of the newest run. Out: CodeMirror's diagnostics. Applying a repair is an edit by the
+// reader like any other, so it can be undone. Must not know: what a diagnostic is about.
+
+import type { Diagnostic as LintDiagnostic } from '@codemirror/lint';
+import type { EditorView } from '@codemirror/view';
+import { make, prose } from './dom';
+import type { Strings } from './i18n';
+import type { Diagnostic, Fix } from './protocol';
+
+/** More squiggles than this tell nothing and cost time on every key. */
+const SHOWN = 1000;
+
+export function lintDiagnostics(
+  diagnostics: readonly Diagnostic[],
+  strings: Strings,
+  length: number,
+): LintDiagnostic[] {
+  return diagnostics
+    .filter((diagnostic) => diagnostic.from <= diagnostic.to && diagnostic.to <= length)
+    .slice(0, SHOWN)
+    .map((diagnostic) => ({
+      from: diagnostic.from,
+      to: diagnostic.to,
+      severity: diagnostic.severity,
+      message: diagnostic.message,
+      markClass: `cm-problem-${diagnostic.kind}`,
+      renderMessage: () => explain(diagnostic, strings),
+      actions: diagnostic.fixes.map((fix) => ({
+        name: fix.title,
+        apply: (view: EditorView) => applyFix(view, fix),
+      })),
+    }));
+}
+
+export function applyFix(view: EditorView, fix: Fix): void {
+  const inside = fix.edits.every((edit) => edit.from <= edit.to && edit.to <= view.state.doc.length);
+  if (!inside) return;
+  view.dispatch({
+    changes: fix.edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
+    userEvent: 'input.fix',
+    scrollIntoView: true,
+  });
+}
+
+function explain(diagnostic: Diagnostic, strings: Strings): HTMLElement {
+  const facts = [strings.severity[diagnostic.severity], strings.kind[diagnostic.kind], diagnostic.code];
+  if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
+  const explanation = make('div', { className: 'explanation' }, make('p', { className: 'message' }, ...prose(diagnostic.message)));
+  if (diagnostic.help !== undefined) explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
+  explanation.append(make('p', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')));
+  return explanation;
+}

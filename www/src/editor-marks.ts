@@ -1,0 +1,71 @@
+// What is painted over the program's text: the core's tokens, the block under the pointer, the block being run.
+//
+// In: ranges of the document, sent as effects. Out: decorations, moved along with every change of the text
+// until newer ranges come. Must not know: where the ranges come from; a token class is a number and a colour.
+
+import { StateEffect, StateField, type Extension, type Range, type Text } from '@codemirror/state';
+import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
+
+export interface Span {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** The names the style sheet gives to the token classes 0, 1, 2 … */
+const TOKEN_STYLES = [
+  'comment', 'g-word', 'm-word', 'axis', 'data', 'number-word', 'rate', 'macro', 'unknown', 'punctuation',
+].map((style) => Decoration.mark({ class: `tok-${style}` }));
+
+const HOVERED = Decoration.mark({ class: 'cm-hovered-block' });
+const RUNNING = Decoration.line({ class: 'cm-running-line' });
+
+/** Triples `from, to, class`, in order. */
+export const showTokens = StateEffect.define<Uint32Array>();
+export const showHovered = StateEffect.define<Span | undefined>();
+export const showRunning = StateEffect.define<Span | undefined>();
+
+const tokens = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(shown, transaction) {
+    let next = shown.map(transaction.changes);
+    for (const effect of transaction.effects) {
+      if (effect.is(showTokens)) next = tokenMarks(effect.value, transaction.newDoc.length);
+    }
+    return next;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+function tokenMarks(triples: Uint32Array, length: number): DecorationSet {
+  const marks: Range<Decoration>[] = [];
+  for (let i = 0; i + 2 < triples.length; i += 3) {
+    const from = triples[i] ?? 0;
+    const to = triples[i + 1] ?? 0;
+    const style = TOKEN_STYLES[triples[i + 2] ?? -1];
+    if (style !== undefined && from < to && to <= length) marks.push(style.range(from, to));
+  }
+  return Decoration.set(marks, true);
+}
+
+function blockField(effectType: typeof showHovered, mark: (span: Span, doc: Text) => Range<Decoration>): Extension {
+  return StateField.define<DecorationSet>({
+    create: () => Decoration.none,
+    update(shown, transaction) {
+      let next = transaction.docChanged ? Decoration.none : shown;
+      for (const effect of transaction.effects) {
+        if (!effect.is(effectType)) continue;
+        const span = effect.value;
+        const inside = span !== undefined && span.from < span.to && span.to <= transaction.newDoc.length;
+        next = inside ? Decoration.set(mark(span, transaction.newDoc)) : Decoration.none;
+      }
+      return next;
+    },
+    provide: (field) => EditorView.decorations.from(field),
+  });
+}
+
+export const marks: Extension = [
+  tokens,
+  blockField(showHovered, (span) => HOVERED.range(span.from, span.to)),
+  blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from)),
+];

@@ -1,0 +1,114 @@
+// How the editor looks: every colour and font is one of the element's CSS custom properties.
+//
+// In: nothing. Out: CodeMirror extensions. Must not know: what is edited.
+
+import type { Extension } from '@codemirror/state';
+import { EditorView } from '@codemirror/view';
+
+const LINT = { error: '--playground-error', warning: '--playground-warning', info: '--playground-info' };
+
+const squiggles = Object.fromEntries(
+  Object.entries(LINT).map(([severity, colour]) => [
+    `.cm-lintRange-${severity}`,
+    {
+      backgroundImage: 'none',
+      textDecoration: `underline wavy var(${colour}) 1.2px`,
+      textDecorationSkipInk: 'none',
+      textUnderlineOffset: '3px',
+      paddingBottom: '0',
+    },
+  ]),
+);
+
+export const editorTheme: Extension = EditorView.theme({
+  '&': { height: '100%', color: 'var(--playground-ink)', backgroundColor: 'var(--playground-surface)' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': {
+    fontFamily: 'var(--playground-code-font)',
+    fontSize: 'var(--playground-code-size)',
+    lineHeight: '1.6',
+    overscrollBehavior: 'contain',
+  },
+  '.cm-content': { padding: '8px 0 24px', caretColor: 'var(--playground-ink)' },
+  '.cm-line': { padding: '0 16px 0 8px' },
+  '.cm-cursor': { borderLeftColor: 'var(--playground-ink)', borderLeftWidth: '2px' },
+  '.cm-gutters': {
+    backgroundColor: 'var(--playground-surface)',
+    color: 'var(--playground-muted)',
+    border: 'none',
+    fontVariantNumeric: 'tabular-nums',
+  },
+  '.cm-lineNumbers .cm-gutterElement': { padding: '0 6px 0 4px', minWidth: '2.4em' },
+  '.cm-gutter-lint': { width: '1.1em' },
+  '.cm-gutter-lint .cm-gutterElement': { padding: '0 0 0 3px', display: 'flex', alignItems: 'center' },
+  '.cm-lint-marker': { width: '0.75em', height: '0.75em', borderRadius: '50%', content: 'none !important' },
+  '.cm-lint-marker-error': { background: 'var(--playground-error)' },
+  '.cm-lint-marker-warning': { background: 'var(--playground-warning)', borderRadius: '2px' },
+  '.cm-lint-marker-info': { background: 'var(--playground-info)' },
+  '.cm-activeLine': { backgroundColor: 'transparent' },
+  '&.cm-focused .cm-activeLine, &.cm-chosen .cm-activeLine': { backgroundColor: 'var(--playground-active-line)' },
+  '.cm-activeLineGutter': { backgroundColor: 'transparent', color: 'var(--playground-ink)' },
+  '.cm-selectionBackground': { backgroundColor: 'var(--playground-selection) !important' },
+  '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--playground-selection)' },
+  '&.cm-focused .cm-nonmatchingBracket': { backgroundColor: 'transparent' },
+  '.cm-hovered-block': { backgroundColor: 'var(--playground-hovered-block)', borderRadius: '3px' },
+  '.cm-running-line': {
+    backgroundColor: 'var(--playground-running-line) !important',
+    boxShadow: 'inset 3px 0 0 var(--playground-accent)',
+  },
+  ...squiggles,
+  '.cm-lintRange-active': { backgroundColor: 'var(--playground-selection)' },
+  '.cm-tooltip': {
+    backgroundColor: 'var(--playground-raised)',
+    color: 'var(--playground-ink)',
+    border: '1px solid var(--playground-line)',
+    borderRadius: '8px',
+    boxShadow: 'var(--playground-shadow)',
+    maxWidth: 'min(30rem, 92vw)',
+    overflow: 'hidden',
+    fontFamily: 'var(--playground-font)',
+    fontSize: '0.875rem',
+  },
+  '.cm-diagnostic': { padding: '10px 14px', border: 'none', whiteSpace: 'normal', marginLeft: '0' },
+  '.cm-diagnostic + .cm-diagnostic': { borderTop: '1px solid var(--playground-line)' },
+  '.cm-diagnostic p': { margin: '0' },
+  '.cm-diagnostic p + p': { marginTop: '4px' },
+  '.cm-diagnostic .help-text, .cm-diagnostic .facts': { color: 'var(--playground-muted)' },
+  '.cm-diagnostic .facts': { fontSize: '0.8125rem' },
+  '.cm-diagnosticAction': {
+    font: 'inherit',
+    fontSize: '0.8125rem',
+    margin: '8px 8px 0 0',
+    padding: '5px 10px',
+    borderRadius: '6px',
+    color: 'var(--playground-on-accent)',
+    backgroundColor: 'var(--playground-accent)',
+  },
+  '.cm-panels': {
+    backgroundColor: 'var(--playground-panel)',
+    color: 'var(--playground-ink)',
+    fontFamily: 'var(--playground-font)',
+  },
+  '.cm-panels.cm-panels-bottom': { borderTop: '1px solid var(--playground-line)' },
+  '.cm-panel.cm-search': { padding: '8px 28px 8px 10px' },
+  '.cm-panel.cm-search label': { fontSize: '0.8125rem' },
+  '.cm-panel.cm-search [name=close]': { fontSize: '1.25rem', right: '8px', color: 'inherit' },
+  '.cm-textfield': {
+    font: 'inherit',
+    color: 'inherit',
+    backgroundColor: 'var(--playground-surface)',
+    border: '1px solid var(--playground-line-strong)',
+    borderRadius: '5px',
+    padding: '3px 6px',
+  },
+  '.cm-button': {
+    font: 'inherit',
+    fontSize: '0.8125rem',
+    color: 'inherit',
+    backgroundImage: 'none',
+    backgroundColor: 'var(--playground-surface)',
+    border: '1px solid var(--playground-line-strong)',
+    borderRadius: '5px',
+  },
+  '.cm-searchMatch': { backgroundColor: 'var(--playground-selection)', outline: '1px solid var(--playground-accent)' },
+});

@@ -1,0 +1,197 @@
+// The program editor: CodeMirror 6 with the core's own highlighting and messages.
+//
+// In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did it
+// (what the program does to the editor fires nothing), and `viewMoved` when other lines came into sight.
+// Must not know: the language it edits. Offsets count every line end as one unit, as everywhere in this page.
+
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { bracketMatching } from '@codemirror/language';
+import { forEachDiagnostic, linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect } from '@codemirror/state';
+import {
+  drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
+  lineNumbers, tooltips, type ViewUpdate,
+} from '@codemirror/view';
+import { applyFix, lintDiagnostics } from './editor-lint';
+import { marks, showHovered, showRunning, showTokens, type Span } from './editor-marks';
+import { editorPhrases } from './editor-phrases';
+import { editorTheme } from './editor-theme';
+import { strings, type Language } from './i18n';
+import type { Diagnostic, Fix } from './protocol';
+
+/** Lines above and below the visible ones whose tokens are asked for too, so that slow scrolling asks for none. */
+const MARGIN_LINES = 60;
+/** Longer stretches (a file without line ends) stay without colours. */
+const HIGHLIGHT_LIMIT = 200_000;
+
+export interface EditorEvents {
+  changed(): void;
+  cursorMoved(): void;
+  viewMoved(): void;
+}
+
+/** Marks a change that the page made, not the reader. */
+const byProgram = Annotation.define<true>();
+
+export class Editor {
+  readonly element = document.createElement('div');
+  readonly #view: EditorView;
+  readonly #events: EditorEvents;
+  readonly #language = new Compartment();
+  #shownLanguage: Language;
+  #diagnostics: readonly Diagnostic[] = [];
+  /** Counts the versions of the text. */
+  #revision = 0;
+
+  constructor(root: ShadowRoot, language: Language, events: EditorEvents) {
+    this.#events = events;
+    this.#shownLanguage = language;
+    this.element.className = 'editor';
+    this.element.setAttribute('part', 'editor');
+    this.#view = new EditorView({
+      parent: this.element,
+      root,
+      state: EditorState.create({
+        extensions: [
+          lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
+          history(), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
+          search({ top: false }), linter(null), tooltips({ position: 'fixed' }), marks, editorTheme,
+          // Tab is not bound: it leaves the editor.
+          keymap.of([
+            { key: 'F8', run: nextDiagnostic, shift: previousDiagnostic },
+            ...searchKeymap, ...historyKeymap, ...defaultKeymap,
+          ]),
+          this.#language.of(this.#languageExtension(language)),
+          EditorView.updateListener.of((update) => this.#updated(update)),
+        ],
+      }),
+    });
+  }
+
+  get text(): string {
+    return this.#view.state.doc.toString();
+  }
+
+  get length(): number {
+    return this.#view.state.doc.length;
+  }
+
+  get revision(): number {
+    return this.#revision;
+  }
+
+  get cursor(): number {
+    return this.#view.state.selection.main.head;
+  }
+
+  set language(language: Language) {
+    this.#shownLanguage = language;
+    this.#view.dispatch({ effects: this.#language.reconfigure(this.#languageExtension(language)) });
+    this.diagnostics = this.#diagnostics;
+  }
+
+  /** The text from outside; `undoable` when it takes the place of something the reader may want back. */
+  setText(text: string, undoable: 'undoable' | 'final'): void {
+    this.#view.dispatch({
+      changes: { from: 0, to: this.length, insert: text },
+      selection: { anchor: 0 },
+      annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable')],
+      scrollIntoView: true,
+    });
+    this.element.firstElementChild?.classList.remove('cm-chosen');
+  }
+
+  /** The lines in sight with a margin, from 0, end exclusive; undefined when they are too long to colour. */
+  get linesInSight(): { firstLine: number; endLine: number } | undefined {
+    const { doc } = this.#view.state;
+    const { from, to } = this.#view.viewport;
+    const first = doc.line(Math.max(doc.lineAt(from).number - MARGIN_LINES, 1));
+    const last = doc.line(Math.min(doc.lineAt(to).number + MARGIN_LINES, doc.lines));
+    if (last.to - first.from > HIGHLIGHT_LIMIT) return undefined;
+    return { firstLine: first.number - 1, endLine: last.number };
+  }
+
+  set tokens(triples: Uint32Array) {
+    this.#view.dispatch({ effects: showTokens.of(triples) });
+  }
+
+  set diagnostics(diagnostics: readonly Diagnostic[]) {
+    this.#diagnostics = diagnostics;
+    const shown = lintDiagnostics(diagnostics, strings(this.#shownLanguage), this.length);
+    let any = shown.length > 0;
+    if (!any) forEachDiagnostic(this.#view.state, () => (any = true));
+    if (any) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
+  }
+
+  /** The block whose stroke the pointer is on. */
+  set hovered(span: Span | undefined) {
+    this.#view.dispatch({ effects: showHovered.of(span) });
+  }
+
+  /** The block the tool is in; it is kept in sight. */
+  set running(span: Span | undefined) {
+    const effects: StateEffect<unknown>[] = [showRunning.of(span)];
+    if (span !== undefined && span.to <= this.length) {
+      effects.push(EditorView.scrollIntoView(span.from, { y: 'nearest', yMargin: 40 }));
+    }
+    this.#view.dispatch({ effects });
+  }
+
+  select(span: Span): void {
+    if (span.to > this.length) return;
+    this.#view.dispatch({
+      selection: { anchor: span.from, head: span.to },
+      effects: EditorView.scrollIntoView(span.from, { y: 'center' }),
+      annotations: byProgram.of(true),
+    });
+    this.#view.dom.classList.add('cm-chosen');
+  }
+
+  /** Sets the cursor down at the start of a problem and shows it. */
+  show(diagnostic: Diagnostic): void {
+    this.select({ from: diagnostic.from, to: diagnostic.to });
+    this.focus();
+  }
+
+  apply(fix: Fix): void {
+    applyFix(this.#view, fix);
+  }
+
+  nextProblem(direction: 'next' | 'previous'): void {
+    this.focus();
+    if (direction === 'next') nextDiagnostic(this.#view);
+    else previousDiagnostic(this.#view);
+  }
+
+  focus(): void {
+    this.#view.contentDOM.focus({ preventScroll: true });
+  }
+
+  get hasFocus(): boolean {
+    return this.#view.hasFocus;
+  }
+
+  dispose(): void {
+    this.#view.destroy();
+  }
+
+  #languageExtension(language: Language): Extension {
+    const attributes = { 'aria-label': strings(language).program, lang: 'en', autocapitalize: 'characters' };
+    return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
+  }
+
+  #updated(update: ViewUpdate): void {
+    const programmatic = update.transactions.some((transaction) => transaction.annotation(byProgram) === true);
+    if (update.docChanged) {
+      this.#revision++;
+      this.#diagnostics = [];
+    }
+    if (!programmatic) {
+      if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
+      if (update.docChanged) this.#events.changed();
+      else if (update.selectionSet) this.#events.cursorMoved();
+    }
+    if (update.viewportChanged) this.#events.viewMoved();
+  }
+}

@@ -1,0 +1,438 @@
+// <gcode-playground>: a lathe program, its drawing, its problems, and the tool moving along it.
+//
+//   <script type="module" src="element.js"></script>
+//   <gcode-playground control="fanuc" setup='{"stock": {"diameter": 60, "length": 80}}'>
+//     G00 X62 Z2
+//     G90 X50 Z-30 F0.2
+//   </gcode-playground>
+//
+// Its own text is the program it starts with. Attributes (each is a property too):
+//   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
+//   setup     JSON: start point, tools, stock, dialect switches
+//   language  en | zh | ru             of the page and of the messages
+//   theme     auto | light | dark
+// Property: value (the program). Setting it, or an attribute, fires no event.
+// Methods: play(), pause(), openFile(file), focus(), and for automation
+//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
+// Events (bubbling, only for what the reader did, and `report` for each finished run):
+//   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
+// Slot: `intro` above the program.
+// CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
+// the colours of colours.css. Parts: frame intro editor problems drawing canvas legend tooltip playback play readout
+// doing status notice help.
+//
+// Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
+
+import { CoreClient, Newest, type Loss } from './core-client';
+import { make } from './dom';
+import { Drawing } from './drawing';
+import { Editor } from './editor';
+import { readProgram } from './files';
+import { Help } from './help';
+import { languageOf, strings, type Language, type Strings } from './i18n';
+import { Notice } from './notice';
+import { Playback } from './playback';
+import { Problems } from './problems';
+import type { Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import { initialProgram, mergedSetup } from './start';
+import { StatusLine } from './status-line';
+import colours from './colours.css?inline';
+import styles from './styles.css?inline';
+
+const sheets = [colours, styles].map((text) => {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(text);
+  return sheet;
+});
+
+/** What one worker is asked for; replaced as a whole when the worker is. */
+interface Line {
+  readonly client: CoreClient;
+  readonly pointer: Newest<'pick'>;
+  readonly tool: Newest<'playhead'>;
+}
+
+export class GcodePlayground extends HTMLElement {
+  static readonly observedAttributes = ['control', 'setup', 'language', 'theme'];
+
+  #editor: Editor | undefined;
+  #line: Line | undefined;
+  #strings: Strings = strings('en');
+  #drawing!: Drawing;
+  #playback!: Playback;
+  #problems!: Problems;
+  #status!: StatusLine;
+  #notice!: Notice;
+  #help!: Help;
+  #sending: ReturnType<typeof setTimeout> | undefined;
+  #cursorKnown = false;
+  #hovered: number | undefined;
+  #running: number | undefined;
+  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  readonly #showPalette = (): void => this.#line?.client.send({ kind: 'palette', palette: this.#drawing.palette });
+  /** The value set before the element was in a document. */
+  #early: string | undefined;
+
+  connectedCallback(): void {
+    if (this.#editor === undefined) this.#build();
+    this.#dark.addEventListener('change', this.#showPalette);
+    this.#connect();
+    this.#sendText();
+  }
+
+  disconnectedCallback(): void {
+    this.#dark.removeEventListener('change', this.#showPalette);
+    this.#playback.pause();
+    this.#line?.client.end();
+    this.#line = undefined;
+  }
+
+  attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
+    if (before === now || this.#editor === undefined) return;
+    if (attribute === 'language') this.#showLanguage();
+    else if (attribute === 'theme') this.#showPalette();
+    else this.#sendSetup();
+  }
+
+  get value(): string {
+    return this.#editor?.text ?? this.#early ?? '';
+  }
+
+  set value(text: string) {
+    if (this.#editor === undefined) {
+      this.#early = text;
+      return;
+    }
+    this.#editor.setText(text, this.#editor.length > 0 ? 'undoable' : 'final');
+    this.#cursorKnown = false;
+    this.#line?.client.send({ kind: 'fit' });
+    this.#sendText();
+  }
+
+  get language(): Language {
+    return languageOf(this.getAttribute('language') ?? this.closest('[lang]')?.getAttribute('lang'));
+  }
+
+  set language(language: Language) {
+    this.setAttribute('language', language);
+  }
+
+  get control(): string | null {
+    return this.getAttribute('control');
+  }
+
+  set control(control: string | null) {
+    this.#setOrRemove('control', control);
+  }
+
+  get setup(): string | null {
+    return this.getAttribute('setup');
+  }
+
+  set setup(json: string | null) {
+    this.#setOrRemove('setup', json);
+  }
+
+  get theme(): string {
+    return this.getAttribute('theme') ?? 'auto';
+  }
+
+  set theme(theme: string) {
+    this.setAttribute('theme', theme);
+  }
+
+  play(): void {
+    this.#playback.play();
+  }
+
+  pause(): void {
+    this.#playback.pause();
+  }
+
+  override focus(): void {
+    this.#editor?.focus();
+  }
+
+  /** Where the place X (a diameter), Z in mm is drawn, in the window's CSS pixels. */
+  async locate(x: number, z: number): Promise<{ clientX: number; clientY: number }> {
+    if (this.#line === undefined) throw new Error('the playground is not in a document');
+    const place = await this.#line.client.ask('locate', { x, z });
+    const origin = this.#drawing.origin;
+    return { clientX: origin.x + place.x, clientY: origin.y + place.y };
+  }
+
+  /** Opens a file as the program; what it replaces can be brought back with undo. */
+  async openFile(file: File): Promise<void> {
+    const opened = await readProgram(file);
+    if (opened.kind === 'too-large') this.#notice.show(this.#strings.fileTooLarge(opened.name));
+    else if (opened.kind === 'unreadable') this.#notice.show(this.#strings.fileUnreadable(opened.name));
+    else {
+      this.value = opened.text;
+      const { opened: plain, openedDamaged } = this.#strings;
+      this.#notice.show(opened.damaged === 0 ? plain(opened.name) : openedDamaged(opened.name, opened.damaged));
+      this.#changed();
+    }
+  }
+
+  // ---- building -----------------------------------------------------------------------------------
+
+  #build(): void {
+    const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
+    root.adoptedStyleSheets = sheets;
+    const language = this.language;
+    const texts = (this.#strings = strings(language));
+    const editor = (this.#editor = new Editor(root, language, {
+      changed: () => {
+        this.#cursorKnown = true;
+        this.#textEdited();
+      },
+      cursorMoved: () => {
+        this.#cursorKnown = true;
+        if (this.#sending === undefined) this.#line?.client.send({ kind: 'cursor', offset: editor.cursor });
+      },
+      viewMoved: () => void this.#askTokens(),
+    }));
+    this.#drawing = new Drawing(texts, {
+      resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
+      fit: () => this.#line?.client.send({ kind: 'fit' }),
+      pan: (dx, dy) => this.#line?.client.send({ kind: 'pan', dx, dy }),
+      zoom: (factor, x, y) => this.#line?.client.send({ kind: 'zoom', factor, x, y }),
+      pointed: (x, y) => this.#line?.pointer.ask({ x, y }),
+      left: () => {
+        this.#line?.pointer.forget();
+        this.#showHovered(undefined);
+      },
+      clicked: (x, y, keepFocus) => void this.#clicked(x, y, keepFocus),
+    });
+    this.#playback = new Playback(texts, {
+      moveTo: (distance) => this.#line?.tool.ask({ distance }),
+      step: (distance, direction) =>
+        void this.#line?.client.ask('step', { distance, direction }).then((place) => this.#showTool(place)),
+      wholePath: () => this.#line?.tool.ask({ distance: undefined }),
+    });
+    this.#problems = new Problems(texts, {
+      chosen: (diagnostic) => editor.show(diagnostic),
+      fixed: (fix) => editor.apply(fix),
+    });
+    this.#status = new StatusLine(texts);
+    this.#notice = new Notice(texts);
+    this.#help = new Help(texts);
+    const frame = make(
+      'div',
+      { className: 'frame', part: 'frame' },
+      make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, editor.element, this.#problems.element),
+      make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
+      make('div', { className: 'foot' }, this.#status.element, this.#help.button),
+      this.#help.element,
+    );
+    root.append(frame);
+    this.#acceptFiles(editor.element);
+    this.addEventListener('keydown', (event) => this.#key(event), { capture: true });
+    editor.setText(this.#early ?? initialProgram(this), 'final');
+  }
+
+  #acceptFiles(target: HTMLElement): void {
+    const carriesFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+    const mark = (on: boolean): void => {
+      target.dataset['drop'] = on ? this.#strings.dropHere : '';
+    };
+    target.addEventListener('dragover', (event) => {
+      if (!carriesFile(event)) return;
+      event.preventDefault();
+      mark(true);
+    });
+    target.addEventListener('dragleave', (event) => {
+      if (!target.contains(event.relatedTarget as Node | null)) mark(false);
+    });
+    target.addEventListener(
+      'drop',
+      (event) => {
+        mark(false);
+        const file = event.dataTransfer?.files[0];
+        if (file === undefined) return;
+        event.preventDefault();
+        event.stopPropagation();
+        void this.openFile(file);
+      },
+      { capture: true },
+    );
+  }
+
+  #key(event: KeyboardEvent): void {
+    const inside = event.composedPath()[0];
+    const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
+    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
+    else if (event.key === 'F9') this.#playback.step(event.shiftKey ? 'previous' : 'next');
+    else if (event.key === 'F8') this.#editor?.nextProblem(event.shiftKey ? 'previous' : 'next');
+    else if (event.key === '?' && !typing) this.#help.toggle();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // ---- the worker ---------------------------------------------------------------------------------
+
+  #connect(): void {
+    const client = new CoreClient({
+      event: (event) => this.#heard(event),
+      lost: (loss) => this.#lost(loss),
+    });
+    this.#line = {
+      client,
+      pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
+      tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
+    };
+    client.send({ kind: 'language', tag: this.language });
+    client.send({
+      kind: 'canvas',
+      canvas: this.#drawing.handOverCanvas(),
+      size: this.#drawing.size,
+      palette: this.#drawing.palette,
+    });
+    this.#sendSetup();
+  }
+
+  #heard(event: WorkerEvent): void {
+    switch (event.kind) {
+      case 'report':
+        if (event.report.revision === this.#editor?.revision) this.#showReport(event.report);
+        break;
+      case 'progress':
+        if (event.revision === this.#editor?.revision) this.#status.progress = event.done;
+        break;
+      case 'setup-rejected':
+        this.#notice.show(this.#strings.setupRejected(event.reason), 'setup');
+        break;
+      case 'setup-accepted':
+        this.#notice.hide('setup');
+        break;
+      default:
+        break;
+    }
+  }
+
+  /** A new worker, waiting for the reader's next change: the same text would only fail again. */
+  #lost(loss: Loss): void {
+    console.error('gcode-playground: the interpreter was lost', loss);
+    this.#playback.length = 0;
+    this.#drawing.summary = undefined;
+    this.#drawing.showTip(undefined);
+    const texts = this.#strings;
+    if (loss.kind === 'load-failed') {
+      this.#line = undefined;
+      this.#status.fail();
+      this.#notice.show(texts.loadFailed(loss.reason), 'core');
+      return;
+    }
+    this.#connect();
+    this.#status.fail();
+    this.#notice.show(loss.kind === 'silent' ? texts.stopped : texts.crashed, 'core');
+  }
+
+  /** Small programs go at once, large ones when the reader pauses. */
+  #textEdited(): void {
+    const length = this.#editor?.length ?? 0;
+    clearTimeout(this.#sending);
+    this.#sending = setTimeout(
+      () => {
+        this.#sendText();
+        this.#changed();
+      },
+      length < 100_000 ? 30 : length < 1_000_000 ? 150 : 500,
+    );
+  }
+
+  #sendText(): void {
+    clearTimeout(this.#sending);
+    this.#sending = undefined;
+    const editor = this.#editor;
+    if (editor === undefined || this.#line === undefined) return;
+    this.#playback.pause();
+    const cursor = this.#cursorKnown ? editor.cursor : undefined;
+    this.#line.client.send({ kind: 'text', text: editor.text, revision: editor.revision, cursor });
+    this.#notice.hide('core');
+    void this.#askTokens();
+  }
+
+  #sendSetup(): void {
+    const merged = mergedSetup(this.setup, this.control);
+    if (merged.kind === 'unreadable') this.#notice.show(this.#strings.setupRejected(merged.reason), 'setup');
+    else this.#line?.client.send({ kind: 'setup', json: merged.json });
+  }
+
+  async #askTokens(): Promise<void> {
+    const editor = this.#editor;
+    const line = this.#line;
+    // While an edit waits to be sent, the worker would colour older text.
+    if (editor === undefined || line === undefined || this.#sending !== undefined) return;
+    const lines = editor.linesInSight;
+    if (lines === undefined) return;
+    const { revision } = editor;
+    const tokens = await line.client.ask('tokens', lines);
+    if (editor.revision === revision) editor.tokens = tokens;
+  }
+
+  async #clicked(x: number, y: number, keepFocus: boolean): Promise<void> {
+    const stroke = await this.#line?.client.ask('pick', { x, y });
+    if (stroke === undefined) return;
+    this.#cursorKnown = true;
+    this.#editor?.select(stroke);
+    if (!keepFocus) this.#editor?.focus();
+    this.#line?.client.send({ kind: 'cursor', offset: stroke.from });
+    this.#fire('gcode-select', { stroke });
+  }
+
+  // ---- showing ------------------------------------------------------------------------------------
+
+  #showReport(report: Report): void {
+    const { summary, diagnostics, pathLength } = report;
+    this.#status.summary = summary;
+    this.#drawing.summary = summary;
+    this.#problems.diagnostics = diagnostics;
+    this.#playback.length = pathLength;
+    this.#showTool(undefined);
+    if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
+    this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
+  }
+
+  #showHovered(stroke: Stroke | undefined): void {
+    this.#drawing.showTip(stroke);
+    if (stroke?.motion === this.#hovered) return;
+    this.#hovered = stroke?.motion;
+    this.#line?.client.send({ kind: 'hover', motion: stroke?.motion });
+    if (this.#editor !== undefined) this.#editor.hovered = stroke;
+  }
+
+  #showTool(place: ToolPlace | undefined): void {
+    this.#playback.place = place;
+    const from = place?.stroke?.from;
+    if (from === this.#running) return;
+    this.#running = from;
+    if (this.#editor !== undefined) this.#editor.running = place?.stroke;
+  }
+
+  #showLanguage(): void {
+    const language = this.language;
+    const texts = (this.#strings = strings(language));
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#help]) {
+      shown.strings = texts;
+    }
+    if (this.#editor !== undefined) this.#editor.language = language;
+    this.#line?.client.send({ kind: 'language', tag: language });
+  }
+
+  #changed(): void {
+    this.#fire('gcode-change', { value: this.value });
+  }
+
+  #fire<Detail>(type: string, detail: Detail): void {
+    this.dispatchEvent(new CustomEvent<Detail>(type, { detail, bubbles: true, composed: true }));
+  }
+
+  #setOrRemove(attribute: string, value: string | null): void {
+    if (value === null) this.removeAttribute(attribute);
+    else this.setAttribute(attribute, value);
+  }
+}
+
+if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);

@@ -1,0 +1,35 @@
+// The popover with keys and gestures.
+//
+// In: the language's strings. Out: an element with `toggle`. Must not know: who answers to the keys.
+
+import { make, name } from './dom';
+import type { Strings } from './i18n';
+
+export class Help {
+  readonly button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
+  readonly element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
+
+  constructor(strings: Strings) {
+    this.button.popoverTargetElement = this.element;
+    this.strings = strings;
+  }
+
+  set strings(strings: Strings) {
+    name(this.button, `${strings.help} (?)`);
+    this.element.setAttribute('aria-label', strings.helpTitle);
+    const close = make('button', { type: 'button', className: 'quiet close' }, '×');
+    name(close, strings.close);
+    close.addEventListener('click', () => this.element.hidePopover());
+    const keys = make('dl');
+    for (const [pressed, what] of strings.shortcuts) {
+      const term = make('dt');
+      for (const [i, key] of pressed.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
+      keys.append(term, make('dd', {}, what));
+    }
+    this.element.replaceChildren(make('h2', {}, strings.helpTitle), close, keys);
+  }
+
+  toggle(): void {
+    this.element.togglePopover();
+  }
+}

@@ -1,0 +1,347 @@
+// Every word the page itself says, in English, Chinese and Russian.
+//
+// In: a language. Out: its table of strings; sentences with numbers are functions, so each language
+// forms its own plurals. `Strings` is exhaustive: a missing translation is a type error.
+// Must not know: the messages about a program; those come translated from the interpreter.
+
+export const LANGUAGES = ['en', 'zh', 'ru'] as const;
+export type Language = (typeof LANGUAGES)[number];
+
+export interface Strings {
+  readonly languageName: string;
+  // the editor and the problems
+  readonly program: string;
+  readonly hint: string;
+  readonly problems: string;
+  readonly noProblems: string;
+  readonly problemCount: (n: number) => string;
+  readonly moreProblems: (n: number) => string;
+  readonly severity: { readonly error: string; readonly warning: string; readonly info: string };
+  readonly kind: { readonly wrong: string; readonly unsupported: string; readonly machine: string };
+  readonly alarm: (number: string) => string;
+  readonly fix: (title: string) => string;
+  readonly line: (n: number) => string;
+  readonly place: (line: number, column: number) => string;
+  // the status line
+  readonly motions: (n: number) => string;
+  readonly lines: (n: number) => string;
+  readonly running: (percent: number) => string;
+  readonly loading: string;
+  // the drawing
+  readonly drawing: (motions: number) => string;
+  readonly nothingToDraw: string;
+  readonly fit: string;
+  readonly zoomIn: string;
+  readonly zoomOut: string;
+  readonly rapid: string;
+  readonly feed: string;
+  readonly thread: string;
+  // playing
+  readonly playback: string;
+  readonly play: string;
+  readonly pause: string;
+  readonly stepBack: string;
+  readonly stepForward: string;
+  readonly wholePath: string;
+  readonly position: string;
+  readonly positionText: (x: string, z: string) => string;
+  readonly speed: string;
+  // notices
+  readonly dismiss: string;
+  readonly loadFailed: (reason: string) => string;
+  readonly stopped: string;
+  readonly crashed: string;
+  readonly setupRejected: (reason: string) => string;
+  readonly opened: (name: string) => string;
+  readonly openedDamaged: (name: string, count: number) => string;
+  readonly fileTooLarge: (name: string) => string;
+  readonly fileUnreadable: (name: string) => string;
+  readonly dropHere: string;
+  // help
+  readonly help: string;
+  readonly helpTitle: string;
+  readonly shortcuts: readonly (readonly [keys: string, what: string])[];
+  readonly close: string;
+  // the page around the element
+  readonly page: {
+    readonly title: string;
+    readonly example: string;
+    readonly complete: string;
+    readonly partial: string;
+    readonly ownProgram: string;
+    readonly needs: (what: string) => string;
+    readonly control: string;
+    readonly language: string;
+    readonly theme: string;
+    readonly themes: { readonly auto: string; readonly light: string; readonly dark: string };
+    readonly openFile: string;
+    readonly settings: string;
+    readonly restored: string;
+    readonly startAfresh: string;
+    readonly kept: string;
+    readonly bringBack: string;
+  };
+}
+
+type Forms = Partial<Record<Intl.LDMLPluralRule, string>> & { readonly other: string };
+
+/** "42 motions": the number in the language's own writing, then the form that number asks for. */
+function counter(language: Language, forms: Forms): (n: number) => string {
+  const rules = new Intl.PluralRules(language);
+  const numbers = new Intl.NumberFormat(language);
+  return (n) => `${numbers.format(n)} ${forms[rules.select(n)] ?? forms.other}`;
+}
+
+const en: Strings = {
+  languageName: 'English',
+  program: 'Program',
+  hint: 'Edit the program — the picture follows. Press ▶ to watch the tool.',
+  problems: 'Problems',
+  noProblems: 'no problems',
+  problemCount: counter('en', { one: 'problem', other: 'problems' }),
+  moreProblems: (n) => `… and ${n} more`,
+  severity: { error: 'Error', warning: 'Warning', info: 'Note' },
+  kind: { wrong: '', unsupported: 'not supported here', machine: 'depends on the machine' },
+  alarm: (number) => `alarm ${number}`,
+  fix: (title) => `Fix: ${title}`,
+  line: (n) => `line ${n}`,
+  place: (line, column) => `line ${line}, column ${column}`,
+  motions: counter('en', { one: 'motion', other: 'motions' }),
+  lines: counter('en', { one: 'line', other: 'lines' }),
+  running: (percent) => `Running … ${percent} %`,
+  loading: 'Loading …',
+  drawing: (n) =>
+    `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
+  nothingToDraw: 'No motion yet. Write a move in the program, or choose an example.',
+  fit: 'Show all (F)',
+  zoomIn: 'Zoom in (+)',
+  zoomOut: 'Zoom out (−)',
+  rapid: 'rapid',
+  feed: 'cutting',
+  thread: 'thread',
+  playback: 'Playback',
+  play: 'Play',
+  pause: 'Pause',
+  stepBack: 'Previous motion',
+  stepForward: 'Next motion',
+  wholePath: 'Show the whole path',
+  position: 'Position along the path',
+  positionText: (x, z) => `X diameter ${x}, Z ${z}`,
+  speed: 'Speed',
+  dismiss: 'Dismiss',
+  loadFailed: (reason) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
+  stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
+  crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
+  setupRejected: (reason) => `The setup was not accepted: ${reason}`,
+  opened: (name) => `Opened ${name}`,
+  openedDamaged: (name, count) => `Opened ${name}. It is not plain UTF-8 text: ${count} unreadable places are shown as �.`,
+  fileTooLarge: (name) => `${name} is larger than 64 MB and was not opened.`,
+  fileUnreadable: (name) => `${name} could not be read.`,
+  dropHere: 'Drop the program here',
+  help: 'Help',
+  helpTitle: 'Keys and gestures',
+  shortcuts: [
+    ['Ctrl Enter', 'play or pause'],
+    ['F9  Shift F9', 'next or previous motion'],
+    ['F8  Shift F8', 'next or previous problem'],
+    ['Ctrl F', 'search in the program'],
+    ['Ctrl Z  Ctrl Y', 'undo, redo'],
+    ['Tab', 'leave the editor'],
+    ['Arrow keys', 'move the drawing (when it has the focus)'],
+    ['+  −  F', 'zoom in, zoom out, show all'],
+    ['Drag, wheel, pinch', 'move and zoom the drawing'],
+    ['Click on a stroke', 'select the block that made it'],
+  ],
+  close: 'Close',
+  page: {
+    title: 'G-code playground',
+    example: 'Example',
+    complete: 'Ready to play',
+    partial: 'Partly supported so far',
+    ownProgram: 'My own program',
+    needs: (what) => `Not drawn completely yet: ${what} is still to come.`,
+    control: 'Control',
+    language: 'Language',
+    theme: 'Theme',
+    themes: { auto: 'As the system', light: 'Light', dark: 'Dark' },
+    openFile: 'Open file',
+    settings: 'Settings',
+    restored: 'Restored your last program',
+    startAfresh: 'Start afresh',
+    kept: 'Your last program is kept',
+    bringBack: 'Bring it back',
+  },
+};
+
+const zh: Strings = {
+  languageName: '中文',
+  program: '程序',
+  hint: '修改程序，图形随之变化。按 ▶ 观看刀具运动。',
+  problems: '问题',
+  noProblems: '没有问题',
+  problemCount: counter('zh', { other: '个问题' }),
+  moreProblems: (n) => `……还有 ${n} 个`,
+  severity: { error: '错误', warning: '警告', info: '提示' },
+  kind: { wrong: '', unsupported: '此处暂不支持', machine: '取决于机床' },
+  alarm: (number) => `报警 ${number}`,
+  fix: (title) => `修正：${title}`,
+  line: (n) => `第 ${n} 行`,
+  place: (line, column) => `第 ${line} 行第 ${column} 列`,
+  motions: counter('zh', { other: '段运动' }),
+  lines: counter('zh', { other: '行' }),
+  running: (percent) => `正在运行…… ${percent} %`,
+  loading: '正在加载……',
+  drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
+  nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
+  fit: '显示全图 (F)',
+  zoomIn: '放大 (+)',
+  zoomOut: '缩小 (−)',
+  rapid: '快速移动',
+  feed: '切削进给',
+  thread: '螺纹切削',
+  playback: '播放',
+  play: '播放',
+  pause: '暂停',
+  stepBack: '上一段运动',
+  stepForward: '下一段运动',
+  wholePath: '显示完整轨迹',
+  position: '在轨迹上的位置',
+  positionText: (x, z) => `X 直径 ${x}，Z ${z}`,
+  speed: '速度',
+  dismiss: '关闭提示',
+  loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
+  stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
+  crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
+  setupRejected: (reason) => `设置未被接受：${reason}`,
+  opened: (name) => `已打开 ${name}`,
+  openedDamaged: (name, count) => `已打开 ${name}。它不是纯 UTF-8 文本：${count} 处无法识别，显示为 �。`,
+  fileTooLarge: (name) => `${name} 超过 64 MB，未打开。`,
+  fileUnreadable: (name) => `无法读取 ${name}。`,
+  dropHere: '将程序文件拖放到此处',
+  help: '帮助',
+  helpTitle: '按键与手势',
+  shortcuts: [
+    ['Ctrl Enter', '播放或暂停'],
+    ['F9  Shift F9', '下一段或上一段运动'],
+    ['F8  Shift F8', '下一个或上一个问题'],
+    ['Ctrl F', '在程序中查找'],
+    ['Ctrl Z  Ctrl Y', '撤销、重做'],
+    ['Tab', '离开编辑器'],
+    ['方向键', '移动图形（图形获得焦点时）'],
+    ['+  −  F', '放大、缩小、显示全图'],
+    ['拖动、滚轮、双指', '移动和缩放图形'],
+    ['单击线条', '选中生成它的程序段'],
+  ],
+  close: '关闭',
+  page: {
+    title: 'G 代码演练场',
+    example: '示例',
+    complete: '可完整演示',
+    partial: '目前部分支持',
+    ownProgram: '我的程序',
+    needs: (what) => `图形尚不完整：${what} 将在以后支持。`,
+    control: '数控系统',
+    language: '语言',
+    theme: '主题',
+    themes: { auto: '跟随系统', light: '浅色', dark: '深色' },
+    openFile: '打开文件',
+    settings: '设置',
+    restored: '已恢复您上次的程序',
+    startAfresh: '重新开始',
+    kept: '您上次的程序已保留',
+    bringBack: '恢复',
+  },
+};
+
+const ru: Strings = {
+  languageName: 'Русский',
+  program: 'Программа',
+  hint: 'Меняйте программу — рисунок следует за ней. Нажмите ▶, чтобы увидеть движение резца.',
+  problems: 'Замечания',
+  noProblems: 'замечаний нет',
+  problemCount: counter('ru', { one: 'замечание', few: 'замечания', other: 'замечаний' }),
+  moreProblems: (n) => `… и ещё ${n}`,
+  severity: { error: 'Ошибка', warning: 'Предупреждение', info: 'Примечание' },
+  kind: { wrong: '', unsupported: 'пока не поддерживается', machine: 'зависит от станка' },
+  alarm: (number) => `сигнал ${number}`,
+  fix: (title) => `Исправить: ${title}`,
+  line: (n) => `строка ${n}`,
+  place: (line, column) => `строка ${line}, столбец ${column}`,
+  motions: counter('ru', { one: 'перемещение', few: 'перемещения', other: 'перемещений' }),
+  lines: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
+  running: (percent) => `Выполняется … ${percent} %`,
+  loading: 'Загрузка …',
+  drawing: (n) =>
+    `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
+  nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
+  fit: 'Показать всё (F)',
+  zoomIn: 'Крупнее (+)',
+  zoomOut: 'Мельче (−)',
+  rapid: 'ускоренный ход',
+  feed: 'рабочий ход',
+  thread: 'резьба',
+  playback: 'Воспроизведение',
+  play: 'Пуск',
+  pause: 'Пауза',
+  stepBack: 'Предыдущее перемещение',
+  stepForward: 'Следующее перемещение',
+  wholePath: 'Показать всю траекторию',
+  position: 'Положение на траектории',
+  positionText: (x, z) => `X диаметр ${x}, Z ${z}`,
+  speed: 'Скорость',
+  dismiss: 'Скрыть',
+  loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
+  stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
+  crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
+  setupRejected: (reason) => `Настройка не принята: ${reason}`,
+  opened: (name) => `Открыт файл ${name}`,
+  openedDamaged: (name, count) => `Открыт файл ${name}. Это не чистый текст UTF-8: нечитаемых мест — ${count}, они показаны как �.`,
+  fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
+  fileUnreadable: (name) => `Файл ${name} не читается.`,
+  dropHere: 'Отпустите файл с программой здесь',
+  help: 'Справка',
+  helpTitle: 'Клавиши и жесты',
+  shortcuts: [
+    ['Ctrl Enter', 'пуск или пауза'],
+    ['F9  Shift F9', 'следующее или предыдущее перемещение'],
+    ['F8  Shift F8', 'следующее или предыдущее замечание'],
+    ['Ctrl F', 'поиск в программе'],
+    ['Ctrl Z  Ctrl Y', 'отменить, вернуть'],
+    ['Tab', 'выйти из редактора'],
+    ['Стрелки', 'сдвинуть чертёж (когда он в фокусе)'],
+    ['+  −  F', 'крупнее, мельче, показать всё'],
+    ['Мышь, колесо, два пальца', 'сдвиг и масштаб чертежа'],
+    ['Щелчок по линии', 'выделить её кадр'],
+  ],
+  close: 'Закрыть',
+  page: {
+    title: 'Песочница G-кода',
+    example: 'Пример',
+    complete: 'Готовы к показу',
+    partial: 'Пока поддержаны частично',
+    ownProgram: 'Моя программа',
+    needs: (what) => `Нарисовано ещё не всё: ${what} — в планах.`,
+    control: 'Система ЧПУ',
+    language: 'Язык',
+    theme: 'Тема',
+    themes: { auto: 'Как в системе', light: 'Светлая', dark: 'Тёмная' },
+    openFile: 'Открыть файл',
+    settings: 'Настройки',
+    restored: 'Ваша последняя программа восстановлена',
+    startAfresh: 'Начать заново',
+    kept: 'Ваша последняя программа сохранена',
+    bringBack: 'Вернуть',
+  },
+};
+
+const TABLES: Readonly<Record<Language, Strings>> = { en, zh, ru };
+
+export function strings(language: Language): Strings {
+  return TABLES[language];
+}
+
+/** The best of our languages for a tag such as `zh-Hant-TW`; English when there is none. */
+export function languageOf(tag: string | null | undefined): Language {
+  const primary = (tag ?? '').toLowerCase().split('-')[0];
+  return LANGUAGES.find((language) => language === primary) ?? 'en';
+}

@@ -1,0 +1,226 @@
+// The page around the element: header, gallery, the reader's choices, and what is kept between visits.
+//
+// In: the address (`#example`), the browser's store, the header's controls. Out: attributes and the value of the
+// element; the sentence above the program. Must not know: how the element works inside, or what a setup holds
+// beyond the name of its control.
+
+import './element';
+import './page.css';
+import { make } from './dom';
+import type { GcodePlayground } from './element';
+import { exampleOf, examples, type Example } from './gallery';
+import { LANGUAGES, languageOf, strings, type Language } from './i18n';
+import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
+
+const FIRST_EXAMPLE = 's000-o0002';
+const CONTROLS = [
+  ['fanuc', 'FANUC'],
+  ['gsk', 'GSK'],
+  ['forum', 'Forum'],
+] as const;
+const THEMES = ['auto', 'light', 'dark'] as const;
+/** How long the reader must pause before the program is kept. */
+const KEEP_AFTER_MS = 400;
+
+type Above = { readonly kind: 'example' } | { readonly kind: 'restored' } | { readonly kind: 'kept'; readonly program: KeptProgram };
+
+const playground = find<GcodePlayground>('playground');
+const intro = find('intro');
+const exampleSelect = find<HTMLSelectElement>('example');
+const controlSelect = find<HTMLSelectElement>('control');
+const languageSelect = find<HTMLSelectElement>('language');
+const themeSelect = find<HTMLSelectElement>('theme');
+const openButton = find<HTMLButtonElement>('open');
+const fileInput = find<HTMLInputElement>('file');
+const settingsToggle = find<HTMLButtonElement>('settings-toggle');
+const settings = find('settings');
+
+let language: Language = languageOf(choices().language ?? navigator.language);
+let example: Example | undefined;
+let above: Above = { kind: 'example' };
+let keeping: ReturnType<typeof setTimeout> | undefined;
+/** The text as it was last loaded or kept. */
+let known = '';
+
+start();
+
+function start(): void {
+  const theme = THEMES.find((known) => known === choices().theme) ?? 'auto';
+  for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
+  for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, strings(tag).languageName));
+  for (const value of THEMES) themeSelect.append(make('option', { value }));
+  showTheme(theme);
+  showLanguage();
+  listen();
+  begin();
+}
+
+/** The kept program, the example of the address, or the first one. */
+function begin(): void {
+  const asked = exampleOf(location.hash.slice(1));
+  const kept = keptProgram();
+  if (kept !== undefined && (asked === undefined || asked.id === kept.example)) {
+    restore(kept);
+    return;
+  }
+  load(asked ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  if (kept !== undefined) showAbove({ kind: 'kept', program: kept });
+}
+
+function load(chosen: Example | undefined): void {
+  clearTimeout(keeping);
+  keeping = undefined;
+  example = chosen;
+  if (chosen !== undefined) {
+    playground.setup = chosen.setup;
+    playground.control = controlSelect.value = controlOf(chosen.setup);
+    playground.value = known = chosen.program;
+    exampleSelect.value = chosen.id;
+  }
+  showAbove({ kind: 'example' });
+}
+
+function restore(kept: KeptProgram): void {
+  load(exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  playground.control = controlSelect.value = kept.control;
+  playground.value = known = kept.text;
+  showAbove({ kind: 'restored' });
+}
+
+function listen(): void {
+  exampleSelect.addEventListener('change', () => {
+    const chosen = exampleOf(exampleSelect.value);
+    keepNow();
+    load(chosen);
+    if (chosen !== undefined) history.replaceState(null, '', `#${chosen.id}`);
+  });
+  window.addEventListener('hashchange', () => {
+    const asked = exampleOf(location.hash.slice(1));
+    if (asked === undefined || asked === example) return;
+    keepNow();
+    load(asked);
+  });
+  controlSelect.addEventListener('change', () => {
+    playground.control = controlSelect.value;
+    keepSoon();
+  });
+  languageSelect.addEventListener('change', () => {
+    language = languageOf(languageSelect.value);
+    keepChoices({ language });
+    showLanguage();
+  });
+  themeSelect.addEventListener('change', () => {
+    keepChoices({ theme: themeSelect.value });
+    showTheme(themeSelect.value);
+  });
+  openButton.addEventListener('click', () => fileInput.click());
+  fileInput.addEventListener('change', () => {
+    const file = fileInput.files?.[0];
+    if (file !== undefined) void playground.openFile(file);
+    fileInput.value = '';
+  });
+  settingsToggle.addEventListener('click', () => {
+    const open = settings.classList.toggle('open');
+    settingsToggle.setAttribute('aria-expanded', String(open));
+  });
+  playground.addEventListener('gcode-change', keepSoon);
+  window.addEventListener('pagehide', keepNow);
+}
+
+// ---- keeping --------------------------------------------------------------------------------------
+
+function keepSoon(): void {
+  clearTimeout(keeping);
+  keeping = setTimeout(keepNow, KEEP_AFTER_MS);
+}
+
+/** Keeps what waits to be kept; a program that is the example again needs no keeping. */
+function keepNow(): void {
+  const text = playground.value;
+  if (keeping === undefined && text === known) return;
+  clearTimeout(keeping);
+  keeping = undefined;
+  known = text;
+  const id = example?.id ?? '';
+  if (text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
+  else keepProgram({ text, example: id, control: controlSelect.value });
+}
+
+// ---- showing --------------------------------------------------------------------------------------
+
+function showAbove(what: Above): void {
+  above = what;
+  const texts = strings(language);
+  const lines: HTMLElement[] = [];
+  if (example !== undefined) {
+    lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
+    if (example.needs.length > 0) lines.push(make('p', {}, texts.page.needs(example.needs.join(', '))));
+  }
+  if (what.kind === 'example') lines.push(make('p', { className: 'hint' }, texts.hint));
+  if (what.kind === 'restored') {
+    lines.push(offer(texts.page.restored, texts.page.startAfresh, () => {
+      forgetProgram();
+      load(example);
+    }));
+  }
+  if (what.kind === 'kept') lines.push(offer(texts.page.kept, texts.page.bringBack, () => restore(what.program)));
+  intro.replaceChildren(...lines);
+}
+
+function offer(news: string, action: string, accepted: () => void): HTMLElement {
+  const button = make('button', { type: 'button', className: 'link' }, action);
+  button.addEventListener('click', accepted);
+  return make('p', { className: 'kept' }, `${news} · `, button);
+}
+
+function showLanguage(): void {
+  const texts = strings(language).page;
+  document.documentElement.lang = language;
+  document.title = texts.title;
+  find('title').textContent = texts.title;
+  playground.language = language;
+  languageSelect.value = language;
+  label(exampleSelect, texts.example);
+  label(controlSelect, texts.control);
+  label(languageSelect, texts.language);
+  label(themeSelect, texts.theme);
+  for (const option of themeSelect.options) option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
+  openButton.textContent = texts.openFile;
+  settingsToggle.textContent = texts.settings;
+  showExamples();
+  showAbove(above);
+}
+
+function showExamples(): void {
+  const texts = strings(language).page;
+  const group = (title: string, members: readonly Example[]): HTMLOptGroupElement =>
+    make('optgroup', { label: title }, ...members.map(({ id, title: titles }) => make('option', { value: id }, titles[language])));
+  const complete = examples.filter((one) => one.needs.length === 0);
+  const partial = examples.filter((one) => one.needs.length > 0);
+  exampleSelect.replaceChildren();
+  if (complete.length > 0) exampleSelect.append(group(texts.complete, complete));
+  if (partial.length > 0) exampleSelect.append(group(texts.partial, partial));
+  exampleSelect.value = example?.id ?? '';
+}
+
+function showTheme(theme: string): void {
+  themeSelect.value = theme;
+  document.documentElement.dataset['theme'] = theme;
+  playground.theme = theme;
+}
+
+function label(select: HTMLSelectElement, text: string): void {
+  const caption = select.previousElementSibling;
+  if (caption !== null) caption.textContent = text;
+}
+
+function controlOf(setup: string): string {
+  const parsed = JSON.parse(setup) as { readonly dialect?: { readonly control?: string } };
+  return parsed.dialect?.control ?? 'fanuc';
+}
+
+function find<E extends HTMLElement = HTMLElement>(id: string): E {
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no #${id}`);
+  return element as E;
+}

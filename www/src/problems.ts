@@ -1,0 +1,93 @@
+// The list of problems under the editor.
+//
+// In: the diagnostics of the newest run. Out: `chosen` (the reader wants to see the place) and `fixed`
+// (the reader wants a repair applied). Must not know: the editor, or what a diagnostic is about.
+
+import { icon, make, prose } from './dom';
+import type { Strings } from './i18n';
+import type { Diagnostic, Fix } from './protocol';
+
+/** A program can have any number of problems; nobody reads more than these. */
+const SHOWN = 200;
+
+export interface ProblemsEvents {
+  chosen(diagnostic: Diagnostic): void;
+  fixed(fix: Fix): void;
+}
+
+export class Problems {
+  readonly element: HTMLElement;
+  readonly #events: ProblemsEvents;
+  readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
+  readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
+  #strings: Strings;
+  #diagnostics: readonly Diagnostic[] = [];
+
+  constructor(strings: Strings, events: ProblemsEvents) {
+    this.#strings = strings;
+    this.#events = events;
+    this.#toggle.setAttribute('aria-controls', this.#list.id);
+    this.#toggle.addEventListener('click', () => this.#setOpen(this.#list.hidden === true));
+    this.element = make('section', { className: 'problems', part: 'problems' }, this.#toggle, this.#list);
+    this.#render();
+  }
+
+  set strings(strings: Strings) {
+    this.#strings = strings;
+    this.#render();
+  }
+
+  set diagnostics(diagnostics: readonly Diagnostic[]) {
+    this.#diagnostics = diagnostics;
+    this.#render();
+  }
+
+  #setOpen(open: boolean): void {
+    this.#list.hidden = !open;
+    this.#toggle.setAttribute('aria-expanded', String(open));
+  }
+
+  #render(): void {
+    const strings = this.#strings;
+    const count = this.#diagnostics.length;
+    this.element.hidden = count === 0;
+    this.element.setAttribute('aria-label', strings.problems);
+    this.#toggle.replaceChildren(
+      icon('chevron'),
+      make('span', {}, strings.problems),
+      make('span', { className: 'count' }, String(count)),
+    );
+    const items = this.#diagnostics.slice(0, SHOWN).map((diagnostic) => this.#item(diagnostic));
+    if (count > SHOWN) items.push(make('li', { className: 'more' }, strings.moreProblems(count - SHOWN)));
+    this.#list.replaceChildren(...items);
+  }
+
+  #item(diagnostic: Diagnostic): HTMLLIElement {
+    const strings = this.#strings;
+    const title = strings.severity[diagnostic.severity];
+    const mark = icon(diagnostic.severity);
+    const facts = [strings.place(diagnostic.line, diagnostic.column), strings.kind[diagnostic.kind], diagnostic.code];
+    if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
+    const button = make(
+      'button',
+      { type: 'button', className: `problem ${diagnostic.severity}` },
+      mark,
+      make('span', { className: 'unseen' }, `${title}: `),
+      make(
+        'span',
+        { className: 'what' },
+        make('span', { className: 'message' }, ...prose(diagnostic.message)),
+        ' ',
+        make('span', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')),
+      ),
+    );
+    button.addEventListener('click', () => this.#events.chosen(diagnostic));
+    const item = make('li', {}, button);
+    for (const fix of diagnostic.fixes) {
+      const repair = make('button', { type: 'button', className: 'fix' }, strings.fix(fix.title));
+      repair.addEventListener('click', () => this.#events.fixed(fix));
+      item.append(repair);
+    }
+    return item;
+  }
+}

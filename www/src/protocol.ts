@@ -1,0 +1,80 @@
+// What the page and the worker say to each other: the only things that cross between the two threads.
+//
+// Down go commands (state, no answer) and questions (each with an id and exactly one answer);
+// up come events. The interpreter's own types are taken from its generated package, never written again.
+// Must not know: how either side does its work.
+
+import type { Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
+
+export type { Diagnostic, Palette, Stroke, Summary };
+export type { Fix } from '../pkg/gcode_playground.js';
+
+/** A size in CSS pixels and the device pixels each of them has. */
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+  readonly pixelRatio: number;
+}
+
+export type Command =
+  | { readonly kind: 'canvas'; readonly canvas: OffscreenCanvas; readonly size: Size; readonly palette: Palette }
+  | { readonly kind: 'resize'; readonly size: Size }
+  | { readonly kind: 'palette'; readonly palette: Palette }
+  | { readonly kind: 'language'; readonly tag: string }
+  | { readonly kind: 'setup'; readonly json: string }
+  /** `revision` comes back with the report, so that a report on older text can be told apart. */
+  | { readonly kind: 'text'; readonly text: string; readonly revision: number; readonly cursor: number | undefined }
+  | { readonly kind: 'cursor'; readonly offset: number | undefined }
+  | { readonly kind: 'hover'; readonly motion: number | undefined }
+  | { readonly kind: 'fit' }
+  /** CSS pixels. */
+  | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
+  | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
+
+/** Where the tool is: `distance` in mm along the whole path. */
+export interface ToolPlace {
+  readonly distance: number;
+  readonly stroke: Stroke | undefined;
+}
+
+/** Every question with what it asks and what it is answered. */
+export interface Questions {
+  ping: { ask: undefined; answer: true };
+  /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
+  tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
+  pick: { ask: { readonly x: number; readonly y: number }; answer: Stroke | undefined };
+  playhead: { ask: { readonly distance: number | undefined }; answer: ToolPlace | undefined };
+  step: { ask: { readonly distance: number; readonly direction: 'next' | 'previous' }; answer: ToolPlace };
+  /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
+  locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
+}
+
+export type QuestionKind = keyof Questions;
+
+export interface Question<K extends QuestionKind = QuestionKind> {
+  readonly kind: 'question';
+  readonly id: number;
+  readonly about: K;
+  readonly ask: Questions[K]['ask'];
+}
+
+/** What one finished run has found. */
+export interface Report {
+  readonly revision: number;
+  readonly summary: Summary;
+  readonly diagnostics: readonly Diagnostic[];
+  /** mm */
+  readonly pathLength: number;
+}
+
+export type WorkerEvent =
+  | { readonly kind: 'ready' }
+  | { readonly kind: 'load-failed'; readonly reason: string }
+  | { readonly kind: 'report'; readonly report: Report }
+  /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
+  | { readonly kind: 'progress'; readonly revision: number; readonly done: number }
+  | { readonly kind: 'setup-rejected'; readonly reason: string }
+  | { readonly kind: 'setup-accepted' }
+  | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown }
+  /** The interpreter threw: this worker is of no further use. */
+  | { readonly kind: 'crashed'; readonly reason: string };

@@ -1,0 +1,70 @@
+// The slim line at the foot: "42 motions · 14 lines · no problems".
+//
+// In: the summary of the newest run, or how far a long one is. Out: nothing.
+// Must not know: how a program is run.
+
+import { make } from './dom';
+import type { Strings } from './i18n';
+import type { Summary } from './protocol';
+
+type Shown =
+  | { readonly kind: 'loading' }
+  | { readonly kind: 'running'; readonly done: number }
+  | { readonly kind: 'failed' }
+  | { readonly kind: 'summary'; readonly summary: Summary };
+
+export class StatusLine {
+  readonly element = make('p', { className: 'status', part: 'status', role: 'status' });
+  #strings: Strings;
+  #shown: Shown = { kind: 'loading' };
+
+  constructor(strings: Strings) {
+    this.#strings = strings;
+    this.#render();
+  }
+
+  set strings(strings: Strings) {
+    this.#strings = strings;
+    this.#render();
+  }
+
+  set summary(summary: Summary) {
+    this.#show({ kind: 'summary', summary });
+  }
+
+  set progress(done: number) {
+    this.#show({ kind: 'running', done });
+  }
+
+  /** The run gave nothing; the notice says why. */
+  fail(): void {
+    this.#show({ kind: 'failed' });
+  }
+
+  #show(shown: Shown): void {
+    this.#shown = shown;
+    this.#render();
+  }
+
+  #render(): void {
+    this.element.textContent = this.#text();
+  }
+
+  #text(): string {
+    const strings = this.#strings;
+    switch (this.#shown.kind) {
+      case 'loading':
+        return strings.loading;
+      case 'running':
+        return strings.running(Math.floor(this.#shown.done * 100));
+      case 'failed':
+        return '—';
+      case 'summary': {
+        const { motions, lines, errors, warnings, infos } = this.#shown.summary;
+        const problems = errors + warnings + infos;
+        const found = problems === 0 ? strings.noProblems : strings.problemCount(problems);
+        return `${strings.motions(motions)} · ${strings.lines(lines)} · ${found}`;
+      }
+    }
+  }
+}

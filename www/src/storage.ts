@@ -1,0 +1,62 @@
+// What the browser remembers between visits: the last program of this page, and the reader's choices.
+//
+// In and out: plain values. A browser that refuses to store (private mode, full) is no error: nothing is kept.
+// Must not know: what a program is.
+
+export interface KeptProgram {
+  readonly text: string;
+  /** The example it began as. */
+  readonly example: string;
+  readonly control: string;
+}
+
+export interface Choices {
+  readonly language?: string;
+  readonly theme?: string;
+}
+
+const PROGRAM = `gcode-playground:program:${location.pathname}`;
+const CHOICES = 'gcode-playground:choices';
+
+export function keptProgram(): KeptProgram | undefined {
+  const kept = read(PROGRAM);
+  const fields = ['text', 'example', 'control'] as const;
+  return fields.every((field) => typeof kept[field] === 'string') ? (kept as unknown as KeptProgram) : undefined;
+}
+
+export function keepProgram(program: KeptProgram): void {
+  write(PROGRAM, program);
+}
+
+export function forgetProgram(): void {
+  try {
+    localStorage.removeItem(PROGRAM);
+  } catch {
+    // Nothing was kept.
+  }
+}
+
+export function choices(): Choices {
+  return read(CHOICES) as Choices;
+}
+
+export function keepChoices(change: Choices): void {
+  write(CHOICES, { ...choices(), ...change });
+}
+
+function read(key: string): Record<string, unknown> {
+  try {
+    const value: unknown = JSON.parse(localStorage.getItem(key) ?? '{}');
+    return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : {};
+  } catch {
+    return {};
+  }
+}
+
+function write(key: string, value: unknown): void {
+  try {
+    localStorage.setItem(key, JSON.stringify(value));
+  } catch {
+    // The program stays in the editor; it is only not remembered.
+  }
+}
