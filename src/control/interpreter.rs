@@ -280,6 +280,7 @@ impl Interpreter {
             G::Feed(mode) => {
                 state.feed_is_old |= mode != state.feed_mode && state.feed.is_some();
                 state.feed_mode = mode;
+                state.told.forget(Once::FeedUnit);
             }
             G::Idle => {}
             G::NotYet => {
@@ -771,7 +772,8 @@ impl Interpreter {
         };
         if words.has_any(letters(b"F")) {
             let per_turn = self.state.feed_mode == FeedMode::PerTurn;
-            if if per_turn { feed >= 5.0 } else { feed < 2.0 } {
+            let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
+            if mixed_up && self.state.told.first(Once::FeedUnit) {
                 self.tell(Diagnostic::new(Message::FeedUnit { feed, per_turn }, words.span(b'F')));
             }
         } else if self.state.feed_is_old {

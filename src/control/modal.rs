@@ -136,6 +136,7 @@ pub enum Once {
     ThreadAtSurfaceSpeed,
     G90AsAbsolute,
     CornerNotYet,
+    FeedUnit,
 }
 
 impl Told {

@@ -29,6 +29,9 @@ const CLEAR: f64 = 7.0;
 /// Picked-out strokes bear arrow heads from this length on the screen, CSS pixels.
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
 
+/// Stretches in view from which on the picture counts as crowded.
+const CROWDED: usize = 40;
+
 /// Draws scenes on a canvas.
 #[derive(Debug)]
 pub struct Painter {
@@ -142,8 +145,9 @@ impl Painter {
         let mut ahead: Vec<&Paths> = in_view.iter().filter(shown).filter_map(whole).collect();
         ahead.insert(0, &after);
         done.push(&before);
+        let detail = Detail::of(&in_view);
         self.sheet.opacity(AHEAD);
-        self.ink(view, &ahead)?;
+        self.ink(view, &ahead, detail)?;
         self.sheet.opacity(1.0);
         self.inked(scene, view, &done, Some(place), &in_view)
     }
@@ -157,7 +161,7 @@ impl Painter {
         until: Option<Place>,
         in_view: &[usize],
     ) -> Result<(), JsValue> {
-        self.ink(view, paths)?;
+        self.ink(view, paths, Detail::of(in_view))?;
         if in_view.len() * STRETCH > MOST_WITH_ARROWS + STRETCH {
             return Ok(());
         }
@@ -173,10 +177,10 @@ impl Painter {
         Ok(())
     }
 
-    fn ink(&self, view: &View, paths: &[&Paths]) -> Result<(), JsValue> {
+    fn ink(&self, view: &View, paths: &[&Paths], detail: Detail) -> Result<(), JsValue> {
         for ink in Ink::ALL {
             let colour = sheet::colour(&view.palette, ink);
-            self.sheet.world(view, sheet::width(ink), sheet::dash(ink), colour)?;
+            self.sheet.world(view, detail.width(view, ink), detail.dash(ink), colour)?;
             for path in paths.iter().filter_map(|paths| paths.get(ink)) {
                 self.sheet.stroke(path);
             }
@@ -245,6 +249,37 @@ impl Painter {
         self.screen.outline(&view.palette.tool, &corners, 1.75);
         let hole = super::camera::Pixel::new((tip.x + corners[2].x) / 2.0, (tip.y + corners[2].y) / 2.0);
         self.screen.dots(&view.palette.tool, [hole].into_iter(), 2.5)
+    }
+}
+
+/// How finely strokes are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Detail {
+    /// With their widths and dashes.
+    Full,
+    /// So many are in view that nobody could tell: all solid and one device pixel wide, which browsers draw
+    /// many times as fast.
+    Crowded,
+}
+
+impl Detail {
+    fn of(in_view: &[usize]) -> Self {
+        if in_view.len() > CROWDED { Self::Crowded } else { Self::Full }
+    }
+
+    /// Line width, CSS pixels.
+    fn width(self, view: &View, ink: Ink) -> f64 {
+        match self {
+            Self::Full => sheet::width(ink),
+            Self::Crowded => 1.0 / view.pixel_ratio(),
+        }
+    }
+
+    fn dash(self, ink: Ink) -> Dash {
+        match self {
+            Self::Full => sheet::dash(ink),
+            Self::Crowded => Dash::Solid,
+        }
     }
 }
 

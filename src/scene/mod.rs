@@ -200,10 +200,18 @@ pub struct StockShape {
 }
 
 impl StockShape {
-    /// Its other half, below the spindle axis.
-    pub fn mirrored(&self) -> Bounds {
+    /// Its two halves, above the spindle axis and below: corners from the bore at the back over the outside to
+    /// the bore at the front.
+    pub fn halves(&self) -> [[Point; 4]; 2] {
         let Bounds { min, max } = self.bounds;
-        Bounds::around(Point::new(-min.x, min.z), Point::new(-max.x, max.z))
+        let corners = [(min.x, min.z), (max.x, min.z), (max.x, max.z), (min.x, max.z)];
+        [1.0, -1.0].map(|side| corners.map(|(x, z)| Point::new(side * x, z)))
+    }
+
+    /// How many of its four edges there are: solid stock has none on the axis, where it would fill the gaps of
+    /// the centre line.
+    pub fn edges(&self) -> usize {
+        if self.bounds.min.x > 0.0 { 4 } else { 3 }
     }
 }
 

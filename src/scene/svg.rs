@@ -91,13 +91,10 @@ impl Drawing {
 
     fn stock(&mut self, scene: &Scene) {
         let Some(stock) = scene.stock() else { return };
-        for (class, bounds) in [("stock mirrored", stock.mirrored()), ("stock", stock.bounds)] {
-            let [low, high] = [bounds.min, bounds.max].map(|point| self.camera.to_screen(point));
-            let [x, y] = [low.x, high.y].map(number);
-            let [width, height] = [high.x - low.x, low.y - high.y].map(number);
-            self.line(&format!(
-                r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"/>"#
-            ));
+        let close = if stock.edges() == 4 { "Z" } else { "" };
+        for (class, corners) in ["stock", "stock mirrored"].into_iter().zip(stock.halves()) {
+            let [a, b, c, d] = corners.map(|corner| self.place(corner));
+            self.line(&format!(r#"<path class="{class}" d="M{a}L{b}L{c}L{d}{close}"/>"#));
         }
     }
 

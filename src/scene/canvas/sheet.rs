@@ -68,12 +68,11 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
 fn stock(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let Some(stock) = scene.stock() else { return Ok(()) };
     let palette = &view.palette;
-    for (bounds, opacity) in [(stock.mirrored(), 0.45), (stock.bounds, 1.0)] {
-        let [low, high] = [bounds.min, bounds.max].map(|point| held(view.camera(), point));
+    for (half, opacity) in stock.halves().into_iter().zip([1.0, 0.45]) {
+        let corners = half.map(|corner| held(view.camera(), corner));
         pen.opacity(opacity);
-        pen.block(&palette.stock, Pixel::new(low.x, high.y), Pixel::new(high.x, low.y));
-        let corners = [(low.x, low.y), (low.x, high.y), (high.x, high.y), (high.x, low.y)];
-        let edges = (0..4).map(|index| from_to(corners[index], corners[(index + 1) % 4]));
+        pen.block(&palette.stock, corners[0], corners[2]);
+        let edges = (0..stock.edges()).map(|index| (corners[index], corners[(index + 1) % 4]));
         pen.hairlines(view, &palette.stock_edge, Dash::Solid, edges)?;
     }
     pen.opacity(1.0);

@@ -1,0 +1,46 @@
+// Whatever is put in, the page answers within seconds, says something, and goes on working.
+import { expect, test, type Page } from '@playwright/test';
+import { open, openFile, status, type } from './page';
+
+const FIVE_MB = 5 * 1024 * 1024;
+
+/** After the bad text a good one must run as ever. */
+async function stillWorks(page: Page): Promise<void> {
+  await openFile(page, 'good.nc', Buffer.from('G0 X50 Z2\nG1 Z-20 F0.2\n'));
+  await expect(status(page)).toContainText(/^2 motions/, { timeout: 15_000 });
+}
+
+test('an empty text', async ({ page }) => {
+  await open(page);
+  await type(page, '');
+  await expect(status(page)).toContainText(/^0 motions/);
+  await expect(page.getByText('No motion yet')).toBeVisible();
+  await stillWorks(page);
+});
+
+test('nothing but an opening parenthesis', async ({ page }) => {
+  await open(page);
+  await type(page, '(');
+  await expect(status(page)).toContainText('1 problem');
+  await expect(page.getByRole('region', { name: 'Problems' }).getByRole('listitem')).toHaveCount(1);
+  await stillWorks(page);
+});
+
+for (const byte of ['X', '(', '0', '\n', '%']) {
+  test(`5 MB of ${JSON.stringify(byte)}`, async ({ page }) => {
+    await open(page);
+    await openFile(page, 'same.nc', new Uint8Array(FIVE_MB).fill(byte.charCodeAt(0)));
+    await expect(page.getByText('Opened same.nc')).toBeVisible();
+    await expect(status(page)).toContainText(/^0 motions/, { timeout: 15_000 });
+    await stillWorks(page);
+  });
+}
+
+test('a binary file', async ({ page }) => {
+  await open(page);
+  const bytes = new Uint8Array(256 * 1024).map((_, i) => (i * 7919 + (i >> 8) * 31) & 0xff);
+  await openFile(page, 'picture.png', bytes);
+  await expect(page.getByText(/not plain UTF-8 text/)).toBeVisible();
+  await expect(status(page)).toContainText(/problem/, { timeout: 15_000 });
+  await stillWorks(page);
+});

@@ -1,0 +1,94 @@
+// A student's first minutes: type a program, read the picture, make a mistake, find the block of a stroke.
+import { expect, test } from '@playwright/test';
+import { between, editor, locate, open, problems, program, selected, status, tooltip, type } from './page';
+
+test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
+  await open(page);
+  // Its blank and start point come from the gallery; the text is typed.
+  await page.getByLabel('Example').selectOption({ value: 's000-o0002' });
+  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+  await type(page, program('s000-o0002'));
+  await expect(status(page)).toContainText(/^42 motions/);
+  await expect(status(page)).toContainText('no problems');
+
+  await test.step('the rapid of line 7 ends at X80', async () => {
+    // Strokes of several blocks lie on each other at Z3; this stretch, X90 to X80, line 7 shares with lines 8 and 9.
+    const place = await between(page, { x: 90, z: 3 }, { x: 80, z: 3 });
+    await page.mouse.move(place.x, place.y);
+    await expect(tooltip(page)).toBeVisible();
+    await expect(tooltip(page)).toContainText(/line [789]/);
+  });
+
+  await test.step('the rapid of line 11 ends at X105', async () => {
+    const place = await between(page, { x: 120, z: -30 }, { x: 105, z: -30 });
+    await page.mouse.move(place.x, place.y);
+    await expect(tooltip(page)).toContainText(/line (11|12|13|14)/);
+  });
+
+  await test.step('a broken line gets its squiggle at the column', async () => {
+    await page.getByText('X110 Z-30', { exact: false }).first().click();
+    await page.keyboard.press('Home');
+    for (let i = 0; i < 'X110 '.length; i++) await page.keyboard.press('ArrowRight');
+    // `X110 Z-30` becomes `X110 ZZ-30`: the first Z has no number.
+    await page.keyboard.type('Z');
+    await expect(status(page)).toContainText(/1 problem|2 problems/);
+    const first = problems(page).getByRole('listitem').first().getByRole('button').first();
+    await expect(first).toContainText('line 4, column 6');
+    await first.click();
+    expect(await selected(page)).toMatch(/^Z/);
+    await page.keyboard.press('Control+Z');
+    await expect(status(page)).toContainText('no problems');
+  });
+
+  await test.step('a click on a stroke selects its block', async () => {
+    // The cone's last cut, X60 Z-30 to X120 Z-80, is line 14's alone.
+    const place = await between(page, { x: 60, z: -30 }, { x: 120, z: -80 }, 0.4);
+    await page.mouse.move(place.x, place.y);
+    await expect(tooltip(page)).toContainText('line 14');
+    await page.mouse.click(place.x, place.y);
+    await expect.poll(() => selected(page)).toContain('Z-80 R-30');
+    await expect(editor(page)).toBeFocused();
+  });
+});
+
+test('the picture keeps its scale under the pointer while zooming, and fits again', async ({ page }) => {
+  await open(page);
+  const before = await locate(page, 60, -30);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.wheel(0, -400);
+  await expect.poll(async () => (await locate(page, 120, -110)).x).toBeLessThan(before.x - 400);
+  const after = await locate(page, 60, -30);
+  // The pointer's place is whole pixels; 400 px of wheel magnify the part lost by two.
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(2);
+  await page.getByRole('button', { name: 'Show all' }).click();
+  const fitted = await locate(page, 60, -30);
+  expect(Math.hypot(fitted.x - before.x, fitted.y - before.y)).toBeLessThan(1);
+});
+
+test('what was typed is there again after a reload, and can be let go', async ({ page }) => {
+  await open(page);
+  await expect(page.getByText('Restored your last program')).toHaveCount(0);
+  await type(page, 'G0 X50 Z2\nG1 Z-20 F0.2\n');
+  await expect(status(page)).toContainText(/^2 motions/);
+  await page.reload();
+  await expect(status(page)).toContainText(/^2 motions/);
+  await page.getByRole('button', { name: 'Start afresh' }).click();
+  await expect(status(page)).toContainText(/^42 motions/);
+});
+
+test('play moves the tool and marks its block; steps end at the ends of motions', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Next motion' }).click();
+  const place = page.getByRole('slider', { name: 'Position along the path' });
+  await expect(place).toHaveAttribute('aria-valuetext', 'X diameter 130.000, Z 3.000');
+  await page.getByRole('button', { name: 'Next motion' }).click();
+  await expect(place).toHaveAttribute('aria-valuetext', 'X diameter 120.000, Z 3.000');
+  await page.getByRole('button', { name: 'Previous motion' }).click();
+  await expect(place).toHaveAttribute('aria-valuetext', 'X diameter 130.000, Z 3.000');
+  const start = Number(await place.inputValue());
+  await page.getByRole('button', { name: 'Play' }).click();
+  await expect.poll(async () => Number(await place.inputValue())).toBeGreaterThan(start + 20);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.getByRole('button', { name: 'Show the whole path' }).click();
+  await expect(place).toHaveAttribute('aria-valuetext', '–');
+});

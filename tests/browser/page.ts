@@ -1,0 +1,69 @@
+// What the browser tests know of the page: roles and words, and the element's one method for automation.
+import { expect, type Locator, type Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+interface Playground extends HTMLElement {
+  value: string;
+  locate(x: number, z: number): Promise<{ clientX: number; clientY: number }>;
+}
+
+/** The text of a program in tests/programs. */
+export function program(id: string): string {
+  return readFileSync(join(__dirname, '..', 'programs', id, 'program.nc'), 'utf8');
+}
+
+export const editor = (page: Page): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
+export const status = (page: Page): Locator => page.getByRole('status');
+export const drawing = (page: Page): Locator => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
+export const tooltip = (page: Page): Locator => page.getByRole('tooltip');
+export const problems = (page: Page): Locator => page.getByRole('region', { name: 'Problems' });
+
+/** Opens the page and waits until the first program has run. Any error on the page fails the test. */
+export async function open(page: Page, hash = ''): Promise<void> {
+  page.on('pageerror', (error) => {
+    throw error;
+  });
+  await page.goto(`./${hash}`);
+  await expect(status(page)).toContainText(/\d/);
+}
+
+/** Types the text in place of what is there, as a reader would: select all, then the keys. */
+export async function type(page: Page, text: string): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await page.keyboard.insertText(text);
+}
+
+/** Puts a text in at once, as opening a file does; for texts too long to be typed. */
+export async function openFile(page: Page, name: string, bytes: Uint8Array): Promise<void> {
+  await page.locator('input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
+}
+
+/** Where a place (X a diameter, Z, mm) is on the screen. */
+export async function locate(page: Page, x: number, z: number): Promise<{ x: number; y: number }> {
+  const place = await page
+    .locator('gcode-playground')
+    .evaluate((element, at) => (element as Playground).locate(at.x, at.z), { x, z });
+  return { x: place.clientX, y: place.clientY };
+}
+
+/** The pixel a share of the way from one place to another: 0.5 is the middle of the stroke between them. */
+export async function between(
+  page: Page,
+  from: { x: number; z: number },
+  to: { x: number; z: number },
+  share = 0.5,
+): Promise<{ x: number; y: number }> {
+  return locate(page, from.x + (to.x - from.x) * share, from.z + (to.z - from.z) * share);
+}
+
+/** The text the reader has selected in the editor. */
+export async function selected(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    const root = document.querySelector('gcode-playground')?.shadowRoot;
+    const selection = (root as unknown as { getSelection?: () => Selection | null })?.getSelection?.() ?? getSelection();
+    return selection?.toString() ?? '';
+  });
+}

@@ -1,0 +1,102 @@
+// Who reaches the page how: by keyboard alone, on a phone, in the dark, in three languages.
+// The screenshots go to test-results to be looked at; they are no goldens.
+import { expect, test } from '@playwright/test';
+import { drawing, editor, open, status, type } from './page';
+
+test('by keyboard alone: gallery, editor, problems, playing, help, drawing', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Example').focus();
+  await page.keyboard.press('ArrowUp');
+  await expect(page.getByLabel('Example')).not.toHaveValue('s000-o0002');
+  await page.keyboard.press('ArrowDown');
+  await expect(status(page)).toContainText(/^42 motions/);
+
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('\nX');
+  await expect(status(page)).toContainText('1 problem');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('F8');
+  await expect(editor(page)).toBeFocused();
+  await page.keyboard.press('Control+Z');
+  await expect(status(page)).toContainText('no problems');
+
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
+  await page.keyboard.press('F9');
+
+  // Tab leaves the editor, and the drawing is among what follows.
+  await page.keyboard.press('Tab');
+  await expect(editor(page)).not.toBeFocused();
+  for (let i = 0; i < 6 && !(await drawing(page).evaluate((canvas) => canvas.matches(':focus'))); i++) {
+    await page.keyboard.press('Tab');
+  }
+  await expect(drawing(page)).toBeFocused();
+  for (const key of ['ArrowLeft', '+', '-', 'f']) await page.keyboard.press(key);
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Keys and gestures' });
+  await expect(help).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(help).toBeHidden();
+});
+
+test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({ browser, baseURL }, info) => {
+  const context = await browser.newContext({
+    ...(baseURL === undefined ? {} : { baseURL }),
+    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'en-US',
+  });
+  const page = await context.newPage();
+  await open(page);
+  for (const part of [drawing(page), page.getByRole('button', { name: 'Play' }), editor(page), status(page)]) {
+    await expect(part).toBeInViewport();
+  }
+  const button = await page.getByRole('button', { name: 'Play' }).boundingBox();
+  expect(button?.height).toBeGreaterThanOrEqual(44);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  await page.screenshot({ path: info.outputPath('phone.png') });
+  await page.getByRole('button', { name: 'Settings' }).tap();
+  await expect(page.getByLabel('Language')).toBeVisible();
+  await page.screenshot({ path: info.outputPath('phone-settings.png') });
+  await context.close();
+});
+
+test('light, and dark by the system or by choice', async ({ page }, info) => {
+  const ground = () => page.locator('body').evaluate((body) => getComputedStyle(body).backgroundColor);
+  await open(page);
+  await page.screenshot({ path: info.outputPath('wide.png') });
+  const light = await ground();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const dark = await ground();
+  expect(dark).not.toBe(light);
+  await page.screenshot({ path: info.outputPath('dark.png') });
+  await page.getByLabel('Theme').selectOption('light');
+  expect(await ground()).toBe(light);
+  await page.emulateMedia({ colorScheme: 'light' });
+  await page.getByLabel('Theme').selectOption('dark');
+  expect(await ground()).toBe(dark);
+});
+
+test('Chinese and Russian: the page and the messages change, the program stays', async ({ page }, info) => {
+  await open(page);
+  await type(page, 'G0 X50 Z2\nX\n');
+  await expect(status(page)).toHaveText(/1 motion · \d lines · 1 problem/);
+  const message = page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ }).getByRole('listitem').first();
+  const english = await message.textContent();
+
+  await page.getByLabel('Language').selectOption('zh');
+  await expect(status(page)).toHaveText(/1 段运动 · \d 行 · 1 个问题/);
+  await expect(page.getByRole('button', { name: '播放' })).toBeVisible();
+  expect(await message.textContent()).not.toBe(english);
+  await page.screenshot({ path: info.outputPath('zh.png') });
+
+  await page.getByLabel('语言').selectOption('ru');
+  await expect(status(page)).toHaveText(/1 перемещение · \d строки? · 1 замечание/);
+  await expect(page.getByRole('button', { name: 'Пуск' })).toBeVisible();
+  await expect(editor(page)).toContainText('G0 X50 Z2');
+  await page.screenshot({ path: info.outputPath('ru.png') });
+
+  await page.reload();
+  await expect(status(page)).toContainText('перемещение');
+});

@@ -1,0 +1,154 @@
+//! Every program of `tests/programs`, natively: motions, final point, messages, spindle, and the committed
+//! output, which the wasm tests compare with as well.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod fixtures;
+
+use std::path::{Path, PathBuf};
+
+use fixtures::{Program, check_messages, compare, same};
+use gcode_playground::api::{self, Places};
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::run::Run;
+use gcode_playground::text::source::LineIndex;
+use gcode_playground::{analyze, run::Analysis};
+use serde_json::{Value, json};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs")
+}
+
+fn all() -> Vec<Program> {
+    let mut ids: Vec<String> = std::fs::read_dir(folder())
+        .expect("tests/programs")
+        .map(|entry| entry.expect("entry"))
+        .filter(|entry| entry.path().is_dir())
+        .map(|entry| entry.file_name().into_string().expect("name"))
+        .collect();
+    ids.sort();
+    assert!(ids.len() >= 36, "programs are missing");
+    let read = |file: &str| {
+        let path = folder().join(file);
+        std::fs::read_to_string(&path).or_else(|error| {
+            // A new program has no output yet; `UPDATE=1` writes it.
+            if file.ends_with("output.jsonl") { Ok(String::new()) } else { Err(error) }
+        })
+    };
+    ids.iter().map(|id| fixtures::program(id, &|file| read(file).expect(file))).collect()
+}
+
+fn analysis(program: &Program) -> Analysis {
+    analyze(program.text.as_bytes(), &Setup::from_json(&program.setup).expect(&program.id))
+}
+
+fn motion_rows(analysis: &Analysis) -> Vec<Value> {
+    api::motions(&analysis.motions).map(|row| serde_json::to_value(row).expect("row")).collect()
+}
+
+fn message_rows(text: &str, analysis: &Analysis) -> Vec<Value> {
+    let lines = LineIndex::new(text.as_bytes());
+    let places = Places { text: text.as_bytes(), lines: &lines };
+    let row = |found| serde_json::to_value(places.diagnostic(found, Language::English)).expect("row");
+    analysis.diagnostics.iter().map(row).collect()
+}
+
+#[test]
+fn motions_are_the_expected_ones() {
+    let mut checked = 0;
+    for program in all().iter().filter(|program| program.needs.is_empty()) {
+        let found = motion_rows(&analysis(program));
+        compare(&program.motions, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+        if let (Some(last), Some(end)) = (found.last(), program.expect.get("final")) {
+            same(end, &last["to"]).unwrap_or_else(|why| panic!("{}: final point: {why}", program.id));
+        }
+        checked += 1;
+    }
+    assert!(checked >= 25, "only {checked} programs were checked");
+}
+
+#[test]
+fn messages_are_the_expected_ones() {
+    for program in all().iter().filter(|program| program.needs.is_empty()) {
+        let found = message_rows(&program.text, &analysis(program));
+        check_messages(program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+    }
+}
+
+/// What is not done yet is said to be so, and is never called the user's mistake.
+#[test]
+fn later_codes_are_answered_as_not_supported_yet() {
+    for program in all().iter().filter(|program| !program.needs.is_empty()) {
+        let found = message_rows(&program.text, &analysis(program));
+        assert!(found.iter().any(|row| row["code"] == "N-NOT-YET"), "{}", program.id);
+        for row in found.iter().filter(|row| row["severity"] == "error") {
+            panic!("{}: {row}", program.id);
+        }
+    }
+}
+
+#[test]
+fn the_spindle_is_as_commanded() {
+    let mut checked = 0;
+    for program in all() {
+        for expected in program.expect["spindle"].as_array().into_iter().flatten() {
+            let line = expected["line"].as_u64().expect("line") as usize;
+            let head = program.text.lines().take(line).collect::<Vec<_>>().join("\n");
+            let mut run = Run::new(head.into_bytes(), Setup::from_json(&program.setup).expect("setup"));
+            while !run.advance(1) {}
+            let spindle = run.state().spindle;
+            if let Some(clamp) = expected["clamp"].as_f64() {
+                assert_eq!(spindle.highest, Some(clamp), "{}", program.id);
+            }
+            if let Some(speed) = expected["v"].as_f64() {
+                assert!(spindle.surface && spindle.cutting_speed == speed, "{}", program.id);
+                // n = 1000·v / (π·D), held by the clamp.
+                let free = 1000.0 * speed / (std::f64::consts::PI * 80.0);
+                assert_eq!(spindle.speed_at(40.0), Some(free.min(1500.0)));
+            }
+            checked += 1;
+        }
+    }
+    assert_eq!(checked, 6);
+}
+
+/// The whole output, as committed next to each program. `UPDATE=1 cargo test` writes it anew; the difference
+/// is then read in the version control.
+#[test]
+fn output_is_the_committed_one() {
+    for program in all() {
+        let analysis = analysis(&program);
+        let mut output = String::new();
+        let rows = motion_rows(&analysis).into_iter().chain(message_rows(&program.text, &analysis));
+        for row in rows {
+            output.push_str(&row.to_string());
+            output.push('\n');
+        }
+        let path = folder().join(&program.id).join("output.jsonl");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(&path, &output).expect("output.jsonl");
+        } else {
+            assert_eq!(output, program.output, "{}: run with UPDATE=1 and read the difference", program.id);
+        }
+    }
+}
+
+#[test]
+fn the_gallery_lists_each_of_its_programs_once() {
+    let gallery = std::fs::read_to_string(folder().join("gallery.json")).expect("gallery.json");
+    let gallery: Vec<String> = serde_json::from_str(&gallery).expect("gallery.json");
+    let mut shown: Vec<String> = Vec::new();
+    for program in all() {
+        let about = std::fs::read_to_string(folder().join(&program.id).join("about.json")).expect("about.json");
+        let about: Value = serde_json::from_str(&about).expect("about.json");
+        for tongue in ["en", "zh", "ru"] {
+            assert!(about["title"][tongue].is_string() && about["shows"][tongue].is_string(), "{}", program.id);
+        }
+        if about["gallery"] == json!(true) {
+            shown.push(program.id);
+        }
+    }
+    let mut listed = gallery.clone();
+    listed.sort();
+    assert_eq!(listed, shown);
+}

@@ -1,0 +1,128 @@
+//! Every program of `tests/programs` through the public wasm interface, under Node: the same motions and
+//! messages as the native run, whose output is committed next to each program.
+#![cfg(target_arch = "wasm32")]
+
+mod fixtures;
+
+use fixtures::{Program, check_messages, compare};
+use gcode_playground::wasm::Playground;
+use serde_json::Value;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen(module = "fs")]
+extern "C" {
+    #[wasm_bindgen(js_name = readFileSync)]
+    fn read_file(path: &str, encoding: &str) -> String;
+    #[wasm_bindgen(js_name = readdirSync)]
+    fn read_folder(path: &str) -> Vec<String>;
+}
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/programs");
+
+fn all() -> Vec<Program> {
+    let mut ids: Vec<String> = read_folder(FOLDER).into_iter().filter(|name| !name.contains('.')).collect();
+    ids.sort();
+    assert!(ids.len() >= 36, "programs are missing");
+    let read = |file: &str| read_file(&format!("{FOLDER}/{file}"), "utf8");
+    ids.iter().map(|id| fixtures::program(id, &read)).collect()
+}
+
+/// What JavaScript gets, as JSON.
+fn rows(value: Result<JsValue, JsValue>) -> Vec<Value> {
+    let text = js_sys::JSON::stringify(&value.expect("value")).expect("JSON");
+    serde_json::from_str(&String::from(text)).expect("rows")
+}
+
+fn play(program: &Program) -> Playground {
+    let mut playground = Playground::new();
+    playground.set_setup(&program.setup).expect("setup");
+    playground.set_text(program.text.clone());
+    // In slices, as the page runs it.
+    while !playground.advance(3) {}
+    playground
+}
+
+#[wasm_bindgen_test]
+fn motions_are_the_expected_ones() {
+    let mut checked = 0;
+    for program in all().iter().filter(|program| program.needs.is_empty()) {
+        let found = rows(play(program).motions(0, u32::MAX));
+        compare(&program.motions, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+        checked += 1;
+    }
+    assert!(checked >= 25, "only {checked} programs were checked");
+}
+
+#[wasm_bindgen_test]
+fn messages_are_the_expected_ones() {
+    for program in all().iter().filter(|program| program.needs.is_empty()) {
+        let found = rows(play(program).diagnostics());
+        check_messages(program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+    }
+}
+
+/// The same as natively, to the last digit.
+#[wasm_bindgen_test]
+fn output_equals_the_native_one() {
+    for program in all() {
+        let playground = play(&program);
+        let mut found = rows(playground.motions(0, u32::MAX));
+        found.extend(rows(playground.diagnostics()));
+        let native: Vec<Value> =
+            program.output.lines().map(|line| serde_json::from_str(line).expect("output.jsonl")).collect();
+        assert_eq!(found.len(), native.len(), "{}", program.id);
+        for (found, native) in found.iter().zip(&native) {
+            assert_eq!(numbers_as_doubles(found), numbers_as_doubles(native), "{}", program.id);
+        }
+    }
+}
+
+/// The columns a page reads hold the same end points as the objects.
+#[wasm_bindgen_test]
+fn chunks_hold_the_same_motions() {
+    for program in all() {
+        let playground = play(&program);
+        let rows = rows(playground.motions(0, u32::MAX));
+        let mut index = 0;
+        for chunk in (0..playground.chunk_count()).filter_map(|at| playground.chunk(at)) {
+            for at in 0..chunk.kind.len() {
+                assert!((rows[index]["to"]["x"].as_f64().unwrap() - 2.0 * chunk.x[at]).abs() < 1e-5);
+                assert!((rows[index]["to"]["z"].as_f64().unwrap() - chunk.z[at]).abs() < 1e-5);
+                assert_eq!(rows[index]["line"], chunk.line[at]);
+                index += 1;
+            }
+        }
+        assert_eq!(index, rows.len(), "{}", program.id);
+    }
+}
+
+#[wasm_bindgen_test]
+fn an_unknown_key_of_a_setup_is_named() {
+    let mut playground = Playground::new();
+    let problem = playground.set_setup(r#"{"dialect": {"kontrol": "gsk"}}"#).expect_err("an error");
+    assert!(problem.as_string().expect("text").contains("kontrol"));
+}
+
+#[wasm_bindgen_test]
+fn tokens_and_messages_are_in_utf16_offsets() {
+    let mut playground = Playground::new();
+    playground.set_text("(外圆😀)\r\nG01 X5\nG33.7 Z1".into());
+    while !playground.advance(1) {}
+    assert_eq!(playground.tokens(0, 2), [0, 6, 0, 7, 10, 1, 11, 13, 3]);
+    let found = rows(playground.diagnostics());
+    let unknown = found.iter().find(|row| row["code"] == "PS0010").expect("PS0010");
+    assert_eq!((&unknown["from"], &unknown["to"]), (&Value::from(14), &Value::from(19)));
+    assert_eq!((&unknown["line"], &unknown["column"]), (&Value::from(3), &Value::from(1)));
+}
+
+/// JavaScript does not tell 2 from 2.0.
+fn numbers_as_doubles(value: &Value) -> Value {
+    match value {
+        Value::Number(number) => Value::from(number.as_f64().expect("number")),
+        Value::Array(rows) => rows.iter().map(numbers_as_doubles).collect(),
+        Value::Object(map) => map.iter().map(|(key, value)| (key.clone(), numbers_as_doubles(value))).collect(),
+        other => other.clone(),
+    }
+}
