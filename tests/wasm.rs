@@ -122,7 +122,9 @@ fn numbers_as_doubles(value: &Value) -> Value {
     match value {
         Value::Number(number) => Value::from(number.as_f64().expect("number")),
         Value::Array(rows) => rows.iter().map(numbers_as_doubles).collect(),
-        Value::Object(map) => map.iter().map(|(key, value)| (key.clone(), numbers_as_doubles(value))).collect(),
+        Value::Object(map) => {
+            map.iter().map(|(key, value)| (key.clone(), numbers_as_doubles(value))).collect()
+        }
         other => other.clone(),
     }
 }

@@ -226,8 +226,7 @@ impl<'a> Lexer<'a> {
         let mut depth = 1u32;
         let mut nested = false;
         let mut first_close = None;
-        loop {
-            let Some(byte) = self.peek_byte() else { break };
+        while let Some(byte) = self.peek_byte() {
             let (open, close, len) = match byte {
                 b'\n' | b'\r' => break,
                 b'(' => (true, false, 1),

@@ -1,0 +1,27 @@
+//! Text to motions and messages, natively: `cargo bench`. The same programs in wasm: `cargo xtask bench`.
+
+mod workload;
+
+use divan::Bencher;
+use divan::counter::BytesCount;
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+
+fn main() {
+    divan::main();
+}
+
+fn run(bencher: Bencher, text: String) {
+    let setup = Setup::default();
+    bencher.counter(BytesCount::new(text.len())).bench(|| analyze(text.as_bytes(), &setup).motions.len());
+}
+
+#[divan::bench(sample_count = 10)]
+fn a_million_plain_lines(bencher: Bencher) {
+    run(bencher, workload::plain(1_000_000));
+}
+
+#[divan::bench]
+fn a_shaft_of_sixty_lines(bencher: Bencher) {
+    run(bencher, workload::shaft());
+}
