@@ -4,6 +4,8 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+use std::cell::OnceCell;
+
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -73,7 +75,8 @@ pub struct Playground {
     setup: Setup,
     language: Language,
     run: Run,
-    lines: LineIndex,
+    /// Made when first asked for.
+    lines: OnceCell<LineIndex>,
     outline: Outline,
     view: View,
     painter: Option<Painter>,
@@ -91,7 +94,7 @@ impl Playground {
         let outline = Outline::new();
         let view =
             View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
-        let lines = LineIndex::new(run.text());
+        let lines = OnceCell::new();
         let (setup, language) = (Setup::default(), Language::default());
         Playground { setup, language, run, lines, outline, view, painter: None, cursor: None }
     }
@@ -130,15 +133,7 @@ impl Playground {
 
     /// Runs at most so many blocks; true when the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
-        let before = self.run.is_finished();
-        let ended = self.run.advance(blocks as usize);
-        self.outline.extend(self.run.motions());
-        if ended && !before {
-            let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
-            self.view.follow(&scene);
-            self.light_up();
-        }
-        ended
+        self.run.advance(blocks as usize)
     }
 
     /// Share of the program that has run, 0 to 1.
@@ -149,7 +144,6 @@ impl Playground {
     /// Ends the run early, after so many seconds; a message says so.
     pub fn stop(&mut self, seconds: f64) {
         self.run.stop(seconds);
-        self.outline.extend(self.run.motions());
     }
 
     /// Counts of what has run so far.
@@ -157,7 +151,7 @@ impl Playground {
     pub fn summary(&self) -> Result<JsValue, JsValue> {
         to_js(&Summary {
             blocks: self.run.blocks() as u32,
-            lines: self.lines.len(),
+            lines: self.lines().len(),
             finished: self.run.is_finished(),
             ..Summary::new(self.run.motions(), self.run.diagnostics())
         })
@@ -173,13 +167,13 @@ impl Playground {
 
     /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
     pub fn tokens(&self, first: u32, end: u32) -> Vec<u32> {
-        let end = end.min(self.lines.len());
+        let end = end.min(self.lines().len());
         if first >= end {
             return Vec::new();
         }
         let text = self.run.text();
         let bytes =
-            (self.lines.line(text, first).start as usize, self.lines.line(text, end - 1).end as usize);
+            (self.lines().line(text, first).start as usize, self.lines().line(text, end - 1).end as usize);
         let places = self.places();
         let found = highlight(text, bytes.0, bytes.1);
         let triple = |(span, class)| {
@@ -218,6 +212,7 @@ impl Playground {
 
     /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
     pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
+        self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         self.view.resize(&scene, Size { width, height }, pixel_ratio);
     }
@@ -235,17 +230,20 @@ impl Playground {
 
     /// Shows everything worth looking at.
     pub fn fit(&mut self) {
+        self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         self.view.fit(&scene);
     }
 
     /// Moves the picture, CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.measure();
         self.view.pan(dx, dy);
     }
 
     /// Makes the picture `factor` times as large about a place, CSS pixels.
     pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
+        self.measure();
         self.view.zoom(factor, Pixel::new(x, y));
     }
 
@@ -253,12 +251,14 @@ impl Playground {
     #[wasm_bindgen(js_name = setCursor)]
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.cursor = offset;
+        self.measure();
         self.light_up();
     }
 
     /// Marks the stroke under the pointer.
     #[wasm_bindgen(js_name = setHover)]
     pub fn set_hover(&mut self, motion: Option<u32>) {
+        self.measure();
         self.view.hover =
             motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
     }
@@ -266,24 +266,28 @@ impl Playground {
     /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
     #[wasm_bindgen(js_name = setPlayhead)]
     pub fn set_playhead(&mut self, distance: Option<f64>) {
+        self.measure();
         self.view.playhead = distance;
     }
 
     /// Length of the whole path, mm.
     #[wasm_bindgen(js_name = pathLength)]
-    pub fn path_length(&self) -> f64 {
+    pub fn path_length(&mut self) -> f64 {
+        self.measure();
         self.outline.length()
     }
 
     /// Length of the path before a motion, mm.
     #[wasm_bindgen(js_name = lengthBefore)]
-    pub fn length_before(&self, motion: u32) -> f64 {
+    pub fn length_before(&mut self, motion: u32) -> f64 {
+        self.measure();
         Scene::new(self.run.motions(), &self.outline, None).length_before(motion as usize)
     }
 
     /// The stroke the tool is on.
     #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
-    pub fn playhead(&self) -> Result<JsValue, JsValue> {
+    pub fn playhead(&mut self) -> Result<JsValue, JsValue> {
+        self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, None);
         match self.view.playhead.and_then(|length| scene.at_length(length)) {
             Some(place) => self.stroke(place.motion, place.at),
@@ -293,7 +297,8 @@ impl Playground {
 
     /// The stroke at a place of the picture, CSS pixels.
     #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
-    pub fn pick(&self, x: f64, y: f64) -> Result<JsValue, JsValue> {
+    pub fn pick(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, None);
         match pick(&scene, self.view.camera(), Pixel::new(x, y), REACH) {
             Some(found) => self.stroke(found.stroke.motion, found.at),
@@ -303,13 +308,15 @@ impl Playground {
 
     /// Where a place is in the picture: X a diameter in mm, Z in mm; two CSS pixels from the top left corner.
     #[wasm_bindgen(js_name = screenOf)]
-    pub fn screen_of(&self, x: f64, z: f64) -> Vec<f64> {
+    pub fn screen_of(&mut self, x: f64, z: f64) -> Vec<f64> {
+        self.measure();
         let pixel = self.view.camera().to_screen(Point::new(x / 2.0, z));
         vec![pixel.x, pixel.y]
     }
 
     /// Paints what has changed.
     pub fn draw(&mut self) -> Result<(), JsValue> {
+        self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         match &mut self.painter {
             Some(painter) => painter.draw(&scene, &self.view),
@@ -320,7 +327,7 @@ impl Playground {
 
 impl Playground {
     fn begin(&mut self, text: Vec<u8>) {
-        self.lines = LineIndex::new(&text);
+        self.lines = OnceCell::new();
         self.run = Run::new(text, self.setup.clone());
         self.outline = Outline::new();
         self.view.hover = None;
@@ -335,13 +342,28 @@ impl Playground {
             return;
         };
         let text = self.run.text();
-        let byte = self.lines.byte_at_utf16(text, cursor);
-        let line = self.lines.line(text, self.lines.line_of(byte.min(text.len() as u32)));
+        let byte = self.lines().byte_at_utf16(text, cursor);
+        let line = self.lines().line(text, self.lines().line_of(byte.min(text.len() as u32)));
         self.view.highlight = scene.motions_of(block_at(text, line, byte));
     }
 
+    /// Measures what has run since the last time; the picture is only measured when it is asked for.
+    fn measure(&mut self) {
+        if self.outline.len() == self.run.motions().len() {
+            return;
+        }
+        self.outline.extend(self.run.motions());
+        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        self.view.follow(&scene);
+        self.light_up();
+    }
+
+    fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(self.run.text()))
+    }
+
     fn places(&self) -> Places<'_> {
-        Places { text: self.run.text(), lines: &self.lines }
+        Places { text: self.run.text(), lines: self.lines() }
     }
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {

@@ -495,21 +495,24 @@ impl Interpreter {
             (Some(a), None) => Target::Absolute(value(a)),
             (None, Some(i)) => Target::Incremental(value(i)),
             (None, None) => Target::Stay,
-            (Some(a), Some(i)) => {
-                let absolute_counts = match self.dialect.xu_conflict {
-                    XuConflict::Absolute => true,
-                    XuConflict::Last => a.span.start > i.span.start,
-                };
-                let (absolute, incremental) = (quote(text, a.span), quote(text, i.span));
-                let used = if absolute_counts { absolute.clone() } else { incremental.clone() };
-                let span = a.span.to(i.span);
-                self.tell(Diagnostic::new(
-                    Message::AbsoluteAndIncremental { absolute, incremental, used },
-                    span,
-                ));
-                if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
-            }
+            (Some(a), Some(i)) => self.conflict(text, a, i, scale),
         }
+    }
+
+    /// X with U, or Z with W: which one counts.
+    #[cold]
+    fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, scale: f64) -> Target {
+        let reading = self.reading();
+        let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
+        let absolute_counts = match self.dialect.xu_conflict {
+            XuConflict::Absolute => true,
+            XuConflict::Last => a.span.start > i.span.start,
+        };
+        let (absolute, incremental) = (quote(text, a.span), quote(text, i.span));
+        let used = if absolute_counts { absolute.clone() } else { incremental.clone() };
+        let span = a.span.to(i.span);
+        self.tell(Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span));
+        if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
     /// Y, V, C and H: told once.
@@ -530,9 +533,13 @@ impl Interpreter {
 
     /// Chamfers, rounded corners and angles: the move to the programmed corner is drawn.
     fn corner(&mut self, text: &[u8], request: &Request, words: &Words) {
+        const CORNER: u32 = letters(b"CRIKALD");
+        if request.corner.is_none() && !words.has_any(CORNER) {
+            return;
+        }
         let gsk = self.dialect.control == Control::Gsk;
-        let letters: &[u8] = if gsk { b"CRIKALD" } else { b"CRIKA" };
-        let word = letters.iter().find_map(|&letter| words.get(letter)).map(|word| word.span);
+        let addresses: &[u8] = if gsk { b"CRIKALD" } else { b"CRIKA" };
+        let word = addresses.iter().find_map(|&letter| words.get(letter)).map(|word| word.span);
         if let Some(span) = request.corner.or(word) {
             if self.state.told.first(Once::CornerNotYet) {
                 self.not_yet(text, span);

@@ -93,6 +93,19 @@ impl<'a> Parser<'a> {
     /// Reads up to and including the end of the block; returns where its text ends.
     fn read(&mut self, block: &mut Block) -> usize {
         loop {
+            match self.lexer.peek_byte() {
+                Some(b' ') => {
+                    self.lexer.seek(self.lexer.position() + 1);
+                    continue;
+                }
+                Some(b'A'..=b'Z' | b'a'..=b'z') => {
+                    if let Some(plain) = self.lexer.plain_word() {
+                        self.store(block, plain.letter, false, plain.negative, plain.number, plain.span);
+                        continue;
+                    }
+                }
+                _ => {}
+            }
             let Some(token) = self.lexer.next_token() else { return self.lexer.position() };
             match token.kind {
                 TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
@@ -225,6 +238,20 @@ impl<'a> Parser<'a> {
             block.fault(Diagnostic::new(Message::TooManyDigits { word: quote }, span));
             return;
         }
+        self.store(block, letter, comma, negative, number, span);
+    }
+
+    /// Puts a sound word where it belongs: O and N at the head of a block apart.
+    #[inline]
+    fn store(
+        &mut self,
+        block: &mut Block,
+        letter: u8,
+        comma: bool,
+        negative: bool,
+        number: Number,
+        span: Span,
+    ) {
         let at_head = block.words.is_empty() && !comma && !negative && number.points == 0;
         match letter {
             b'O' if at_head && block.program.is_none() && block.sequence.is_none() => {
