@@ -80,7 +80,7 @@ test('light, and dark by the system or by choice', async ({ page }, info) => {
 
 test('Chinese and Russian: the page and the messages change, the program stays', async ({ page }, info) => {
   await open(page);
-  await type(page, 'G0 X50 Z2\nX\n');
+  await type(page, 'G0 X50 Z2\nX\nM30');
   await expect(status(page)).toHaveText(/1 motion · \d lines · 1 problem/);
   const message = page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ }).getByRole('listitem').first();
   const english = await message.textContent();

@@ -35,7 +35,9 @@ export class Drawing {
   readonly #fit = make('button', { type: 'button' }, icon('fit'));
   readonly #zoomIn = make('button', { type: 'button' }, icon('plus'));
   readonly #zoomOut = make('button', { type: 'button' }, icon('minus'));
-  readonly #legend = make('ul', { className: 'legend', part: 'legend' });
+  /** What the kinds of strokes look like, and the buttons to fit and zoom: the element decides where they stand. */
+  readonly legend = make('ul', { className: 'legend', part: 'legend' });
+  readonly viewButtons = make('div', { className: 'view-buttons' });
   readonly #empty = make('p', { className: 'empty', hidden: true });
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
@@ -54,11 +56,10 @@ export class Drawing {
       'section',
       { className: 'drawing', part: 'drawing' },
       this.#holder,
-      this.#legend,
-      make('div', { className: 'view-buttons' }, this.#fit, this.#zoomIn, this.#zoomOut),
       this.#empty,
       this.#tip,
     );
+    this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);
     this.#fit.addEventListener('click', () => this.#events.fit());
     this.#zoomIn.addEventListener('click', () => this.#zoomMiddle(KEY_ZOOM));
     this.#zoomOut.addEventListener('click', () => this.#zoomMiddle(1 / KEY_ZOOM));
@@ -149,7 +150,7 @@ export class Drawing {
       [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', this.#strings.feed],
       [(summary?.threads ?? 0) > 0, 'thread', this.#strings.thread],
     ];
-    this.#legend.replaceChildren(
+    this.legend.replaceChildren(
       ...kinds
         .filter(([present]) => present)
         .map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),

@@ -45,7 +45,7 @@ export function applyFix(view: EditorView, fix: Fix): void {
 }
 
 function explain(diagnostic: Diagnostic, strings: Strings): HTMLElement {
-  const facts = [strings.severity[diagnostic.severity], strings.kind[diagnostic.kind], diagnostic.code];
+  const facts = [strings.severity[diagnostic.severity], strings.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
   if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
   const explanation = make('div', { className: 'explanation' }, make('p', { className: 'message' }, ...prose(diagnostic.message)));
   if (diagnostic.help !== undefined) explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));

@@ -165,7 +165,7 @@ export class Editor {
   }
 
   focus(): void {
-    this.#view.contentDOM.focus({ preventScroll: true });
+    this.#view.focus();
   }
 
   get hasFocus(): boolean {

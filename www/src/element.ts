@@ -217,6 +217,7 @@ export class GcodePlayground extends HTMLElement {
     this.#status = new StatusLine(texts);
     this.#notice = new Notice(texts);
     this.#help = new Help(texts);
+    this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },

@@ -66,7 +66,7 @@ export class Problems {
     const strings = this.#strings;
     const title = strings.severity[diagnostic.severity];
     const mark = icon(diagnostic.severity);
-    const facts = [strings.place(diagnostic.line, diagnostic.column), strings.kind[diagnostic.kind], diagnostic.code];
+    const facts = [strings.place(diagnostic.line, diagnostic.column), strings.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
     if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
     const button = make(
       'button',
