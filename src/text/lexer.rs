@@ -185,8 +185,9 @@ impl<'a> Lexer<'a> {
         let kind = match byte {
             b'A'..=b'Z' => self.one(TokenKind::Letter(byte)),
             b'0'..=b'9' | b'.' => self.number(),
-            b' ' | b'\t' => {
-                while matches!(self.peek_byte(), Some(b' ' | b'\t')) {
+            // NUL is the feed of paper tape, 0x1A the end of a DOS file.
+            b' ' | b'\t' | 0 | 0x1A => {
+                while matches!(self.peek_byte(), Some(b' ' | b'\t' | 0 | 0x1A)) {
                     self.at += 1;
                 }
                 TokenKind::Blank

@@ -76,9 +76,11 @@ impl<'a> Parser<'a> {
         if behind_semicolon && block.is_broken() && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
         }
-        if block.faults.len() > 1 && block.words.is_empty() && block.kind == BlockKind::Words {
+        let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
+        if block.faults.len() > block.words.len().max(1) && prose && block.kind == BlockKind::Words {
             let span = trimmed(self.lexer.text(), block.span);
             let quote = short_quote(self.lexer.text(), span);
+            block.words.clear();
             block.faults.clear();
             block.fault(Diagnostic::new(Message::PlainText { text: quote }, span));
         }
@@ -135,6 +137,11 @@ impl<'a> Parser<'a> {
                 TokenKind::Slash => self.slash(block),
                 TokenKind::Colon => self.letter(block, b'O', token.span, None),
                 TokenKind::Comma => self.comma(block, token.span),
+                TokenKind::Macro(b'[') if block.words.is_empty() && self.letter_follows() => {
+                    // `[BILLET X62 Z70`: how class simulators write the stock; no control reads it.
+                    self.skip_line();
+                    block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
+                }
                 TokenKind::Macro(b'#') if block.words.is_empty() => self.macro_statement(block),
                 TokenKind::Number(number) => self.lone_number(block, number, token.span),
                 TokenKind::Macro(_)
@@ -364,10 +371,7 @@ impl<'a> Parser<'a> {
         if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
             block.kind = BlockKind::Percent;
             // What stands behind the sign on its line is the leader of the tape.
-            while !matches!(self.lexer.peek_byte(), None | Some(b'\n' | b'\r')) {
-                let at = self.lexer.position();
-                self.lexer.seek(at + 1);
-            }
+            self.skip_line();
         } else {
             block.fault(Diagnostic::new(Message::NotUnderstood { text: "%".into() }, span));
         }
@@ -456,6 +460,17 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark));
     }
 
+    /// Goes to the end of the line.
+    fn skip_line(&mut self) {
+        while !matches!(self.lexer.peek_byte(), None | Some(b'\n' | b'\r')) {
+            self.lexer.seek(self.lexer.position() + 1);
+        }
+    }
+
+    fn letter_follows(&self) -> bool {
+        self.lexer.peek_byte().is_some_and(|byte| byte.is_ascii_alphabetic())
+    }
+
     fn digit_follows(&self) -> bool {
         matches!(self.lexer.peek_byte(), Some(b'0'..=b'9'))
     }
@@ -527,4 +542,119 @@ fn short_quote(text: &[u8], span: Span) -> String {
     }
     let short: String = quote.chars().take(QUOTE_LENGTH - 1).collect();
     short + "…"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Words, then faults, of each block: `X-5` or `!number-missing`.
+    fn read(text: &str) -> Vec<String> {
+        let mut parser = Parser::new(text.as_bytes());
+        let mut block = Block::default();
+        let mut found = Vec::new();
+        while parser.next_block(&mut block) {
+            let mut parts: Vec<String> = Vec::new();
+            parts.extend(block.delete.map(|level| format!("/{level}")));
+            parts.extend(block.program.map(|(number, _)| format!("O{number}")));
+            parts.extend(block.sequence.map(|number| format!("N{number}")));
+            for word in &block.words {
+                let comma = if word.comma { "," } else { "" };
+                let value = match word.value {
+                    Value::Number { number, negative: false } => number.value().to_string(),
+                    Value::Number { number, negative: true } => format!("-{}", number.value()),
+                    Value::Expression => "#".into(),
+                };
+                parts.push(format!("{comma}{}{value}", word.address as char));
+            }
+            match block.kind {
+                BlockKind::Percent => parts.push("%".into()),
+                BlockKind::Macro => parts.push("macro".into()),
+                BlockKind::Words => {}
+            }
+            parts.extend(block.faults.iter().map(|fault| format!("!{}", fault.message.slug())));
+            found.push(parts.join(" "));
+        }
+        found
+    }
+
+    #[test]
+    fn blocks_end_at_lines_and_semicolons() {
+        assert_eq!(read("G0X1;Z2\r\nX3\rX4"), ["G0 X1", "Z2", "X3", "X4"]);
+        assert_eq!(read("G0 X1;\n(only a remark);"), ["G0 X1", "", ""]);
+    }
+
+    #[test]
+    fn words_may_be_written_in_many_ways() {
+        assert_eq!(read("g94x30z0r-20f0.1"), ["G94 X30 Z0 R-20 F0.1"]);
+        assert_eq!(read("X 26 Z - 5. F +.2"), ["X26 Z-5 F0.2"]);
+        assert_eq!(read("N010 G01 (in) X5,C2 ,R 1"), ["N10 G1 X5 ,C2 ,R1"]);
+        assert_eq!(read("/2 M98 P8001"), ["/2 M98 P8001"]);
+        assert_eq!(read("O0002 (DEMO)"), ["O2"]);
+        assert_eq!(read(":1234"), ["O1234"]);
+        assert_eq!(read("\u{feff}G00\tX1\u{1a}"), ["G0 X1"]);
+    }
+
+    #[test]
+    fn a_control_joins_digits_across_blanks() {
+        assert_eq!(read("X1 0.5"), ["X10.5 !blank-in-number"]);
+        assert_eq!(read("G00 3.7347"), ["G3.7347 !blank-in-number"]);
+    }
+
+    #[test]
+    fn the_tape_begins_and_ends_with_percent() {
+        assert_eq!(read("%leader\nG0 X1\n%\nnever read"), ["%", "G0 X1", "%"]);
+    }
+
+    #[test]
+    fn each_fault_is_told_once() {
+        assert_eq!(read("X-12.8."), ["!second-decimal-point"]);
+        assert_eq!(read("X-11.Z"), ["X-11 !number-missing"]);
+        assert_eq!(read("G01 Z,15"), ["G1 !comma-for-point"]);
+        assert_eq!(read("Z20,5"), ["!comma-for-point"]);
+        assert_eq!(read("GO1 X5"), ["G1 X5 !letter-for-digit"]);
+        assert_eq!(read("X123456789"), ["!too-many-digits"]);
+        assert_eq!(read("X"), ["!number-missing"]);
+        assert_eq!(read("X-"), ["!number-missing"]);
+        assert_eq!(read("X."), ["!number-missing"]);
+        assert_eq!(read("Z–20"), ["Z-20 !printed-minus"]);
+        assert_eq!(read("00006;\nN10 X1"), ["O6 !zero-for-letter-o", "", "N10 X1"]);
+        assert_eq!(read("hello world"), ["!text-outside-comment"]);
+        assert_eq!(read("G0 (open"), ["G0 !comment-not-closed"]);
+        assert_eq!(read("G0 (a(b)c) X1"), ["G0 X1 !comment-in-comment"]);
+    }
+
+    #[test]
+    fn prose_behind_a_semicolon_is_a_remark() {
+        assert_eq!(read("G0 X1; rough the face"), ["G0 X1", "!text-after-semicolon"]);
+        assert_eq!(read("G0 X1; 粗车"), ["G0 X1", "!text-after-semicolon"]);
+        // A broken block is no remark: nothing may hide a lost sign.
+        assert_eq!(
+            read("G98; Z?20.0 F100")[1],
+            "F100 !number-missing !character-not-understood !address-missing"
+        );
+    }
+
+    #[test]
+    fn macro_statements_and_class_notes_are_recognised() {
+        assert_eq!(read("#1=2\nIF[#1 EQ 2]GOTO 10\nX#1 Z[#2+1] F1"), ["macro", "macro", "X# Z# F1"]);
+        assert_eq!(read("[BILLET X62 Z70\nG0 X1"), ["", "G0 X1"]);
+    }
+
+    #[test]
+    fn the_fast_way_reads_the_same_as_the_tokens() {
+        for text in ["X1", "x-1.25 ", "Z.5Y", "F5.", "G00000001", "N1\t", "R-0"] {
+            let plain = Lexer::new(text.as_bytes(), 0).plain_word().expect(text);
+            let tokens: Vec<Token> = Lexer::new(text.as_bytes(), 0).collect();
+            assert_eq!(tokens[0].kind, TokenKind::Letter(plain.letter));
+            assert_eq!(tokens[1].kind == TokenKind::Minus, plain.negative);
+            let TokenKind::Number(number) = tokens[1 + usize::from(plain.negative)].kind else {
+                panic!("{text}")
+            };
+            assert_eq!((number.value(), number.points), (plain.number.value(), plain.number.points));
+        }
+        for text in ["X1 0", "X1.2.3", "X", "X-", "X.", "X123456789"] {
+            assert_eq!(Lexer::new(text.as_bytes(), 0).plain_word(), None, "{text}");
+        }
+    }
 }
