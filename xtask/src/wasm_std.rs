@@ -23,8 +23,11 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// rustup's name for the compiler of the Debian packages.
 const DEBIAN: &str = "debian";
 
-/// One matched set: compiler, cargo, library source, clippy, and the linker the compiler asks for.
-const PACKAGES: [&str; 5] = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-clippy", "lld-22"];
+/// One matched set: compiler, cargo, library source, clippy, and the linker of the compiler's LLVM.
+const PACKAGES: [&str; 5] = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-clippy", LINKER];
+
+/// Package and program. This compiler would look for it under the name `rust-lld`, which none of these packages has.
+const LINKER: &str = "lld-22";
 
 /// A file beside the library: the compiler it was built for. After an update of the packages it no longer fits.
 const STAMP: &str = "built-by-gcode-playground.txt";
@@ -54,6 +57,7 @@ impl Toolchain {
             Toolchain::Active => {}
             Toolchain::Debian => {
                 command.env("RUSTUP_TOOLCHAIN", DEBIAN);
+                command.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", LINKER);
             }
         }
     }
@@ -147,11 +151,12 @@ fn install(libraries: &[PathBuf], folder: &Path, scratch: &Path) -> Result {
     let version = version().ok_or("Debian's rustc does not tell its version")?;
     fs::write(&stamp, version).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
     let rights = |program| debian::privileged(program).ok_or("no right to write to the toolchain's folder");
-    let what = "putting it where the compiler looks for it";
-    run::quiet(what, rights("rm")?.arg("-rf").arg(folder))?;
-    run::quiet(what, rights("mkdir")?.arg("-p").arg(folder))?;
-    run::quiet(what, rights("cp")?.args(libraries).arg(folder))?;
-    run::quiet(what, rights("cp")?.arg(&stamp).arg(folder))
+    if folder.exists() {
+        run::quiet("removing an older one", rights("rm")?.arg("-r").arg(folder))?;
+    }
+    let mut install = rights("install")?;
+    install.args(["-D", "--mode=644", "--target-directory"]).arg(folder).args(libraries).arg(&stamp);
+    run::quiet("putting it where the compiler looks for it", &mut install)
 }
 
 fn debian_is_ready() -> bool {
