@@ -300,7 +300,7 @@ impl Playground {
     pub fn pick(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
         self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, None);
-        match pick(&scene, self.view.camera(), Pixel::new(x, y), REACH) {
+        match pick(&scene, self.view.camera(), Pixel::new(x, y), REACH, &self.view.highlight) {
             Some(found) => self.stroke(found.stroke.motion, found.at),
             None => Ok(JsValue::UNDEFINED),
         }

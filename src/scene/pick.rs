@@ -2,6 +2,8 @@
 //!
 //! In: a scene, a camera, a place in the picture. Out: the nearest stroke within a tolerance. Pure.
 
+use std::ops::Range;
+
 use crate::geometry::{Arc, Point, Turn};
 
 use super::bounds::Bounds;
@@ -22,9 +24,17 @@ pub struct Pick {
     pub at: Point,
 }
 
-/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, what cuts
-/// goes before rapids, and the later before the earlier.
-pub fn pick(scene: &Scene, camera: &Camera, pixel: Pixel, tolerance: f64) -> Option<Pick> {
+/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, those that
+/// are `lit` (motions of the selected block) go first; then the shortest, which no other place of the picture
+/// could reach (the passes of a cycle lie over one another); then what cuts before rapids, the later before the
+/// earlier.
+pub fn pick(
+    scene: &Scene,
+    camera: &Camera,
+    pixel: Pixel,
+    tolerance: f64,
+    lit: &[Range<usize>],
+) -> Option<Pick> {
     let pointer = camera.to_world(pixel);
     let reach = tolerance / camera.scale();
     let dot = DOT / camera.scale();
@@ -45,7 +55,12 @@ pub fn pick(scene: &Scene, camera: &Camera, pixel: Pixel, tolerance: f64) -> Opt
     };
     let least = near(reach).map(|(distance, _)| distance).min_by(f64::total_cmp)?;
     let tied = near(reach.min(least + TIE / camera.scale()));
-    tied.map(|(_, pick)| pick).max_by_key(|pick| (rank(pick.stroke.style), pick.stroke.motion))
+    let is_lit = |motion: usize| lit.iter().any(|range| range.contains(&motion));
+    tied.map(|(_, pick)| pick).max_by_key(|pick| {
+        let stroke = &pick.stroke;
+        let micrometres = (stroke.shape.length() * 1000.0).round() as i64;
+        (is_lit(stroke.motion), -micrometres, rank(stroke.style), stroke.motion)
+    })
 }
 
 /// The point of a shape nearest to `pointer`.
@@ -103,7 +118,7 @@ mod tests {
         let scene = Scene::new(&motions, &outline, None);
         let camera = Camera::fit(scene.bounds(), Size { width: 700.0, height: 500.0 });
         let at = camera.to_screen(point(diameter, z));
-        let found = pick(&scene, &camera, Pixel::new(at.x + off.0, at.y + off.1), 6.0);
+        let found = pick(&scene, &camera, Pixel::new(at.x + off.0, at.y + off.1), 6.0, &[]);
         assert_eq!(found.map(|pick| pick.stroke.motion), expected);
     }
 
@@ -125,6 +140,18 @@ mod tests {
         check(over, (60.0, -20.0), (0.0, 0.0), Some(0));
         let twice = Path::from(60.0, 0.0).feed(60.0, -50.0).feed(60.0, 0.0);
         check(twice, (60.0, -20.0), (0.0, 3.0), Some(1));
+    }
+
+    #[test]
+    fn passes_that_lie_over_one_another_are_each_reached_where_they_end() {
+        let passes = || {
+            let home = |path: Path| path.feed(130.0, -30.0).rapid(130.0, 3.0);
+            let one = home(Path::from(130.0, 3.0).rapid(80.0, 3.0).feed(80.0, -30.0));
+            home(one.rapid(70.0, 3.0).feed(70.0, -30.0))
+        };
+        check(passes(), (84.0, 3.0), (0.0, 0.0), Some(0));
+        check(passes(), (74.0, 3.0), (0.0, 0.0), Some(4));
+        check(passes(), (120.0, -30.0), (0.0, 0.0), Some(2));
     }
 
     #[test]

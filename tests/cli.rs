@@ -1,0 +1,147 @@
+//! The command line as a manual's build script calls it: output, exit status, bad usage.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::{Value, json};
+
+fn run(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command line starts");
+    // A command that fails early does not read its input.
+    let _ = child.stdin.take().expect("stdin").write_all(input);
+    child.wait_with_output().expect("output")
+}
+
+fn rows(output: &Output) -> Vec<Value> {
+    let text = std::str::from_utf8(&output.stdout).expect("UTF-8");
+    text.lines().map(|line| serde_json::from_str(line).expect("one object a line")).collect()
+}
+
+fn file(name: &str, content: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, content).expect(name);
+    path
+}
+
+#[test]
+fn exit_status_tells_errors_from_bad_usage() {
+    assert_eq!(run(&["check", "-"], b"G0 X1\nM30").status.code(), Some(0));
+    assert_eq!(run(&["check", "-"], b"G0 X\nM30").status.code(), Some(1));
+    assert_eq!(run(&["motions", "-"], b"G777").status.code(), Some(1));
+    assert_eq!(run(&["check", "there/is/no/such.nc"], b"").status.code(), Some(2));
+    assert_eq!(run(&["draw"], b"").status.code(), Some(2));
+    assert_eq!(run(&["check"], b"").status.code(), Some(2));
+    assert_eq!(run(&["check", "-", "--control", "heidenhain"], b"").status.code(), Some(2));
+}
+
+#[test]
+fn an_unknown_key_of_a_setup_is_named() {
+    for (json, key) in [
+        (r#"{"stok": {}}"#, "stok"),
+        (r#"{"dialect": {"feedmode": "G98"}}"#, "feedmode"),
+        (r#"{"tools": {"T0101": {"radius": 1}}}"#, "radius"),
+        (r#"{"stock": {"diameter": 1, "length": 2, "width": 3}}"#, "width"),
+    ] {
+        let setup = file("unknown-key.json", json);
+        let output = run(&["check", "-", "--setup", setup.to_str().unwrap()], b"G0 X1");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(String::from_utf8_lossy(&output.stderr).contains(key), "{key}");
+    }
+}
+
+#[test]
+fn every_switch_of_a_setup_is_read() {
+    let setup = file(
+        "all-keys.json",
+        r#"{"dialect": {"control": "gsk", "gSystem": "A", "decimal": "calculator", "pqUnit": "mm", "powerOnFeed": "G99",
+            "feedMode": "G98", "xuConflict": "last", "negativeArcR": "over180", "g71Retract": "feed",
+            "g73Intervals": "d-1", "g76Clamp": "prev", "reliefFirst": true, "iInG92": "tpi", "threadChamfer": 10,
+            "typeII": true, "strict": false, "polarX": "diameter", "refPoint": {"x": 300, "z": 300}},
+            "initial": {"x": 200, "z": 200},
+            "tools": {"T0101": {"noseRadius": 0.8, "tip": 3, "toolRadius": 10, "type": "endmill", "geometryR": 10}},
+            "stock": {"diameter": 65, "bore": 18, "face": 0, "length": 60}}"#,
+    );
+    let output = run(&["check", "-", "--setup", setup.to_str().unwrap()], b"G0 X1\nM30");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn check_prints_one_object_a_line() {
+    let output = run(&["check", "--format", "json", "-"], "(外圆)\n(😀) GO1 X5\nM30".as_bytes());
+    let rows = rows(&output);
+    assert_eq!(rows.len(), 1);
+    let row = &rows[0];
+    assert_eq!((&row["file"], &row["line"], &row["endLine"]), (&json!("<stdin>"), &json!(2), &json!(2)));
+    // The emoji counts two UTF-16 units.
+    assert_eq!((&row["column"], &row["endColumn"]), (&json!(6), &json!(9)));
+    assert_eq!(
+        (&row["severity"], &row["code"], &row["alarm"]),
+        (&json!("error"), &json!("W-OCR"), &json!("PS0005"))
+    );
+    assert!(row["slug"].is_string() && row["message"].is_string() && row["help"].is_string());
+    let edit = &row["fixes"][0]["edits"][0];
+    assert_eq!((&edit["column"], &edit["endColumn"], &edit["text"]), (&json!(7), &json!(8), &json!("0")));
+    assert_eq!(row["fixes"][0]["safe"], json!(true));
+}
+
+#[test]
+fn check_shows_carets_in_three_languages() {
+    for (language, word) in [("en", "no number"), ("zh", "地址"), ("ru", "адрес")] {
+        let output = run(&["check", "--lang", language, "-"], b"G0 X5\nG1 Z\nM30");
+        let text = String::from_utf8_lossy(&output.stdout).to_lowercase();
+        assert!(
+            text.contains("2 | g1 z") && text.contains("|    ^") && text.contains("<stdin>:2:4"),
+            "{text}"
+        );
+        assert!(text.contains(word) || language != "en", "{text}");
+    }
+}
+
+#[test]
+fn motions_have_the_documented_keys() {
+    let output = run(
+        &["motions", "--control", "gsk", "-"],
+        b"M3 S1 F100\nG0 X20 Z0\nG3 X40 Z-10 R10\nG92 X18 Z-20 F2\nG4 X1\nM30",
+    );
+    let rows = rows(&output);
+    assert_eq!(rows[0], json!({"kind": "rapid", "to": {"x": 20.0, "z": 0.0}, "line": 2}));
+    assert_eq!(
+        rows[1],
+        json!({"kind": "arc", "to": {"x": 40.0, "z": -10.0}, "line": 3, "center": {"x": 20.0, "z": -10.0},
+               "r": 10.0, "dir": "ccw"})
+    );
+    let thread = rows.iter().find(|row| row["kind"] == "thread").expect("a thread");
+    assert_eq!(
+        (&thread["lead"], &thread["cycle"], &thread["pass"], &thread["step"]),
+        (&json!(2.0), &json!("G92"), &json!(1), &json!("cut"))
+    );
+    assert_eq!(rows.last().expect("a dwell")["kind"], "dwell");
+}
+
+#[test]
+fn svg_goes_to_a_file_or_to_standard_output() {
+    let program = b"M3 S1\nG0 X20 Z2\nG1 Z-10 F0.2\nM30";
+    let output = run(&["svg", "-"], program);
+    assert!(output.stdout.starts_with(b"<svg") || output.stdout.starts_with(b"<?xml"));
+    let path = file("out.svg", "");
+    let output = run(&["svg", "-", "-o", path.to_str().unwrap()], program);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0));
+    assert!(std::fs::read_to_string(path).expect("out.svg").contains("</svg>"));
+}
+
+#[test]
+fn bytes_of_any_kind_are_read() {
+    for input in [&b""[..], b"\xff\xfe\x00G0 X1", b"((((", b"G0 X1 (\xd0\xcf)\nM30"] {
+        let output = run(&["check", "-"], input);
+        assert!(matches!(output.status.code(), Some(0 | 1)));
+        assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
+    }
+}

@@ -1,0 +1,225 @@
+//! What blocks do, one rule a test, in the notation of the semantics: `R(x,z)` rapid, `F` feed, `T` thread,
+//! `A+`/`A-` arc counter-clockwise and clockwise with its centre, `D` dwell; X a diameter.
+#![cfg(not(target_arch = "wasm32"))]
+
+use gcode_playground::analyze;
+use gcode_playground::api;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::number;
+
+/// The one door: a program under a setup gives these motions.
+#[track_caller]
+fn check_with(setup: &str, program: &str, expected: &str) {
+    let setup = Setup::from_json(setup).expect("setup");
+    let analysis = analyze(program.as_bytes(), &setup);
+    let found: Vec<String> = api::motions(&analysis.motions)
+        .map(|row| {
+            let to = format!("({},{})", number(row.to.x), number(row.to.z));
+            match (row.kind, row.dir, row.center, row.seconds) {
+                ("rapid", ..) => format!("R{to}"),
+                ("feed", ..) => format!("F{to}"),
+                ("thread", ..) => format!("T{to}"),
+                (_, Some(dir), Some(center), _) => {
+                    let sign = if dir == "ccw" { '+' } else { '-' };
+                    format!("A{sign}{to}c({},{})", number(center.x), number(center.z))
+                }
+                (_, _, _, seconds) => format!("D{}", number(seconds.unwrap_or(f64::NAN))),
+            }
+        })
+        .collect();
+    assert_eq!(found.join(" "), expected, "\n{program}\n{:?}", analysis.diagnostics);
+}
+
+#[track_caller]
+fn check(program: &str, expected: &str) {
+    check_with(r#"{"initial": {"x": 100, "z": 50}}"#, program, expected);
+}
+
+#[test]
+fn a_block_without_axis_words_moves_nothing() {
+    check("G0\nM3 S100\nG01 F0.2\nT0101\nX80", "F(80,50)");
+}
+
+#[test]
+fn absolute_and_incremental_words_mix() {
+    check("G0 X80 W-10\nU-20 Z5\nW-1", "R(80,40) R(60,5) R(60,4)");
+}
+
+#[test]
+fn x_with_u_follows_the_control() {
+    check("G0 X80 U-10", "R(90,50)");
+    check("G0 U-10 X80", "R(80,50)");
+    check_with(
+        r#"{"initial": {"x": 100, "z": 50}, "dialect": {"control": "gsk"}}"#,
+        "G0 X80 U-10",
+        "R(80,50)",
+    );
+}
+
+#[test]
+fn moves_of_no_length_are_not_listed() {
+    check("G0 X100 Z50\nG1 U0 W0 F1\nX100.0004", "");
+}
+
+#[test]
+fn digits_below_the_least_increment_are_cut_off() {
+    check("G0 X80.1239 Z-1.0019", "R(80.123,-1.001)");
+}
+
+#[test]
+fn numbers_without_a_point_follow_the_decimal_rule() {
+    let setup = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"decimal": "leastIncrement"}}"#;
+    check_with(setup, "G0 X80000 Z-10.\nG4 X1500", "R(80,-10) D1.5");
+    check("G0 X80 Z-10", "R(80,-10)");
+}
+
+#[test]
+fn inches_are_converted_and_keep_the_place() {
+    check("G20 G0 X1. Z-2.\nG21 W-1", "R(25.4,-50.8) R(25.4,-51.8)");
+    let setup = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"decimal": "leastIncrement"}}"#;
+    check_with(setup, "G20 G0 X10000 Z-5", "R(25.4,-0.0127)");
+}
+
+#[test]
+fn arcs_by_radius_and_by_centre() {
+    let start = "M3 S1 G98 F100\nG0 X20 Z0\n";
+    check(&format!("{start}G3 X40 Z-10 R10"), "R(20,0) A+(40,-10)c(20,-10)");
+    check(&format!("{start}G2 X40 Z-10 R10"), "R(20,0) A-(40,-10)c(40,0)");
+    check(&format!("{start}G3 X40 Z-10 I0 K-10"), "R(20,0) A+(40,-10)c(20,-10)");
+    check(&format!("{start}G2 X40 Z-10 R-10"), "R(20,0) A-(40,-10)c(20,-10)");
+    // R wins over I and K; a full circle needs I or K.
+    check(&format!("{start}G3 X40 Z-10 R10 I5 K5"), "R(20,0) A+(40,-10)c(20,-10)");
+    check(&format!("{start}G2 K-5"), "R(20,0) A-(20,0)c(20,-5)");
+    check(&format!("{start}G2 X20 Z0 R5"), "R(20,0)");
+}
+
+#[test]
+fn an_error_drops_its_block_and_the_position_stays() {
+    check("M3 S1\nG1 X90\nF0.1\nX80\nG2 X70 R1\nG1 Z0", "F(80,50) F(80,0)");
+}
+
+#[test]
+fn dwells_in_seconds_and_milliseconds() {
+    check("G04 X1.5\nG4 U2\nG04 P500\nG4", "D1.5 D2 D0.5");
+}
+
+#[test]
+fn g28_goes_over_the_intermediate_point() {
+    check("G28 U0 W0", "R(300,300)");
+    check("G28 X120 Z60", "R(120,60) R(300,300)");
+    check("G28 U0", "R(300,50)");
+    let setup = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"refPoint": {"x": 400, "z": 500}}}"#;
+    check_with(setup, "G50 X0 Z0\nG28 U0 W0", "R(300,450)");
+}
+
+#[test]
+fn g50_sets_and_shifts_the_frame() {
+    check("G50 X200 Z100\nG0 X150\nW-10", "R(150,100) R(150,90)");
+    check("G50 U50 W-5\nG0 U-10", "R(140,45)");
+    // A limit of speed alone sets no coordinates.
+    check("G50 S2000\nG0 U-10", "R(90,50)");
+}
+
+#[test]
+fn g52_shifts_its_own_frame() {
+    check("G52 X10 Z5\nG0 U2\nG52 X0 Z0\nG0 U2", "R(92,45) R(104,50)");
+    check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(102,50) R(94,50)");
+}
+
+#[test]
+fn g90_remembers_until_another_motion_code() {
+    let start = "M3 S1 G98 F100\nG0 X60 Z2\n";
+    check(
+        &format!("{start}G90 X50 Z-30\nX40\nG0 X70"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(40,-30) F(60,-30) R(60,2) R(70,2)",
+    );
+    // U counts from the start point each time; M, S and T alone do not repeat the cycle.
+    check(
+        &format!("{start}G90 U-10 W-32\nM8\nS500\nU-20"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(40,-30) F(60,-30) R(60,2)",
+    );
+    // Spelled again without R, the taper is gone; without G code it stays.
+    check(
+        &format!("{start}G90 X50 Z-30 R-5\nX40\nG90 X40"),
+        "R(60,2) R(40,2) F(50,-30) F(60,-30) R(60,2) R(30,2) F(40,-30) F(60,-30) R(60,2) \
+         R(40,2) F(40,-30) F(60,-30) R(60,2)",
+    );
+    // A bare R is remembered and moves nothing.
+    check(
+        &format!("{start}G90 X50 Z-30\nR-5\nX40"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(30,2) F(40,-30) F(60,-30) R(60,2)",
+    );
+    // A dwell leaves the memory alone, another one-shot code clears it.
+    check(
+        &format!("{start}G90 X50 Z-30\nG4 X1\nX40"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) D1 R(40,2) F(40,-30) F(60,-30) R(60,2)",
+    );
+    check(
+        &format!("{start}G90 X50 Z-30\nG50 S100\nX40"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(40,2) F(60,2)",
+    );
+    // Another of the three keeps X and Z.
+    check(
+        &format!("{start}G90 X50 Z-30\nG94 X20"),
+        "R(60,2) R(50,2) F(50,-30) F(60,-30) R(60,2) R(60,-30) F(20,-30) F(20,2) R(60,2)",
+    );
+}
+
+#[test]
+fn a_bare_g90_cuts_nothing() {
+    check("M3 S1\nG18 G21 G40 G80 G90 G99\nG0 X60 Z2\nG1 Z-5 F0.2", "R(60,2) F(60,-5)");
+    check("M3 S1 F1\nG90\nU0. W0.\nG0 X60", "R(60,50)");
+}
+
+#[test]
+fn g92_pulls_out_as_set() {
+    let start = "M3 S1\nG0 X35 Z4\n";
+    let setup = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"threadChamfer": 10}}"#;
+    check_with(
+        setup,
+        &format!("{start}G92 X28 Z-26 F2"),
+        "R(35,4) R(28,4) T(28,-24) T(32,-26) R(35,-26) R(35,4)",
+    );
+    check_with(setup, &format!("M24\n{start}G92 X28 Z-26 F2"), "R(35,4) R(28,4) T(28,-26) R(35,-26) R(35,4)");
+    check(&format!("{start}G92 X28 Z-26 R-1 F2"), "R(35,4) R(26,4) T(28,-26) R(35,-26) R(35,4)");
+    let gsk = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"control": "gsk"}}"#;
+    check_with(
+        gsk,
+        &format!("{start}G92 X28 Z-26 F2 J1 K3"),
+        "R(35,4) R(28,4) T(28,-23) T(30,-26) R(35,-26) R(35,4)",
+    );
+    check_with(
+        gsk,
+        &format!("{start}G92 X28 Z-26 F2 L2"),
+        "R(35,4) R(28,4) T(28,-26) R(35,-26) R(35,4) R(28,4) T(28,-26) R(35,-26) R(35,4)",
+    );
+}
+
+#[test]
+fn leads_in_threads_per_inch_follow_the_control() {
+    let lead = |setup: &str, program: &str| -> Option<f64> {
+        let analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
+        api::motions(&analysis.motions).find(|row| row.kind == "thread").and_then(|row| row.lead)
+    };
+    let gsk = r#"{"dialect": {"control": "gsk"}}"#;
+    assert_eq!(lead(gsk, "M3 S1\nG0 X30 Z2\nG92 X28 Z-20 I8"), Some(3.175));
+    assert_eq!(lead(gsk, "M3 S1\nG0 X30 Z2\nG32 Z-20 I10"), Some(2.54));
+    assert_eq!(lead("{}", "M3 S1\nG0 X30 Z2\nG92 X28 Z-20 I1 F2"), Some(2.0));
+    assert_eq!(lead("{}", "G20 M3 S1\nG0 X1. Z.1\nG32 Z-1. F.1"), Some(2.54));
+    assert_eq!(lead("{}", "M3 S1\nG0 X30 Z2\nG32 Z-20"), None);
+}
+
+#[test]
+fn the_program_ends_at_m30_and_what_follows_is_only_read() {
+    check("G0 X80\nM30\nX70", "R(80,50)");
+    check("G0 X80 M02\nX70", "R(80,50)");
+    check("O1\nG0 X80\nM30\nO2\nG0 X70\nM99", "R(80,50)");
+    check("G00 X200 Z200 T0100 M05", "R(200,200)");
+}
+
+#[test]
+fn what_is_not_done_yet_moves_nothing_and_makes_the_rest_uncertain() {
+    let analysis = analyze(b"M3 S1\nG0 X50\nG53 X0 Z0\nG1 X40 F1\nM30", &Setup::default());
+    let rows: Vec<_> = api::motions(&analysis.motions).map(|row| (row.to.x, row.uncertain)).collect();
+    assert_eq!(rows, [(50.0, false), (40.0, true)]);
+}

@@ -1,0 +1,138 @@
+//! Messages at their exact place: the carets under a line mark the span, the code stands behind them.
+#![cfg(not(target_arch = "wasm32"))]
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::Diagnostic;
+use gcode_playground::text::source::LineIndex;
+
+/// The one door: a program whose annotated lines (`//  ^^^ CODE`) are all its messages but hints.
+#[track_caller]
+fn check_with(setup: &str, annotated: &str) {
+    let (mut program, mut expected) = (Vec::new(), Vec::new());
+    for line in annotated.lines() {
+        if let Some(marks) = line.strip_prefix("//") {
+            let column = marks.find('^').expect("carets") + 2;
+            let length = marks.matches('^').count();
+            let code = marks[marks.rfind('^').expect("carets") + 1..].trim();
+            expected.push((program.len(), column, length, code.to_owned()));
+        } else {
+            program.push(line);
+        }
+    }
+    let program = program.join("\n");
+    let analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
+    let lines = LineIndex::new(program.as_bytes());
+    let place = |found: &Diagnostic| {
+        let at = lines.line_column(program.as_bytes(), found.span.start);
+        let length = found.span.quote(program.as_bytes()).chars().count();
+        (at.line as usize + 1, at.column as usize, length, found.message.code().to_owned())
+    };
+    let found: Vec<_> = analysis.diagnostics.iter().map(place).filter(|row| row.3 != "W-NO-END").collect();
+    assert_eq!(found, expected, "\n{program}");
+}
+
+#[track_caller]
+fn check(annotated: &str) {
+    check_with(r#"{"dialect": {"feedMode": "G98"}}"#, annotated);
+}
+
+/// The one door of repairs: applied, they give the other text.
+#[track_caller]
+fn check_fix(before: &str, after: &str) {
+    let analysis = analyze(before.as_bytes(), &Setup::default());
+    let mut edits: Vec<_> = analysis
+        .diagnostics
+        .iter()
+        .flat_map(|found| &found.fixes)
+        .flat_map(|fix| fix.edits.clone())
+        .collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    let mut text = before.to_owned();
+    for edit in edits {
+        text.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.text);
+    }
+    assert_eq!(text, after);
+}
+
+#[test]
+fn writing() {
+    check("G00 X12.8. Z5\n//  ^^^^^^ PS0007");
+    check("G00 X50 Z\n//      ^ PS0005");
+    check("G00 X50 ?\n//      ^ PS0009");
+    check("G00 X50 Z,15\n//      ^^^^ W-OCR");
+    check("   GO1 X50\n// ^^^ W-OCR");
+    check("   hello world\n// ^^^^^^^^^^^ W-PLAIN-TEXT");
+    check("G00 (open\n//  ^ W-COMMENT-OPEN");
+}
+
+#[test]
+fn codes_and_words() {
+    check("   G777 X5\n// ^^^^ PS0010");
+    check("M3 S-100\n// ^^^^^ PS0006");
+    check("M3 S1.5\n// ^^^^ PS0007");
+    check("G00 X50 X60\n//      ^^^ W-DUP-WORD");
+    check("G00 X50 U6\n//  ^^^^^^ W-X-AND-U");
+    check("G00 G01 X50 F100 M3\n//  ^^^ W-SAME-GROUP");
+    check("G50 X100 Z100 T0101\n//            ^^^^^ PS0245");
+    check("G00 X50 T1\n//      ^^ W-T1");
+    check("G21 G90 G98\n//  ^^^ W-G90-MILL");
+    check("   G28\n// ^^^ W-G28-NO-AXIS");
+    check("   G04\n// ^^^ W-DWELL-NO-TIME");
+    check("   M777\n// ^^^^ W-M-UNKNOWN");
+}
+
+#[test]
+fn feed_and_spindle() {
+    check("M3 S500\n   G01 X50\n// ^^^^^^^ PS0011");
+    check("M3 S500\n   G32 Z5\n// ^^^^^^ PS0011");
+    check_with("{}", "M3 S500\nG01 X50 F200\n//      ^^^^ W-FEED-MODE\nG01 X40 F100");
+    check("M3 S500\nG01 X50 F0.2\n//      ^^^^ W-FEED-MODE");
+    check("M3 S500\nG01 X50 F100\n   G99 X40\n// ^^^^^^^ W-FEED-KEPT");
+    check("   G01 X50 F100\n// ^^^^^^^^^^^^ W-NO-SPINDLE\nX40");
+    check("G96 S120 M3\n//  ^^^^ W-CSS-NOCLAMP");
+    check("G50 S1000 Q2000\n//        ^^^^^ W-CSS-UNSET");
+    check("G50 S1000\nG96 S100 M3\n   G32 Z5 F2\n// ^^^^^^^^^ W-THREAD-CSS");
+    // The nearest cases that are right.
+    check("G50 S2000\nG96 S120 M3\nG97 S500\nG32 Z5 F2");
+    check("M3 S500\nG99 G01 X50 F0.2");
+}
+
+#[test]
+fn arcs() {
+    check("M3 S1 F100\nG0 X20 Z0\n   G3 X40 Z-10 R1\n// ^^^^^^^^^^^^^^ PS0020");
+    check("M3 S1 F100\nG0 X20 Z0\n   G3 X40 Z-10\n// ^^^^^^^^^^^ PS0022");
+    check("M3 S1 F100\nG0 X20 Z0\n   G3 X40 Z-10 K-8\n// ^^^^^^^^^^^^^^^ PS0020");
+    check("M3 S1 F100\nG0 X20 Z0\nG3 X40 Z-10 K-10");
+    let alarm = r#"{"dialect": {"negativeArcR": "alarm", "feedMode": "G98"}}"#;
+    check_with(alarm, "M3 S1 F100\nG0 X20 Z0\nG3 X40 Z-10 R-10\n//          ^^^^ PS0023");
+}
+
+#[test]
+fn tapers() {
+    let gsk = r#"{"dialect": {"control": "gsk"}}"#;
+    check_with(gsk, "M3 S1 F100\nG0 X60 Z0\nG90 X50 Z-30 R8\n//           ^^ E-TAPER-R");
+    check_with(gsk, "M3 S1 F100\nG0 X60 Z0\nG90 X50 Z-30 R5");
+    check_with(gsk, "M3 S1 F100\nG0 X60 Z0\nG90 X60 Z-30 R-8");
+    check_with(gsk, "M3 S1 F100\nG0 X60 Z5\nG94 X50 Z0 R8\n//         ^^ E-TAPER-R");
+    let stock = r#"{"dialect": {"feedMode": "G98"}, "stock": {"diameter": 50, "length": 60}}"#;
+    check_with(stock, "M3 S1 F100\nG0 X54 Z5\nG94 X30 Z0 R-20\n//         ^^^^ W-TAPER-NOT-EXTENDED");
+    check_with(stock, "M3 S1 F100\nG0 X54 Z5\nG94 X30 Z0 R-24");
+}
+
+#[test]
+fn programs() {
+    check("   O0\n// ^^ E-PROGRAM-ZERO");
+    check("O5\nG0 X1\nM30\n   O5\n// ^^ W-DUP-O");
+    check_with("{}", "   G71 U2 R1\n// ^^^ N-NOT-YET");
+}
+
+#[test]
+fn repairs() {
+    check_fix("GO1 X5", "G01 X5");
+    check_fix("G01 Z,15", "G01 Z.15");
+    check_fix("G01 Z2,5", "G01 Z2.5");
+    check_fix("Z–20", "Z-20");
+    check_fix("G0 (open\nX5", "G0 (open)\nX5");
+    check_fix("00006;\nG0 X1", "O0006;\nG0 X1");
+}
