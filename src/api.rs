@@ -327,7 +327,7 @@ pub fn motion(motion: &motion::Motion, line: u32) -> Motion {
         lead: motion.lead.map(rounded),
         seconds: motion.seconds.map(rounded),
         cycle: motion.cycle.map(|step| step.cycle.code()),
-        pass: motion.cycle.map(|step| step.pass),
+        pass: motion.cycle.map(|step| step.pass).filter(|&pass| pass > 0),
         step: motion.cycle.map(|step| step.step.name()),
         uncertain: motion.process.uncertain,
     }

@@ -46,6 +46,20 @@ pub enum Cycle {
     Threading = 2,
     /// Facing cycle, G94.
     Facing = 3,
+    /// Finishing along the contour, G70.
+    Finishing = 4,
+    /// Rough turning, G71.
+    RoughTurning = 5,
+    /// Rough facing, G72.
+    RoughFacing = 6,
+    /// Pattern repeating, G73.
+    Pattern = 7,
+    /// Pecking along Z, G74.
+    FacePecking = 8,
+    /// Grooving along X, G75.
+    Grooving = 9,
+    /// Thread in many passes, G76.
+    MultiThreading = 10,
 }
 
 impl Cycle {
@@ -55,8 +69,28 @@ impl Cycle {
             Self::Turning => "G90",
             Self::Threading => "G92",
             Self::Facing => "G94",
+            Self::Finishing => "G70",
+            Self::RoughTurning => "G71",
+            Self::RoughFacing => "G72",
+            Self::Pattern => "G73",
+            Self::FacePecking => "G74",
+            Self::Grooving => "G75",
+            Self::MultiThreading => "G76",
         }
     }
+
+    const ALL: [Cycle; 10] = [
+        Self::Turning,
+        Self::Threading,
+        Self::Facing,
+        Self::Finishing,
+        Self::RoughTurning,
+        Self::RoughFacing,
+        Self::Pattern,
+        Self::FacePecking,
+        Self::Grooving,
+        Self::MultiThreading,
+    ];
 }
 
 /// The part of a cycle a motion plays.
@@ -71,8 +105,33 @@ pub enum Step {
     PullOut = 3,
     /// Away from the work.
     Retract = 4,
-    /// Back to the start point of the cycle.
+    /// Back to the start point of the cycle, or of the next pass.
     Return = 5,
+    /// From the start point to where the passes begin.
+    Approach = 6,
+    /// At 45° away from the wall at the end of a pass.
+    Escape = 7,
+    /// Along the contour: the last pass of roughing, or finishing.
+    Contour = 8,
+    /// Sideways relief at the bottom of a peck.
+    Relief = 9,
+    /// To the next column of pecks.
+    Stepover = 10,
+}
+
+impl Step {
+    const ALL: [Step; 10] = [
+        Self::Infeed,
+        Self::Cut,
+        Self::PullOut,
+        Self::Retract,
+        Self::Return,
+        Self::Approach,
+        Self::Escape,
+        Self::Contour,
+        Self::Relief,
+        Self::Stepover,
+    ];
 }
 
 impl Step {
@@ -84,6 +143,11 @@ impl Step {
             Self::PullOut => "pull-out",
             Self::Retract => "retract",
             Self::Return => "return",
+            Self::Approach => "approach",
+            Self::Escape => "escape",
+            Self::Contour => "contour",
+            Self::Relief => "relief",
+            Self::Stepover => "stepover",
         }
     }
 }
@@ -437,18 +501,8 @@ fn pack_cycle(step: CycleStep) -> u32 {
 }
 
 fn unpack_cycle(packed: u32) -> Option<CycleStep> {
-    let cycle = match packed & ((1 << CYCLE_BITS) - 1) {
-        1 => Cycle::Turning,
-        2 => Cycle::Threading,
-        3 => Cycle::Facing,
-        _ => return None,
-    };
-    let step = match packed >> CYCLE_BITS & ((1 << STEP_BITS) - 1) {
-        1 => Step::Infeed,
-        2 => Step::Cut,
-        3 => Step::PullOut,
-        4 => Step::Retract,
-        _ => Step::Return,
-    };
+    let at = |shift: u32, bits: u32| (packed >> shift & ((1 << bits) - 1)) as usize;
+    let cycle = Cycle::ALL[at(0, CYCLE_BITS).checked_sub(1)?];
+    let step = Step::ALL[at(CYCLE_BITS, STEP_BITS).checked_sub(1)?];
     Some(CycleStep { cycle, pass: packed >> (CYCLE_BITS + STEP_BITS), step })
 }

@@ -118,6 +118,12 @@ impl Run {
         &self.text
     }
 
+    /// The text, taken out of a run that is not needed any more.
+    pub fn take_text(&mut self) -> Vec<u8> {
+        self.finished = true;
+        std::mem::take(&mut self.text)
+    }
+
     /// The state of the control after the last block.
     pub fn state(&self) -> &State {
         &self.interpreter.state

@@ -127,7 +127,7 @@ impl Playground {
 
     /// Begins a run of the text under the setup.
     pub fn start(&mut self) {
-        let text = self.run.text().to_vec();
+        let text = self.run.take_text();
         self.begin(text);
     }
 

@@ -5,8 +5,9 @@
 
 use super::dialect::FeedMode;
 use super::words::Unit;
+use crate::cycles::single::Single;
 use crate::geometry::Turn;
-use crate::motion::{Cycle, SpindleTurn};
+use crate::motion::SpindleTurn;
 
 /// What a G code asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +21,7 @@ pub enum G {
     /// G32.
     Thread,
     /// G90, G92, G94.
-    Cycle(Cycle),
+    Cycle(Single),
     /// G04.
     Dwell,
     /// G17, G18, G19.
@@ -104,9 +105,9 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         570 => (G::Frame(3), 14),
         580 => (G::Frame(4), 14),
         590 => (G::Frame(5), 14),
-        900 => (G::Cycle(Cycle::Turning), 1),
-        920 => (G::Cycle(Cycle::Threading), 1),
-        940 => (G::Cycle(Cycle::Facing), 1),
+        900 => (G::Cycle(Single::Turning), 1),
+        920 => (G::Cycle(Single::Threading), 1),
+        940 => (G::Cycle(Single::Facing), 1),
         960 => (G::SurfaceSpeed, 2),
         970 => (G::ConstantSpeed, 2),
         980 => (G::Feed(FeedMode::PerMinute), 5),

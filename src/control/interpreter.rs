@@ -12,11 +12,12 @@ use super::dialect::{Control, Dialect, FeedMode, IInG92, NegativeArcR, XuConflic
 use super::modal::{CycleMemory, MotionMode, Once, State, Target};
 use super::setup::{Setup, Tool};
 use super::words::{self, Reading, Words, letters, plain, quote};
-use crate::cycles::single::{self, Move, PullOut};
+use crate::cycles::Move;
+use crate::cycles::single::{self, PullOut, Single};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
 use crate::limits::Limits;
-use crate::motion::{Chunk, Cycle, CycleStep, Motion, MotionKind, Motions, SpindleTurn};
+use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::source::Span;
 
@@ -466,7 +467,7 @@ impl Interpreter {
             _ => state.memory = CycleMemory::EMPTY,
         }
         state.motion = mode;
-        if mode == MotionMode::Cycle(Cycle::Turning)
+        if mode == MotionMode::Cycle(Single::Turning)
             && !words.has_any(AXES)
             && state.told.first(Once::G90AsAbsolute)
         {
@@ -639,13 +640,15 @@ impl Interpreter {
     }
 
     /// G90, G92, G94 (semantics §6).
-    fn cycle(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words, cycle: Cycle) {
+    fn cycle(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words, cycle: Single) {
         let reading = self.reading();
         let taper = self.taper_word(words, cycle).and_then(|address| words.get(address));
         if let Some(value) = taper.and_then(|word| reading.length(word)) {
             self.state.memory.taper = value;
         }
-        if cycle == Cycle::Threading && words.get(b'I').is_some() && self.state.told.first(Once::LetterIInG92)
+        if cycle == Single::Threading
+            && words.get(b'I').is_some()
+            && self.state.told.first(Once::LetterIInG92)
         {
             let as_taper = self.dialect.i_in_g92 == IInG92::Taper;
             self.tell(Diagnostic::new(Message::LetterIInG92 { as_taper }, words.span(b'I')));
@@ -670,7 +673,7 @@ impl Interpreter {
             return;
         }
         let lead = match cycle {
-            Cycle::Threading => {
+            Single::Threading => {
                 let Some(lead) = self.lead(block, words, "G92") else {
                     request.drop = true;
                     return;
@@ -678,7 +681,7 @@ impl Interpreter {
                 self.watch_thread(text, block, words, "G92");
                 Some(lead)
             }
-            Cycle::Turning | Cycle::Facing => {
+            Single::Turning | Single::Facing => {
                 if !self.may_cut(block, words, request) {
                     return;
                 }
@@ -690,11 +693,11 @@ impl Interpreter {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
             match (cycle, lead) {
-                (Cycle::Threading, Some(lead)) => {
+                (Single::Threading, Some(lead)) => {
                     let moves = single::threading(start, end, memory.taper, self.pull_out(words, lead));
                     self.run_moves(block, cycle, pass, Some(lead), &moves);
                 }
-                (Cycle::Facing, _) => {
+                (Single::Facing, _) => {
                     self.run_moves(block, cycle, pass, None, &single::facing(start, end, memory.taper));
                 }
                 _ => self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper)),
@@ -703,21 +706,21 @@ impl Interpreter {
     }
 
     /// The letter that holds the taper in a block of a cycle: R, or its older spelling.
-    fn taper_word(&self, words: &Words, cycle: Cycle) -> Option<u8> {
+    fn taper_word(&self, words: &Words, cycle: Single) -> Option<u8> {
         let old = match cycle {
-            Cycle::Turning => Some(b'I'),
-            Cycle::Facing => Some(b'K'),
-            Cycle::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
+            Single::Turning => Some(b'I'),
+            Single::Facing => Some(b'K'),
+            Single::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
         };
         [Some(b'R'), old].into_iter().flatten().find(|&address| words.get(address).is_some())
     }
 
     /// Checks the taper against the start point and, where a blank is known, against the drawing.
-    fn taper_fits(&mut self, cycle: Cycle, start: Point, end: Point, span: Span) -> bool {
+    fn taper_fits(&mut self, cycle: Single, start: Point, end: Point, span: Span) -> bool {
         let taper = self.state.memory.taper;
         let (way, limit, axis) = match cycle {
-            Cycle::Turning | Cycle::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
-            Cycle::Facing => (end.z - start.z, end.z - start.z, 'W'),
+            Single::Turning | Single::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
+            Single::Facing => (end.z - start.z, end.z - start.z, 'W'),
         };
         if single::begins_beyond_start(way, taper) {
             // GSK states it as an error (seed 000); no FANUC alarm is known for it.
@@ -737,8 +740,8 @@ impl Interpreter {
     }
 
     /// How often a G92 pass is cut: once, or for each start (GSK L).
-    fn starts(&self, words: &Words, cycle: Cycle) -> u64 {
-        let several = cycle == Cycle::Threading && self.dialect.control == Control::Gsk;
+    fn starts(&self, words: &Words, cycle: Single) -> u64 {
+        let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
         let starts = words.get(b'L').filter(|_| several).and_then(plain);
         starts.map_or(1, |starts| starts.clamp(1.0, 99.0) as u64)
     }
@@ -761,9 +764,9 @@ impl Interpreter {
         }
     }
 
-    fn run_moves(&mut self, block: &Block, cycle: Cycle, pass: u32, lead: Option<f64>, moves: &[Move]) {
+    fn run_moves(&mut self, block: &Block, cycle: Single, pass: u32, lead: Option<f64>, moves: &[Move]) {
         for step in moves {
-            let tag = CycleStep { cycle, pass, step: step.step };
+            let tag = CycleStep { cycle: cycle.cycle(), pass, step: step.step };
             let motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
             self.push(block, motion);
         }
@@ -821,14 +824,17 @@ impl Interpreter {
         }
     }
 
-    fn watch_cycle_compensation(&mut self, text: &[u8], block: &Block, cycle: Cycle) {
+    fn watch_cycle_compensation(&mut self, text: &[u8], block: &Block, cycle: Single) {
         if self.state.compensation == Compensation::Off {
             return;
         }
         if self.nose_radius() > 0.0 {
             self.watch_compensation(text, block);
         } else if self.state.told.first(Once::CompensationIdle) {
-            self.tell(Diagnostic::new(Message::CompensationIdle { code: cycle.code() }, block.words_span()));
+            self.tell(Diagnostic::new(
+                Message::CompensationIdle { code: cycle.cycle().code() },
+                block.words_span(),
+            ));
         }
     }
 

@@ -7,8 +7,9 @@ use super::codes::{Compensation, Plane};
 use super::dialect::{Dialect, FeedMode};
 use super::setup::Setup;
 use super::words::Unit;
+use crate::cycles::single::Single;
 use crate::geometry::{Point, Turn};
-use crate::motion::{Cycle, Feed, Process, SpindleSpeed, SpindleTurn};
+use crate::motion::{Feed, Process, SpindleSpeed, SpindleTurn};
 
 /// Group 01: what axis words do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub enum MotionMode {
     /// G32.
     Thread,
     /// G90, G92, G94.
-    Cycle(Cycle),
+    Cycle(Single),
     /// A code of the group that is not done yet: axis words move nothing.
     NotYet,
 }

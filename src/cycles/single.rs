@@ -4,24 +4,34 @@
 //! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004, semantics §6.1). Zero-length moves are left in:
 //! whoever stores motions drops them.
 
+use super::{Move, sign};
 use crate::geometry::{Point, SAME};
-use crate::motion::{MotionKind, Step};
+use crate::motion::{Cycle, MotionKind, Step};
 
-/// One move of a cycle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Move {
-    /// Rapid, feed or thread.
-    pub kind: MotionKind,
-    /// The part it plays.
-    pub step: Step,
-    /// Where it ends.
-    pub to: Point,
+/// Which of the three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Single {
+    /// G90.
+    Turning,
+    /// G92.
+    Threading,
+    /// G94.
+    Facing,
 }
 
-impl Move {
-    fn new(kind: MotionKind, step: Step, x: f64, z: f64) -> Self {
-        Self { kind, step, to: Point::new(x, z) }
+impl Single {
+    /// The cycle as motions name it.
+    pub fn cycle(self) -> Cycle {
+        match self {
+            Self::Turning => Cycle::Turning,
+            Self::Threading => Cycle::Threading,
+            Self::Facing => Cycle::Facing,
+        }
     }
+}
+
+fn step(kind: MotionKind, step: Step, x: f64, z: f64) -> Move {
+    Move::new(kind, step, 1, Point::new(x, z))
 }
 
 /// G90: rapid to depth, cut along Z (on a taper with `taper` ≠ 0), retract at feed, rapid home.
@@ -29,10 +39,10 @@ impl Move {
 /// `taper`: radius at the start of the cut minus radius at its end, mm.
 pub fn turning(start: Point, end: Point, taper: f64) -> [Move; 4] {
     [
-        Move::new(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z),
-        Move::new(MotionKind::Feed, Step::Cut, end.x, end.z),
-        Move::new(MotionKind::Feed, Step::Retract, start.x, end.z),
-        Move::new(MotionKind::Rapid, Step::Return, start.x, start.z),
+        step(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z),
+        step(MotionKind::Feed, Step::Cut, end.x, end.z),
+        step(MotionKind::Feed, Step::Retract, start.x, end.z),
+        step(MotionKind::Rapid, Step::Return, start.x, start.z),
     ]
 }
 
@@ -41,10 +51,10 @@ pub fn turning(start: Point, end: Point, taper: f64) -> [Move; 4] {
 /// `taper`: Z at the start of the cut minus Z at its end, mm; not halved (seed 004).
 pub fn facing(start: Point, end: Point, taper: f64) -> [Move; 4] {
     [
-        Move::new(MotionKind::Rapid, Step::Infeed, start.x, end.z + taper),
-        Move::new(MotionKind::Feed, Step::Cut, end.x, end.z),
-        Move::new(MotionKind::Feed, Step::Retract, end.x, start.z),
-        Move::new(MotionKind::Rapid, Step::Return, start.x, start.z),
+        step(MotionKind::Rapid, Step::Infeed, start.x, end.z + taper),
+        step(MotionKind::Feed, Step::Cut, end.x, end.z),
+        step(MotionKind::Feed, Step::Retract, end.x, start.z),
+        step(MotionKind::Rapid, Step::Return, start.x, start.z),
     ]
 }
 
@@ -60,7 +70,7 @@ pub struct PullOut {
 /// G92: as G90 with the cut in step with the spindle, rapid retract, and the thread leaving the work early by
 /// `pull_out` if there is one. The pull-out never passes the start X, nor is it longer than the thread.
 pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>) -> Vec<Move> {
-    let mut moves = vec![Move::new(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z)];
+    let mut moves = vec![step(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z)];
     let mut leave = end;
     if let Some(pull_out) = pull_out {
         let length = end.z - start.z;
@@ -76,13 +86,13 @@ pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>
             from.x + part * pull_out.out * sign(start.x - end.x),
             if part < 1.0 { from.z + (part * along).copysign(length) } else { end.z },
         );
-        moves.push(Move::new(MotionKind::Thread, Step::Cut, from.x, from.z));
-        moves.push(Move::new(MotionKind::Thread, Step::PullOut, leave.x, leave.z));
+        moves.push(step(MotionKind::Thread, Step::Cut, from.x, from.z));
+        moves.push(step(MotionKind::Thread, Step::PullOut, leave.x, leave.z));
     } else {
-        moves.push(Move::new(MotionKind::Thread, Step::Cut, end.x, end.z));
+        moves.push(step(MotionKind::Thread, Step::Cut, end.x, end.z));
     }
-    moves.push(Move::new(MotionKind::Rapid, Step::Retract, start.x, leave.z));
-    moves.push(Move::new(MotionKind::Rapid, Step::Return, start.x, start.z));
+    moves.push(step(MotionKind::Rapid, Step::Retract, start.x, leave.z));
+    moves.push(step(MotionKind::Rapid, Step::Return, start.x, start.z));
     moves
 }
 
@@ -91,16 +101,6 @@ pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>
 pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
     // A thousandth of a millimetre, the least increment, is forgiven.
     way != 0.0 && taper != 0.0 && (way > 0.0) != (taper > 0.0) && taper.abs() > way.abs() + 0.001
-}
-
-fn sign(value: f64) -> f64 {
-    if value > 0.0 {
-        1.0
-    } else if value < 0.0 {
-        -1.0
-    } else {
-        0.0
-    }
 }
 
 #[cfg(test)]

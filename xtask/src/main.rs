@@ -3,6 +3,7 @@
 //!
 //! Dependencies: none, because every user compiles this first.
 
+mod bench;
 mod browser;
 mod debian;
 mod package;
@@ -22,6 +23,7 @@ use play::{Browser, Options};
 const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
 cargo xtask test                          check and test everything
+cargo xtask bench                         measure the interpreter in wasm
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -30,6 +32,7 @@ cargo xtask setup                         only install what the other commands n
 enum Task {
     Play(Options),
     Test,
+    Bench,
     Setup,
     Help,
 }
@@ -48,6 +51,7 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Play(options) => play::main(options),
         Task::Test => test::main(),
+        Task::Bench => bench::main(),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -67,6 +71,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
     match words {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
         ["test"] => Ok(Task::Test),
+        ["bench"] => Ok(Task::Bench),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),

@@ -213,11 +213,17 @@ pub(super) fn motion(motion: &Motion) -> String {
         Step::PullOut => "pull-out",
         Step::Retract => "retract",
         Step::Return => "return",
+        Step::Approach => "approach",
+        Step::Escape => "escape",
+        Step::Contour => "along the contour",
+        Step::Relief => "relief",
+        Step::Stepover => "step-over",
     };
     let manner = match motion.kind {
         MotionKind::Rapid => "at rapid",
         MotionKind::Thread => "in step with the spindle",
         _ => "at feed",
     };
-    format!("{}, pass {}: {step} {manner} to {to}", cycle.cycle.code(), cycle.pass)
+    let pass = if cycle.pass > 0 { format!(", pass {}", cycle.pass) } else { String::new() };
+    format!("{}{pass}: {step} {manner} to {to}", cycle.cycle.code())
 }

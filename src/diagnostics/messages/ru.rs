@@ -240,6 +240,11 @@ pub(super) fn motion(motion: &Motion) -> String {
         Step::PullOut => "сбег резьбы",
         Step::Retract => "отвод",
         Step::Return => "возврат",
+        Step::Approach => "подход",
+        Step::Escape => "отскок под 45°",
+        Step::Contour => "проход по контуру",
+        Step::Relief => "отвод в сторону",
+        Step::Stepover => "смещение",
     };
     let manner = match motion.kind {
         MotionKind::Rapid => "на ускоренном ходу",
@@ -247,5 +252,6 @@ pub(super) fn motion(motion: &Motion) -> String {
         _ => "на подаче",
     };
     let preposition = if matches!(cycle.step, Step::Cut | Step::PullOut) { "до" } else { "в" };
-    format!("{}, проход {}: {step} {manner} {preposition} {to}", cycle.cycle.code(), cycle.pass)
+    let pass = if cycle.pass > 0 { format!(", проход {}", cycle.pass) } else { String::new() };
+    format!("{}{pass}: {step} {manner} {preposition} {to}", cycle.cycle.code())
 }

@@ -218,11 +218,17 @@ pub(super) fn motion(motion: &Motion) -> String {
         Step::PullOut => "退尾",
         Step::Retract => "退刀",
         Step::Return => "返回",
+        Step::Approach => "趋近",
+        Step::Escape => "45° 退刀",
+        Step::Contour => "沿轮廓",
+        Step::Relief => "让刀",
+        Step::Stepover => "移到下一列",
     };
     let manner = match motion.kind {
         MotionKind::Rapid => "快速",
         MotionKind::Thread => "随主轴同步",
         _ => "以进给",
     };
-    format!("{} 第 {} 刀：{manner}{step}至 {to}", cycle.cycle.code(), cycle.pass)
+    let pass = if cycle.pass > 0 { format!(" 第 {} 刀", cycle.pass) } else { String::new() };
+    format!("{}{pass}：{manner}{step}至 {to}", cycle.cycle.code())
 }

@@ -4,9 +4,9 @@
 //! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
 
 use crate::control::setup::Stock;
+use crate::cycles::single::Single;
 use crate::diagnostics::Message;
 use crate::geometry::Point;
-use crate::motion::Cycle;
 
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;
@@ -14,7 +14,7 @@ const NEAR: f64 = 0.001;
 /// Tells when R looks like the taper of the drawing though the cut begins outside the blank: R would be a
 /// round number at the blank's surface, but the cut leaves the blank at an odd place.
 pub fn taper_not_extended(
-    cycle: Cycle,
+    cycle: Single,
     start: Point,
     end: Point,
     taper: f64,
@@ -25,20 +25,20 @@ pub fn taper_not_extended(
     }
     // `wanted`: where the cut begins; `part`: how much of the cut lies beyond the end at the blank's surface.
     let (wanted, part, scale, base, axis) = match cycle {
-        Cycle::Facing => {
+        Single::Facing => {
             let surface = stock.diameter / 2.0;
             if start.x <= surface + NEAR || end.x >= surface - NEAR {
                 return None;
             }
             (end.z + taper, (surface - end.x) / (start.x - end.x), 1.0, end.z, 'Z')
         }
-        Cycle::Turning => {
+        Single::Turning => {
             if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR {
                 return None;
             }
             (2.0 * (end.x + taper), (stock.face - end.z) / (start.z - end.z), 2.0, 2.0 * end.x, 'X')
         }
-        Cycle::Threading => return None,
+        Single::Threading => return None,
     };
     let crossing = base + scale * taper * part;
     (is_round(wanted) && !is_round(crossing)).then(|| Message::TaperNotExtended {
@@ -65,17 +65,17 @@ mod tests {
     fn seed_004_needs_r_minus_24_from_x54() {
         let (start, end) = (Point::new(27.0, 5.0), Point::new(15.0, 0.0));
         let Some(Message::TaperNotExtended { needed, crossing, wanted, .. }) =
-            taper_not_extended(Cycle::Facing, start, end, -20.0, STOCK)
+            taper_not_extended(Single::Facing, start, end, -20.0, STOCK)
         else {
             panic!("R-20 from X54 must be told")
         };
         assert!((needed + 24.0).abs() < 1e-9 && (crossing + 16.6667).abs() < 1e-3 && wanted == -20.0);
-        assert_eq!(taper_not_extended(Cycle::Facing, start, end, -24.0, STOCK), None);
+        assert_eq!(taper_not_extended(Single::Facing, start, end, -24.0, STOCK), None);
     }
 
     #[test]
     fn a_start_at_the_blank_needs_no_extension() {
         let (start, end) = (Point::new(25.0, 5.0), Point::new(15.0, 0.0));
-        assert_eq!(taper_not_extended(Cycle::Facing, start, end, -20.0, STOCK), None);
+        assert_eq!(taper_not_extended(Single::Facing, start, end, -20.0, STOCK), None);
     }
 }
