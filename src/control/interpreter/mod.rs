@@ -1,0 +1,477 @@
+//! Blocks to motions: what the control does with one block after the other.
+//!
+//! In: blocks, the setup. Out: motions and messages. Values become millimetres and radii here and nowhere
+//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain.
+//!
+//! Order within a block (semantics §1.3): plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
+//! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
+
+mod motions;
+mod settings;
+mod singles;
+mod watch;
+
+use super::arcs::{self, CenterWords};
+use super::codes::{self, Compensation, G, M, Plane, Switch};
+use super::dialect::{Control, Dialect, FeedMode, IInG92, NegativeArcR, XuConflict};
+use super::modal::{CycleMemory, MotionMode, Once, State, Target};
+use super::setup::{Setup, Tool};
+use super::words::{self, Reading, Words, letters, plain, quote};
+use crate::cycles::Move;
+use crate::cycles::single::{self, PullOut, Single};
+use crate::diagnostics::{Diagnostic, Message, Severity};
+use crate::geometry::{Point, Turn};
+use crate::limits::Limits;
+use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn};
+use crate::text::block::{Block, BlockKind, Value, Word};
+use crate::text::source::Span;
+
+/// Motions of a chunk before the next one is begun.
+const CHUNK: usize = 4096;
+
+/// Words that move X or Z.
+const AXES: u32 = letters(b"XZUW");
+
+/// Whether the program goes on after a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// With the next block.
+    Next,
+    /// It has ended.
+    End,
+}
+
+/// One-shot codes: they use up the words of their block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OneShot {
+    Dwell,
+    Home,
+    Setting,
+    LocalFrame,
+    NotYet,
+}
+
+/// What the codes of one block ask for.
+#[derive(Default)]
+struct Request {
+    one_shot: Option<OneShot>,
+    /// A code of group 01 stands in the block.
+    motion: Option<MotionMode>,
+    /// G96 (true) or G97.
+    surface: Option<bool>,
+    /// M05.
+    stop_spindle: bool,
+    /// M02, M30.
+    end: bool,
+    /// The motion of the block is not carried out.
+    drop: bool,
+    /// Groups met so far, as bits, and the word of group 01.
+    groups: u32,
+    group_words: [Span; 2],
+    /// A word of a corner: `,C2`, `,R1`, `,A30`.
+    corner: Option<Span>,
+}
+
+/// Runs blocks and keeps what comes of them.
+pub struct Interpreter {
+    setup: Setup,
+    dialect: Dialect,
+    limits: Limits,
+    /// The state of the control after the last block.
+    pub state: State,
+    /// Finished chunks.
+    motions: Motions,
+    chunk: Chunk,
+    diagnostics: Vec<Diagnostic>,
+    hidden: usize,
+    full: bool,
+}
+
+impl Interpreter {
+    /// A control at power-on.
+    pub fn new(setup: Setup, limits: Limits) -> Self {
+        let dialect = Dialect::new(&setup.dialect);
+        let state = State::new(&setup, &dialect);
+        let chunk = Chunk::new(0, 0, state.position);
+        Self {
+            setup,
+            dialect,
+            limits,
+            state,
+            motions: Motions::default(),
+            chunk,
+            diagnostics: Vec::new(),
+            hidden: 0,
+            full: false,
+        }
+    }
+
+    /// Motions of the finished chunks.
+    pub fn motions(&self) -> &Motions {
+        &self.motions
+    }
+
+    /// Messages so far.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+
+    /// Messages that were not kept.
+    pub fn hidden(&self) -> usize {
+        self.hidden
+    }
+
+    /// The setup of the run.
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions, and puts the messages in
+    /// order of their place.
+    pub fn close(&mut self) {
+        let next = Chunk::new(0, 0, self.state.position);
+        self.motions.push(std::mem::replace(&mut self.chunk, next));
+        self.diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
+    }
+
+    /// Motions and messages.
+    pub fn into_parts(self) -> (Motions, Vec<Diagnostic>) {
+        (self.motions, self.diagnostics)
+    }
+
+    /// Tells something even when no more messages are kept.
+    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Tells the user something.
+    pub fn tell(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() < self.limits.messages {
+            self.diagnostics.push(diagnostic);
+        } else {
+            self.hidden += 1;
+        }
+    }
+
+    /// Tells what is wrong with the writing of a block that is not run.
+    pub fn tell_faults(&mut self, block: &Block) {
+        for fault in &block.faults {
+            self.tell(fault.clone());
+        }
+    }
+
+    /// Carries out one block.
+    pub fn run(&mut self, text: &[u8], block: &Block) -> Flow {
+        let broken = !block.faults.is_empty() && {
+            self.tell_faults(block);
+            block.is_broken()
+        };
+        if self.chunk.is_empty() || self.chunk.len() >= CHUNK {
+            let next = Chunk::new(block.span.start, block.line, self.state.position);
+            self.motions.push(std::mem::replace(&mut self.chunk, next));
+        }
+        match block.kind {
+            BlockKind::Percent => return Flow::Next,
+            BlockKind::Macro => {
+                let what = format!("`{}`", shortened(&quote(text, block.span)));
+                self.tell(Diagnostic::new(Message::NotYet { what }, block.span));
+                self.state.uncertain = true;
+                return Flow::Next;
+            }
+            BlockKind::Words => {}
+        }
+        if block.words.is_empty() {
+            // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
+            self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
+            return Flow::Next;
+        }
+        let mut request = Request { drop: broken, ..Request::default() };
+        let mut words = Words::new(block);
+        for (index, word) in block.words.iter().enumerate() {
+            self.take(text, block, &mut request, &mut words, index, word);
+        }
+        self.technology(text, &request, &words);
+        if request.drop {
+            self.state.uncertain = true;
+            if let Some(mode) = request.motion {
+                self.enter(mode, block, &words);
+            }
+        } else {
+            self.act(text, block, &mut request, &words);
+            self.state.uncertain |= request.drop;
+        }
+        if request.stop_spindle {
+            self.state.spindle.turn = SpindleTurn::Stopped;
+            self.state.spindle.live_tool = false;
+            self.state.told.forget(Once::SpindleStopped);
+        }
+        if request.end || self.full { Flow::End } else { Flow::Next }
+    }
+
+    /// Takes one word: codes change the request and the modal state, data words are kept for later.
+    #[inline]
+    fn take<'b>(
+        &mut self,
+        text: &[u8],
+        block: &'b Block,
+        request: &mut Request,
+        words: &mut Words<'b>,
+        index: usize,
+        word: &Word,
+    ) {
+        let Value::Number { number, .. } = word.value else {
+            let what = format!("`{}`", shortened(&quote(text, word.span)));
+            self.tell(Diagnostic::new(Message::NotYet { what }, word.span));
+            request.drop = true;
+            return;
+        };
+        if let Some(wrong) = words::check(text, word) {
+            self.tell(wrong);
+            request.drop = true;
+            return;
+        }
+        match word.address {
+            b'G' => {
+                let key = match number.decimals {
+                    0 => number.mantissa * 10,
+                    1 => number.mantissa,
+                    _ => u64::MAX,
+                };
+                self.take_g(text, request, key, word);
+            }
+            b'M' => self.take_m(text, request, number.mantissa, word),
+            _ if word.comma => request.corner = Some(word.span),
+            address => {
+                if let Some(_before) = words.take(index, word) {
+                    let used = quote(text, block.words[index].span);
+                    self.tell(Diagnostic::new(
+                        Message::DuplicateWord { address: address as char, used },
+                        word.span,
+                    ));
+                }
+            }
+        }
+    }
+
+    fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
+        let Some((code, group)) = codes::g_code(key) else {
+            self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
+            request.drop = true;
+            return;
+        };
+        self.note_group(text, request, group, word.span);
+        let state = &mut self.state;
+        match code {
+            G::Rapid => request.motion = Some(MotionMode::Rapid),
+            G::Line => request.motion = Some(MotionMode::Line),
+            G::Arc(turn) => request.motion = Some(MotionMode::Arc(turn)),
+            G::Thread => request.motion = Some(MotionMode::Thread),
+            G::Cycle(cycle) => request.motion = Some(MotionMode::Cycle(cycle)),
+            G::Dwell => request.one_shot = Some(OneShot::Dwell),
+            G::Home => request.one_shot = Some(OneShot::Home),
+            G::Setting => request.one_shot = Some(OneShot::Setting),
+            G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
+            G::Plane(plane) => state.plane = plane,
+            G::Unit(unit) => state.unit = unit,
+            G::Compensation(compensation) => {
+                state.compensation = compensation;
+                state.told.forget(Once::CompensationIdle);
+            }
+            G::Frame(frame) => {
+                state.change_frame(|frames| frames.active = frame);
+                state.memory = CycleMemory::EMPTY;
+            }
+            G::SurfaceSpeed => request.surface = Some(true),
+            G::ConstantSpeed => request.surface = Some(false),
+            G::Feed(mode) => {
+                state.feed_is_old |= mode != state.feed_mode && state.feed.is_some();
+                state.feed_mode = mode;
+                state.told.forget(Once::FeedUnit);
+            }
+            G::Idle => {}
+            G::NotYet => {
+                request.one_shot = Some(OneShot::NotYet);
+                self.not_yet(text, word.span);
+            }
+            G::MotionNotYet => {
+                request.motion = Some(MotionMode::NotYet);
+                self.not_yet(text, word.span);
+            }
+        }
+    }
+
+    /// Two different codes of one group in a block: the last is valid.
+    fn note_group(&mut self, text: &[u8], request: &mut Request, group: u8, span: Span) {
+        if group == 0 {
+            return;
+        }
+        let bit = 1 << group;
+        // Only the group of motions keeps its word to compare; the others are rarely met twice.
+        if request.groups & bit != 0 && group == 1 && quote(text, request.group_words[1]) != quote(text, span)
+        {
+            let (dropped, used) = (quote(text, request.group_words[1]), quote(text, span));
+            self.tell(Diagnostic::new(Message::SameGroup { dropped, used }, span));
+        }
+        request.groups |= bit;
+        if group == 1 {
+            request.group_words[1] = span;
+        }
+    }
+
+    fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+        let state = &mut self.state;
+        match codes::m_code(number) {
+            Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
+            Some(M::Spindle(turn)) => state.spindle.turn = turn,
+            Some(M::LiveTool) => state.spindle.live_tool = true,
+            Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
+            Some(M::End) => {
+                request.end = true;
+                state.compensation = Compensation::Off;
+            }
+            Some(M::Pause | M::Idle) => {}
+            Some(M::NotYet) => {
+                self.not_yet(text, word.span);
+                self.state.uncertain = true;
+                // M99 goes back to the caller or to the head of the program: either way this run is over.
+                request.end |= number == 99;
+            }
+            None => self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span)),
+        }
+    }
+
+    /// Coordinate systems, motion, cycles.
+    fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        if let Some(mode) = request.motion {
+            self.enter(mode, block, words);
+        }
+        if let Some(one_shot) = request.one_shot {
+            if one_shot != OneShot::Dwell {
+                self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
+            }
+            if let (OneShot::Setting | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
+                let message = Message::ToolWithSetting { word: quote(text, word.span) };
+                self.tell(Diagnostic::new(message, word.span));
+                request.drop = true;
+                return;
+            }
+            match one_shot {
+                OneShot::Dwell => self.dwell(text, block, words, request),
+                OneShot::Home => self.home(text, block, words),
+                OneShot::Setting => self.setting(words),
+                OneShot::LocalFrame => self.local_frame(words),
+                OneShot::NotYet => self.state.uncertain = true,
+            }
+            return;
+        }
+        const OTHER_AXES: u32 = letters(b"YVCH");
+        if words.has_any(OTHER_AXES) {
+            self.other_axes(text, request, words);
+        }
+        match self.state.motion {
+            MotionMode::Rapid if words.has_any(AXES) => {
+                let to = self.target(text, words);
+                self.watch_compensation(text, block);
+                self.go(block, MotionKind::Rapid, to);
+            }
+            MotionMode::Line if words.has_any(AXES) => {
+                let to = self.target(text, words);
+                if self.may_cut(block, words, request) {
+                    self.corner(text, request, words);
+                    self.go(block, MotionKind::Feed, to);
+                }
+            }
+            MotionMode::Arc(turn) if words.has_any(AXES | letters(b"IK")) => {
+                self.arc(text, block, request, words, turn)
+            }
+            MotionMode::Thread if words.has_any(AXES) => self.thread(text, block, request, words),
+            MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
+            MotionMode::NotYet if words.has_any(AXES) => self.state.uncertain = true,
+            _ if request.corner.is_some() => self.corner(text, request, words),
+            _ => {}
+        }
+    }
+
+    /// A code of group 01 comes into force.
+    fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
+        let state = &mut self.state;
+        match (mode, state.motion) {
+            (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
+                // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
+                state.memory.taper = 0.0;
+                if new != old {
+                    state.memory.passes = 0;
+                }
+            }
+            _ => state.memory = CycleMemory::EMPTY,
+        }
+        state.motion = mode;
+        if mode == MotionMode::Cycle(Single::Turning)
+            && !words.has_any(AXES)
+            && state.told.first(Once::G90AsAbsolute)
+        {
+            let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
+            let span = g90.map_or_else(|| block.words_span(), |word| word.span);
+            self.tell(Diagnostic::new(Message::G90AsAbsolute, span));
+        }
+    }
+
+    fn reading(&self) -> Reading {
+        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    fn not_yet(&mut self, text: &[u8], span: Span) {
+        let what = format!("`{}`", shortened(&quote(text, span)));
+        self.tell(Diagnostic::new(Message::NotYet { what }, span));
+    }
+
+    /// A motion from where the tip stands.
+    #[inline]
+    fn motion(&self, kind: MotionKind, to: Point) -> Motion {
+        Motion {
+            kind,
+            from: self.state.position,
+            to,
+            center: None,
+            lead: None,
+            seconds: None,
+            cycle: None,
+            process: self.state.process(),
+        }
+    }
+
+    /// Moves straight to a place.
+    #[inline]
+    fn go(&mut self, block: &Block, kind: MotionKind, to: Point) {
+        self.push(block, self.motion(kind, to));
+    }
+
+    /// Keeps a motion unless it has no length, and puts the tip at its end.
+    #[inline]
+    fn push(&mut self, block: &Block, motion: Motion) {
+        let still = motion.from.is_same(motion.to) && motion.center.is_none() && motion.seconds.is_none();
+        if still || self.full {
+            return;
+        }
+        if self.motions.len() + self.chunk.len() >= self.limits.motions {
+            self.full = true;
+            self.tell(Diagnostic::new(Message::TooManyMotions { most: self.limits.motions }, block.span));
+            return;
+        }
+        self.chunk.push(&motion, block.span, block.line);
+        self.state.position = motion.to;
+    }
+}
+
+fn is_prose(fault: &Diagnostic) -> bool {
+    matches!(fault.message, Message::PlainText { .. })
+}
+
+/// The head of a long quotation.
+fn shortened(text: &str) -> String {
+    const LONGEST: usize = 24;
+    if text.chars().count() <= LONGEST {
+        return text.to_owned();
+    }
+    text.chars().take(LONGEST - 1).collect::<String>() + "…"
+}

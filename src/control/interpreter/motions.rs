@@ -1,0 +1,200 @@
+//! Moves that a block spells out: G00, G01, G02, G03, G32.
+//!
+//! In: the words of a block. Out: motions. Corner words and angles are answered here too.
+
+use super::*;
+
+impl Interpreter {
+    /// The end point that X, U, Z and W name.
+    #[inline]
+    pub(super) fn target(&mut self, text: &[u8], words: &Words) -> Point {
+        let from = self.state.position;
+        let x = self.axis(text, words, b'X', b'U', 0.5);
+        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        Point::new(x.from(from.x), z.from(from.z))
+    }
+
+    /// What the absolute and the incremental word of an axis say; `scale` turns a diameter into a radius.
+    #[inline]
+    pub(super) fn axis(
+        &mut self,
+        text: &[u8],
+        words: &Words,
+        absolute: u8,
+        incremental: u8,
+        scale: f64,
+    ) -> Target {
+        let reading = self.reading();
+        let (a, i) = (words.get(absolute), words.get(incremental));
+        let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
+        match (a, i) {
+            (Some(a), None) => Target::Absolute(value(a)),
+            (None, Some(i)) => Target::Incremental(value(i)),
+            (None, None) => Target::Stay,
+            (Some(a), Some(i)) => self.conflict(text, a, i, scale),
+        }
+    }
+
+    /// X with U, or Z with W: which one counts.
+    #[cold]
+    pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, scale: f64) -> Target {
+        let reading = self.reading();
+        let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
+        let absolute_counts = match self.dialect.xu_conflict {
+            XuConflict::Absolute => true,
+            XuConflict::Last => a.span.start > i.span.start,
+        };
+        let (absolute, incremental) = (quote(text, a.span), quote(text, i.span));
+        let used = if absolute_counts { absolute.clone() } else { incremental.clone() };
+        let span = a.span.to(i.span);
+        self.tell(Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span));
+        if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
+    }
+
+    /// Y, V, C and H: told once.
+    pub(super) fn other_axes(&mut self, text: &[u8], request: &mut Request, words: &Words) {
+        // C on a G01 block may be a chamfer, which `corner` answers.
+        let is_line = self.state.motion == MotionMode::Line;
+        for address in [b'Y', b'V', b'H', b'C'] {
+            if words.get(address).is_some() && !(address == b'C' && is_line) {
+                if self.state.told.first(Once::AxisNotYet) {
+                    self.not_yet(text, words.span(address));
+                }
+                // The motion of X and Z is drawn all the same.
+                self.state.uncertain = true;
+                request.corner = None;
+            }
+        }
+    }
+
+    /// Chamfers, rounded corners and angles: the move to the programmed corner is drawn.
+    pub(super) fn corner(&mut self, text: &[u8], request: &Request, words: &Words) {
+        const CORNER: u32 = letters(b"CRIKALD");
+        if request.corner.is_none() && !words.has_any(CORNER) {
+            return;
+        }
+        let gsk = self.dialect.control == Control::Gsk;
+        let addresses: &[u8] = if gsk { b"CRIKALD" } else { b"CRIKA" };
+        let word = addresses.iter().find_map(|&letter| words.get(letter)).map(|word| word.span);
+        if let Some(span) = request.corner.or(word) {
+            if self.state.told.first(Once::CornerNotYet) {
+                self.not_yet(text, span);
+            }
+            self.state.uncertain = true;
+        }
+    }
+
+    pub(super) fn arc(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &mut Request,
+        words: &Words,
+        turn: Turn,
+    ) {
+        if self.state.plane != Plane::Zx {
+            if self.state.told.first(Once::PlaneNotYet) {
+                let what = if self.state.plane == Plane::Xy { "`G17`" } else { "`G19`" };
+                self.tell(Diagnostic::new(Message::NotYet { what: what.into() }, block.words_span()));
+            }
+            request.drop = true;
+            return;
+        }
+        let reading = self.reading();
+        let code = if turn == Turn::Clockwise { "G02" } else { "G03" };
+        let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let center_words = match (given(b'R'), given(b'I'), given(b'K')) {
+            (Some(radius), ..) => CenterWords::Radius(radius),
+            (None, None, None) => {
+                self.tell(Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()));
+                request.drop = true;
+                return;
+            }
+            (None, i, k) => CenterWords::Offset { i: i.unwrap_or(0.0), k: k.unwrap_or(0.0) },
+        };
+        if let CenterWords::Radius(radius) = center_words
+            && radius < 0.0
+            && self.dialect.negative_arc_r == NegativeArcR::Alarm
+        {
+            self.tell(Diagnostic::new(Message::ArcRadiusNegative { radius }, words.span(b'R')));
+            request.drop = true;
+            return;
+        }
+        let to = self.target(text, words);
+        if !self.may_cut(block, words, request) {
+            return;
+        }
+        self.watch_compensation(text, block);
+        let (kind, from) = match turn {
+            Turn::Clockwise => (MotionKind::ArcClockwise, self.state.position),
+            Turn::Counterclockwise => (MotionKind::ArcCounterclockwise, self.state.position),
+        };
+        match arcs::center(from, to, turn, center_words) {
+            Ok(Some(center)) => self.push(block, Motion { center: Some(center), ..self.motion(kind, to) }),
+            Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
+            Err(message) => {
+                self.tell(Diagnostic::new(message, block.words_span()));
+                request.drop = true;
+            }
+        }
+    }
+
+    /// G32: one thread cut (semantics §3.5).
+    pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        let to = self.target(text, words);
+        let Some(lead) = self.lead(block, words, "G32") else {
+            request.drop = true;
+            return;
+        };
+        self.watch_thread(text, block, words, "G32");
+        let reading = self.reading();
+        let gsk = self.dialect.control == Control::Gsk;
+        let given = |address: u8| words.get(address).filter(|_| gsk).and_then(|word| reading.length(word));
+        let from = self.state.position;
+        let ends = match (given(b'J'), given(b'K')) {
+            (None, None) => [Some(to), None],
+            (j, k) => {
+                let (out, along) = (j.or(k).unwrap_or(0.0), k.or(j).unwrap_or(0.0));
+                gsk_pull_out(from, to, out, along)
+            }
+        };
+        for end in ends.into_iter().flatten() {
+            let motion = Motion { lead: Some(lead), ..self.motion(MotionKind::Thread, end) };
+            self.push(block, motion);
+        }
+    }
+
+    /// The lead of a thread, mm.
+    pub(super) fn lead(&mut self, block: &Block, words: &Words, code: &'static str) -> Option<f64> {
+        let reading = self.reading();
+        if self.dialect.i_in_g92 == IInG92::Tpi
+            && let Some(threads) = words.get(b'I').and_then(plain).filter(|&threads| threads > 0.0)
+        {
+            self.state.threads_per_inch = Some(threads);
+        }
+        let by_e = words.get(b'E').and_then(|word| reading.feed(word));
+        let by_inch = self.state.threads_per_inch.map(|threads| 25.4 / threads);
+        let lead = by_e.or(by_inch).or(self.state.feed).filter(|&lead| lead > 0.0);
+        if lead.is_none() {
+            self.tell(Diagnostic::new(Message::LeadMissing { code }, block.words_span()));
+        }
+        lead
+    }
+}
+
+/// Pull-out of GSK's G32: K along the long axis (unsigned), J along the short one (signed, a radius for X).
+fn gsk_pull_out(from: Point, to: Point, out: f64, along: f64) -> [Option<Point>; 2] {
+    let (way_x, way_z) = (to.x - from.x, to.z - from.z);
+    let long = way_x.abs().max(way_z.abs());
+    if long == 0.0 {
+        return [Some(to), None];
+    }
+    let part = (along.abs() / long).min(1.0);
+    let leave = Point::new(to.x - part * way_x, to.z - part * way_z);
+    let end = if way_z.abs() >= way_x.abs() {
+        Point::new(leave.x + out, to.z)
+    } else {
+        Point::new(to.x, leave.z + out)
+    };
+    [Some(leave), Some(end)]
+}

@@ -1,0 +1,155 @@
+//! What a block sets without moving the tool: F, S, T, coordinate systems, speed limits; and the one-shot codes
+//! G04 and G28, which use the words of their block in their own way.
+
+use super::*;
+
+impl Interpreter {
+    /// S, F and T, with what G96, G97 and G50 make of S.
+    #[inline]
+    pub(super) fn technology(&mut self, text: &[u8], request: &Request, words: &Words) {
+        const TECHNOLOGY: u32 = letters(b"FST");
+        if request.surface.is_none() && !words.has_any(TECHNOLOGY) {
+            return;
+        }
+        let reading = self.reading();
+        let setting = request.one_shot == Some(OneShot::Setting);
+        if let Some(surface) = request.surface {
+            self.surface_speed(surface, words);
+        }
+        if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
+            let spindle = &mut self.state.spindle;
+            if spindle.surface {
+                spindle.cutting_speed = value;
+            } else {
+                spindle.rpm = value;
+            }
+        }
+        if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
+            self.state.feed = Some(value);
+            self.state.feed_is_old = false;
+            self.state.threads_per_inch = None;
+        }
+        if let Some(word) = words.get(b'T') {
+            self.tool(text, word);
+        }
+    }
+
+    pub(super) fn surface_speed(&mut self, surface: bool, words: &Words) {
+        let radius = self.state.position.x;
+        let spindle = &mut self.state.spindle;
+        if !surface && spindle.surface && words.get(b'S').is_none() {
+            // G97 without S keeps the speed that was reached last.
+            spindle.rpm = spindle.speed_at(radius).unwrap_or(spindle.rpm);
+        }
+        let begins = surface && !spindle.surface;
+        spindle.surface = surface;
+        if begins && spindle.highest.is_none() {
+            self.tell(Diagnostic::new(Message::NoSpeedClamp, words.span(b'S')));
+        }
+    }
+
+    /// The T word: station and offset (semantics §8.2).
+    pub(super) fn tool(&mut self, text: &[u8], word: &Word) {
+        let Value::Number { number, .. } = word.value else { return };
+        let digits = word.span.of(text).iter().filter(|byte| byte.is_ascii_digit()).count();
+        let value = number.mantissa;
+        let (station, offset) = match digits {
+            0..=2 => (0, value),
+            3 | 4 => (value / 100, value % 100),
+            _ => (value / 1000, value % 1000),
+        };
+        if digits <= 2 && value > 0 {
+            let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
+            self.tell(Diagnostic::new(message, word.span));
+        }
+        if station > 999 {
+            self.tell(Diagnostic::new(Message::ToolNumber { word: quote(text, word.span) }, word.span));
+            return;
+        }
+        let station = if digits <= 2 { self.state.tool.0 } else { station as u16 };
+        self.state.tool = (station, offset as u16);
+    }
+
+    /// G04.
+    pub(super) fn dwell(&mut self, text: &[u8], block: &Block, words: &Words, request: &mut Request) {
+        let reading = self.reading();
+        let by_seconds = words.get(b'X').or(words.get(b'U')).and_then(|word| reading.seconds(word));
+        if let Some(word) = words.get(b'P')
+            && let Value::Number { number, .. } = word.value
+            && number.has_point()
+            && self.dialect.control != Control::Forum
+        {
+            self.tell(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span));
+            request.drop = true;
+            return;
+        }
+        let by_milliseconds = words.get(b'P').and_then(plain).map(|value| value / 1000.0);
+        match by_seconds.or(by_milliseconds) {
+            Some(seconds) if seconds > 0.0 => {
+                let motion = self.motion(MotionKind::Dwell, self.state.position);
+                self.push(block, Motion { seconds: Some(seconds), ..motion });
+            }
+            Some(_) => {}
+            None => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
+        }
+    }
+
+    /// G28: over the intermediate point to the reference point (semantics §3.8).
+    pub(super) fn home(&mut self, text: &[u8], block: &Block, words: &Words) {
+        if words.has_any(letters(b"CHYV")) && self.state.told.first(Once::AxisNotYet) {
+            let address = *b"CHYV".iter().find(|&&address| words.get(address).is_some()).unwrap_or(&b'C');
+            self.not_yet(text, words.span(address));
+        }
+        if !words.has_any(AXES) {
+            if !words.has_any(letters(b"CHYV")) {
+                self.tell(Diagnostic::new(Message::G28NoAxis, block.words_span()));
+            }
+            return;
+        }
+        let middle = self.target(text, words);
+        self.go(block, MotionKind::Rapid, middle);
+        let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
+        let from = self.state.position;
+        let to = Point::new(
+            if words.has_any(letters(b"XU")) { home.x / 2.0 - offset.x } else { from.x },
+            if words.has_any(letters(b"ZW")) { home.z - offset.z } else { from.z },
+        );
+        self.go(block, MotionKind::Rapid, to);
+    }
+
+    /// G50: coordinate setting and speed limits (semantics §3.9).
+    pub(super) fn setting(&mut self, words: &Words) {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let at = self.state.position;
+        let x = length(b'X').map(|x| x / 2.0).or(length(b'U').map(|u| at.x + u / 2.0));
+        let z = length(b'Z').or(length(b'W').map(|w| at.z + w));
+        let (to_x, to_z) = (x.unwrap_or(at.x), z.unwrap_or(at.z));
+        self.state.frames.shift.x += at.x - to_x;
+        self.state.frames.shift.z += at.z - to_z;
+        self.state.position = Point::new(to_x, to_z);
+        let spindle = &mut self.state.spindle;
+        if let Some(highest) = words.get(b'S').and_then(plain) {
+            spindle.highest = Some(highest);
+        }
+        if let Some(lowest) = words.get(b'Q').and_then(plain) {
+            spindle.lowest = Some(lowest);
+        }
+        if let (Some(lowest), Some(highest)) = (spindle.lowest, spindle.highest)
+            && lowest > highest
+        {
+            self.tell(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(b'Q')));
+        }
+    }
+
+    /// G52: local shift of the frame in force; X0 Z0 takes it away.
+    pub(super) fn local_frame(&mut self, words: &Words) {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let (x, z) = (length(b'X').map(|x| x / 2.0), length(b'Z'));
+        self.state.change_frame(|frames| {
+            let local = &mut frames.local[frames.active as usize];
+            *local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));
+        });
+    }
+}

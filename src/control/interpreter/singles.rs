@@ -1,0 +1,152 @@
+//! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (semantics §6).
+
+use super::*;
+
+impl Interpreter {
+    /// G90, G92, G94 (semantics §6).
+    pub(super) fn cycle(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &mut Request,
+        words: &Words,
+        cycle: Single,
+    ) {
+        let reading = self.reading();
+        let taper = self.taper_word(words, cycle).and_then(|address| words.get(address));
+        if let Some(value) = taper.and_then(|word| reading.length(word)) {
+            self.state.memory.taper = value;
+        }
+        if cycle == Single::Threading
+            && words.get(b'I').is_some()
+            && self.state.told.first(Once::LetterIInG92)
+        {
+            let as_taper = self.dialect.i_in_g92 == IInG92::Taper;
+            self.tell(Diagnostic::new(Message::LetterIInG92 { as_taper }, words.span(b'I')));
+        }
+        if !words.has_any(AXES) {
+            return;
+        }
+        match self.axis(text, words, b'X', b'U', 0.5) {
+            Target::Stay => {}
+            target => self.state.memory.x = target,
+        }
+        match self.axis(text, words, b'Z', b'W', 1.0) {
+            Target::Stay => {}
+            target => self.state.memory.z = target,
+        }
+        let start = self.state.position;
+        let memory = self.state.memory;
+        let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));
+        let taper_span = taper.map_or_else(|| block.words_span(), |word| word.span);
+        if !self.taper_fits(cycle, start, end, taper_span) {
+            request.drop = true;
+            return;
+        }
+        let lead = match cycle {
+            Single::Threading => {
+                let Some(lead) = self.lead(block, words, "G92") else {
+                    request.drop = true;
+                    return;
+                };
+                self.watch_thread(text, block, words, "G92");
+                Some(lead)
+            }
+            Single::Turning | Single::Facing => {
+                if !self.may_cut(block, words, request) {
+                    return;
+                }
+                self.watch_cycle_compensation(text, block, cycle);
+                None
+            }
+        };
+        for _ in 0..self.starts(words, cycle) {
+            self.state.memory.passes += 1;
+            let pass = self.state.memory.passes;
+            match (cycle, lead) {
+                (Single::Threading, Some(lead)) => {
+                    let moves = single::threading(start, end, memory.taper, self.pull_out(words, lead));
+                    self.run_moves(block, cycle, pass, Some(lead), &moves);
+                }
+                (Single::Facing, _) => {
+                    self.run_moves(block, cycle, pass, None, &single::facing(start, end, memory.taper));
+                }
+                _ => self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper)),
+            }
+        }
+    }
+
+    /// The letter that holds the taper in a block of a cycle: R, or its older spelling.
+    pub(super) fn taper_word(&self, words: &Words, cycle: Single) -> Option<u8> {
+        let old = match cycle {
+            Single::Turning => Some(b'I'),
+            Single::Facing => Some(b'K'),
+            Single::Threading => (self.dialect.i_in_g92 == IInG92::Taper).then_some(b'I'),
+        };
+        [Some(b'R'), old].into_iter().flatten().find(|&address| words.get(address).is_some())
+    }
+
+    /// Checks the taper against the start point and, where a blank is known, against the drawing.
+    pub(super) fn taper_fits(&mut self, cycle: Single, start: Point, end: Point, span: Span) -> bool {
+        let taper = self.state.memory.taper;
+        let (way, limit, axis) = match cycle {
+            Single::Turning | Single::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
+            Single::Facing => (end.z - start.z, end.z - start.z, 'W'),
+        };
+        if single::begins_beyond_start(way, taper) {
+            // GSK states it as an error (seed 000); no FANUC alarm is known for it.
+            let error = self.dialect.control == Control::Gsk || self.dialect.strict;
+            let severity = if error { Severity::Error } else { Severity::Warning };
+            let message = Message::TaperBeyondStart { taper, limit, axis };
+            self.tell(Diagnostic::new(message, span).graded(severity));
+            return !error;
+        }
+        if let Some(stock) = self.setup.stock
+            && let Some(message) =
+                crate::diagnostics::rules::taper_not_extended(cycle, start, end, taper, stock)
+        {
+            self.tell(Diagnostic::new(message, span));
+        }
+        true
+    }
+
+    /// How often a G92 pass is cut: once, or for each start (GSK L).
+    pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
+        let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
+        let starts = words.get(b'L').filter(|_| several).and_then(plain);
+        starts.map_or(1, |starts| starts.clamp(1.0, 99.0) as u64)
+    }
+
+    /// How G92 leaves the thread: J and K (GSK), or the chamfer in tenths of a lead.
+    pub(super) fn pull_out(&self, words: &Words, lead: f64) -> Option<PullOut> {
+        let reading = self.reading();
+        let gsk = self.dialect.control == Control::Gsk;
+        let given = |address: u8| words.get(address).filter(|_| gsk).and_then(|word| reading.length(word));
+        match (given(b'J'), given(b'K')) {
+            (None, None) => {
+                let length = 0.1 * f64::from(self.state.thread_chamfer) * lead;
+                (self.state.thread_chamfer_on && length > 0.0)
+                    .then_some(PullOut { along: length, out: length })
+            }
+            (j, k) => {
+                let (j, k) = (j.map(f64::abs), k.map(f64::abs));
+                Some(PullOut { along: k.or(j).unwrap_or(0.0), out: j.or(k).unwrap_or(0.0) })
+            }
+        }
+    }
+
+    pub(super) fn run_moves(
+        &mut self,
+        block: &Block,
+        cycle: Single,
+        pass: u32,
+        lead: Option<f64>,
+        moves: &[Move],
+    ) {
+        for step in moves {
+            let tag = CycleStep { cycle: cycle.cycle(), pass, step: step.step };
+            let motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
+            self.push(block, motion);
+        }
+    }
+}
