@@ -1,6 +1,9 @@
 //! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the interpreter, never the reverse.
 
+#[cfg(test)]
+mod listing;
 pub mod single;
+pub mod threading;
 
 use crate::geometry::{Point, SAME, Turn};
 use crate::motion::{MotionKind, Step};

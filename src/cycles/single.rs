@@ -4,8 +4,10 @@
 //! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004, semantics §6.1). Zero-length moves are left in:
 //! whoever stores motions drops them.
 
+use super::threading::Pass;
+pub use super::threading::PullOut;
 use super::{Move, sign};
-use crate::geometry::{Point, SAME};
+use crate::geometry::Point;
 use crate::motion::{Cycle, MotionKind, Step};
 
 /// Which of the three.
@@ -58,41 +60,13 @@ pub fn facing(start: Point, end: Point, taper: f64) -> [Move; 4] {
     ]
 }
 
-/// How a thread leaves the work before its end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PullOut {
-    /// Length along the thread, mm, unsigned.
-    pub along: f64,
-    /// Way out of the work, radius in mm, unsigned; the same as `along` for the usual 45°.
-    pub out: f64,
-}
-
 /// G92: as G90 with the cut in step with the spindle, rapid retract, and the thread leaving the work early by
 /// `pull_out` if there is one. The pull-out never passes the start X, nor is it longer than the thread.
 pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>) -> Vec<Move> {
-    let mut moves = vec![step(MotionKind::Rapid, Step::Infeed, end.x + taper, start.z)];
-    let mut leave = end;
-    if let Some(pull_out) = pull_out {
-        let length = end.z - start.z;
-        let along = pull_out.along.min(length.abs());
-        let from = Point::new(
-            if length.abs() > SAME { end.x + taper * along / length.abs() } else { end.x },
-            end.z - along.copysign(length),
-        );
-        let room = (start.x - from.x).abs();
-        // What the pull-out may use of the room in X, as a fraction of its full way.
-        let part = if pull_out.out > room { room / pull_out.out } else { 1.0 };
-        leave = Point::new(
-            from.x + part * pull_out.out * sign(start.x - end.x),
-            if part < 1.0 { from.z + (part * along).copysign(length) } else { end.z },
-        );
-        moves.push(step(MotionKind::Thread, Step::Cut, from.x, from.z));
-        moves.push(step(MotionKind::Thread, Step::PullOut, leave.x, leave.z));
-    } else {
-        moves.push(step(MotionKind::Thread, Step::Cut, end.x, end.z));
-    }
-    moves.push(step(MotionKind::Rapid, Step::Retract, start.x, leave.z));
-    moves.push(step(MotionKind::Rapid, Step::Return, start.x, start.z));
+    let begin = Point::new(end.x + taper, start.z);
+    let pass = Pass { number: 1, begin, end, away: sign(start.x - end.x), pull_out };
+    let mut moves = Vec::with_capacity(5);
+    pass.push_moves(start, &mut moves);
     moves
 }
 
@@ -131,7 +105,7 @@ mod tests {
     fn a_pull_out_is_no_longer_than_its_thread() {
         let (start, end) = (Point::new(20.0, 0.0), Point::new(14.0, -1.0));
         let moves = threading(start, end, 0.0, Some(PullOut { along: 5.0, out: 5.0 }));
-        assert_eq!(moves[1].to, Point::new(14.0, 0.0));
+        assert_eq!(ends(&moves), [(28.0, 0.0), (28.0, 0.0), (30.0, -1.0), (40.0, -1.0), (40.0, 0.0)]);
     }
 
     #[test]
