@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod listing;
+pub mod pattern;
 pub mod single;
 pub mod threading;
 
