@@ -1,10 +1,12 @@
 //! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the interpreter, never the reverse.
 
+pub mod grooving;
 #[cfg(test)]
 mod listing;
 pub mod pattern;
 pub mod single;
 pub mod threading;
+pub mod units;
 
 use crate::geometry::{Point, SAME, Turn};
 use crate::motion::{MotionKind, Step};

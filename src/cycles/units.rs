@@ -1,0 +1,138 @@
+//! What P and Q of G74, G75 and G76 count: micrometres, as controls have it, or millimetres, as many write.
+//!
+//! In: what the words would mean in least increments, and whether they were written with a point. Out: which it
+//! is, and why. Only for controls that leave it open (semantics §7.6, `auto`). Knows nothing of words.
+
+use super::grooving::steps;
+use crate::geometry::Point;
+
+/// Whether a number was written with a decimal point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// `Q500`.
+    WithoutPoint,
+    /// `Q0.5`.
+    WithPoint,
+}
+
+/// A P or Q word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    /// The length it means if it counts least increments, mm: 0.001 mm each, or 0.0001 inch.
+    pub in_increments: f64,
+    /// How it was written.
+    pub written: Written,
+}
+
+/// What P and Q count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// Least increments, as the manuals say.
+    Micrometres,
+    /// Millimetres (inches in an inch program), against the manuals (W-PQ-UNIT).
+    Millimetres(Because),
+}
+
+/// Why P and Q are taken for millimetres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Because {
+    /// A decimal point, which only lengths have.
+    Point,
+    /// Small numbers that would make hundreds of pecks or columns.
+    TooManySteps,
+    /// A first thread pass that would scratch.
+    TooThin,
+}
+
+/// An amount of fewer micrometres than this, in mm, may have been meant in millimetres.
+const FEW: f64 = 0.05;
+
+/// More pecks or columns than this nobody wants.
+const MANY_STEPS: f64 = 200.0;
+
+/// Thinnest first pass of a thread, mm.
+const THIN: f64 = 0.02;
+
+/// P (along X) and Q (along Z) of G74 or G75 on the way from `start` to `end`.
+pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -> Reading {
+    if has_point([p, q]) {
+        return Reading::Millimetres(Because::Point);
+    }
+    let too_many = |amount: Option<Amount>, way: f64| {
+        amount.is_some_and(|amount| {
+            let length = amount.in_increments;
+            length > 0.0 && length < FEW && steps(way, length) > MANY_STEPS
+        })
+    };
+    if too_many(p, end.x - start.x) || too_many(q, end.z - start.z) {
+        return Reading::Millimetres(Because::TooManySteps);
+    }
+    Reading::Micrometres
+}
+
+/// Q of the first block of G76 (least depth), P (height) and Q (first depth) of the second.
+///
+/// A thin first pass tells nothing where the height is plainly in micrometres: `P1300 Q15` is not 1300 mm.
+pub fn threading(
+    least_depth: Option<Amount>,
+    height: Option<Amount>,
+    first_depth: Option<Amount>,
+) -> Reading {
+    if has_point([least_depth, height, first_depth]) {
+        return Reading::Millimetres(Because::Point);
+    }
+    let thin = first_depth.is_some_and(|first| first.in_increments > 0.0 && first.in_increments < THIN);
+    if thin && height.is_none_or(|height| height.in_increments < FEW) {
+        return Reading::Millimetres(Because::TooThin);
+    }
+    Reading::Micrometres
+}
+
+fn has_point<const COUNT: usize>(amounts: [Option<Amount>; COUNT]) -> bool {
+    amounts.iter().flatten().any(|amount| amount.written == Written::WithPoint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `Q500` of a millimetre program.
+    fn whole(number: u32) -> Option<Amount> {
+        Some(Amount { in_increments: f64::from(number) * 0.001, written: Written::WithoutPoint })
+    }
+
+    /// `Q0.5`: a control that counts increments would see half of one.
+    fn point(number: f64) -> Option<Amount> {
+        Some(Amount { in_increments: number * 0.001, written: Written::WithPoint })
+    }
+
+    #[test]
+    fn pecks() {
+        let read =
+            |x: f64, z: f64, p, q| pecking(Point::new(21.0, 22.0), Point::new(21.0 + x, 22.0 + z), p, q);
+        let many = Reading::Millimetres(Because::TooManySteps);
+        // Seed 003: `G74 Z-12 Q5` from Z2, `G75 X30 Z10 P3 Q2.9`.
+        assert_eq!(read(0.0, -14.0, None, whole(5)), many);
+        assert_eq!(read(-6.0, -12.0, whole(3), point(2.9)), Reading::Millimetres(Because::Point));
+        assert_eq!(read(-6.0, -12.0, whole(3), whole(2900)), many);
+        assert_eq!(read(-6.0, -12.0, whole(3000), whole(2900)), Reading::Micrometres);
+        // Few increments, but not many of them; many, but not few.
+        assert_eq!(read(-0.6, 0.0, whole(3), None), Reading::Micrometres);
+        assert_eq!(read(-0.603, 0.0, whole(3), None), many);
+        assert_eq!(read(0.0, 300.0, None, whole(50)), Reading::Micrometres);
+        assert_eq!(read(0.0, 300.0, None, whole(49)), many);
+        // Nothing to count.
+        assert_eq!(read(0.0, 300.0, None, whole(0)), Reading::Micrometres);
+        assert_eq!(read(0.0, 300.0, None, None), Reading::Micrometres);
+    }
+
+    #[test]
+    fn threads() {
+        assert_eq!(threading(point(0.1), point(2.4), point(0.7)), Reading::Millimetres(Because::Point));
+        assert_eq!(threading(point(0.1), whole(2), whole(1)), Reading::Millimetres(Because::Point));
+        assert_eq!(threading(None, whole(2), whole(1)), Reading::Millimetres(Because::TooThin));
+        assert_eq!(threading(whole(100), whole(1300), whole(450)), Reading::Micrometres);
+        assert_eq!(threading(whole(100), whole(1300), whole(15)), Reading::Micrometres);
+        assert_eq!(threading(whole(0), whole(2), whole(0)), Reading::Micrometres);
+    }
+}
