@@ -1,0 +1,76 @@
+//! End points from angle words, and where two lines given by angles meet (§3.2.2).
+//!
+//! Angles are in radians, counter-clockwise from +Z with X up. An angle gives a *line*, not a way along it:
+//! `A30` and `A210` are the same, since the end point tells the way. (Programs write `X-21.75,A30` and
+//! `X109.83 A-30` for tapers that run towards -Z.)
+
+use super::{ANGLE_ALLOWANCE, Fault};
+use crate::geometry::Point;
+
+/// The end of a move given by an angle and X (radius, mm) or Z: `Z = Z0 + (r - r0) / tan A`, or
+/// `r = r0 + (Z - Z0) · tan A`.
+///
+/// With both, the end point is as given, provided that its direction is within [`ANGLE_ALLOWANCE`] of the angle.
+/// With neither, the end follows from the next block ([`after_angle`]); here it is not found.
+pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, Fault> {
+    match (x, z) {
+        (Some(x), Some(z)) => {
+            let end = Point::new(x, z);
+            let actual = (end.x - from.x).atan2(end.z - from.z);
+            if !end.is_same(from) && between(angle, actual) > ANGLE_ALLOWANCE {
+                return Err(Fault::AngleDisagrees { actual });
+            }
+            Ok(end)
+        }
+        (Some(x), None) => {
+            cross_safely(angle, 0.0)?;
+            Ok(Point::new(x, from.z + (x - from.x) * angle.cos() / angle.sin()))
+        }
+        (None, Some(z)) => {
+            cross_safely(angle, std::f64::consts::FRAC_PI_2)?;
+            Ok(Point::new(from.x + (z - from.z) * angle.tan(), z))
+        }
+        (None, None) => Err(Fault::NoEndPoint),
+    }
+}
+
+/// Where the line from `from` at the first angle meets the line through `to` at the second: the end of a block
+/// that has only an angle.
+pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, Fault> {
+    cross_safely(first_angle, second_angle)?;
+    let (dx, dz) = (to.x - from.x, to.z - from.z);
+    let along = (dz * second_angle.sin() - dx * second_angle.cos()) / (second_angle - first_angle).sin();
+    Ok(Point::new(from.x + along * first_angle.sin(), from.z + along * first_angle.cos()))
+}
+
+/// The end of an angle-only block by what the next block has: X (radius, mm), Z and an angle, [`meet`].
+///
+/// X and Z of the next block count from the program zero: increments would count from the point looked for.
+/// One of X and Z with an angle leaves a whole line of solutions: [`Fault::NoEndPoint`]. Without an angle, or
+/// with nothing but an angle, [`Fault::NextIncomplete`].
+pub fn after_angle(
+    from: Point,
+    first_angle: f64,
+    x: Option<f64>,
+    z: Option<f64>,
+    second_angle: Option<f64>,
+) -> Result<Point, Fault> {
+    match (x, z, second_angle) {
+        (Some(x), Some(z), Some(second_angle)) => meet(from, first_angle, Point::new(x, z), second_angle),
+        (Some(_), None, Some(_)) | (None, Some(_), Some(_)) => Err(Fault::NoEndPoint),
+        (None, None, Some(_)) | (_, _, None) => Err(Fault::NextIncomplete),
+    }
+}
+
+/// Two lines at these angles meet in a point that is not too far away.
+fn cross_safely(first: f64, second: f64) -> Result<(), Fault> {
+    let between = between(first, second);
+    // Written so that an angle that is no number has no solution either.
+    if between > ANGLE_ALLOWANCE { Ok(()) } else { Err(Fault::NoSolution { between }) }
+}
+
+/// The smaller angle between two lines, radians, 0 to π/2.
+fn between(first: f64, second: f64) -> f64 {
+    let angle = (second - first).rem_euclid(std::f64::consts::PI);
+    angle.min(std::f64::consts::PI - angle)
+}

@@ -1,0 +1,184 @@
+//! Chamfers, rounded corners and angle words: the geometry between two blocks.
+//!
+//! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the moves
+//! shortened, the piece inserted between them, or end points; else the [`Fault`]. Knows nothing of letters, but
+//! in [`check_signed`], nor of which control reads which form (semantics §3.2.1, §3.2.2).
+
+mod angles;
+mod join;
+#[cfg(test)]
+mod tests;
+
+pub use angles::{after_angle, end_by_angle, meet};
+pub use join::join;
+
+use crate::cycles::{Piece, sign};
+use crate::geometry::SAME;
+
+/// Two directions nearer than this, radians (1°), make no corner and no point of intersection: the control
+/// refuses an angle word as near as this to the axis whose coordinate it leaves open, since the way to the end
+/// would be too long, and leaves out the chamfer or rounding of such a corner. \[K\]
+pub const ANGLE_ALLOWANCE: f64 = std::f64::consts::PI / 180.0;
+
+/// What takes the place of the virtual corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Corner {
+    /// A straight piece; the value is the straight distance from the corner to each of its ends, mm.
+    Chamfer(f64),
+    /// An arc that leaves both moves without a bend; the value is its radius, mm.
+    Round(f64),
+}
+
+/// Two moves and what joins them: each piece begins where the one before ends.
+///
+/// A move that is used up has no length: it is then straight, from and to the same place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joined {
+    /// The first move, shortened at its end.
+    pub first: Piece,
+    /// The chamfer or arc; `None` when it is too small to matter.
+    pub inserted: Option<Piece>,
+    /// The second move, shortened at its start: the `first` of the next corner.
+    pub second: Piece,
+}
+
+/// One of the two moves at a corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The move with the chamfer or rounding word, which ends in the corner.
+    First,
+    /// The next move, which begins in the corner.
+    Second,
+}
+
+/// The letter of a chamfer or rounding without comma.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Letter {
+    /// Chamfer, towards whichever axis moves next.
+    C,
+    /// Chamfer towards X: from a move along Z.
+    I,
+    /// Chamfer towards Z: from a move along X.
+    K,
+    /// Rounding, towards whichever axis moves next.
+    R,
+}
+
+/// Why there is no corner or no end point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    /// A move is shorter than the chamfer or rounding takes from it.
+    TooLong {
+        /// The move that is too short.
+        side: Side,
+        /// What the corner takes from it, mm. On an arc: straight for a chamfer, along the arc for a rounding.
+        needed: f64,
+        /// What it has, mm, measured in the same way.
+        available: f64,
+    },
+    /// No arc of this radius, mm, touches both moves: one of them is an arc and bends away or is too small.
+    NoFit {
+        /// The radius asked for, mm.
+        radius: f64,
+    },
+    /// The second move goes straight on, or back the same way.
+    NoCorner {
+        /// From the first direction to the second, radians, counter-clockwise: near 0 straight on, near ±π back.
+        turn: f64,
+    },
+    /// The value of a chamfer or rounding is below zero; without comma the sign has a meaning, here it has none.
+    Negative {
+        /// The value, mm.
+        value: f64,
+    },
+    /// A chamfer or rounding without comma in a move that is not along one axis.
+    FirstNotAlongAxis,
+    /// The move after a chamfer or rounding without comma is not along the other axis.
+    SecondNotPerpendicular,
+    /// I after a move along X, or K after a move along Z.
+    WrongLetter,
+    /// The sign of a chamfer or rounding without comma is not that of the direction of the next move.
+    WrongSign,
+    /// No end point follows from the angle: it is near the axis whose coordinate is open, or both lines are
+    /// near parallel.
+    NoSolution {
+        /// The angle between the two lines, or to the axis, radians, 0 to [`ANGLE_ALLOWANCE`].
+        between: f64,
+    },
+    /// Too few coordinates for an end point.
+    NoEndPoint,
+    /// The block after an angle-only block needs both an end point and an angle, and lacks one of them.
+    NextIncomplete,
+    /// X, Z and an angle in one block, and the angle is not the way there.
+    AngleDisagrees {
+        /// The direction of the end point, radians, counter-clockwise from +Z.
+        actual: f64,
+    },
+}
+
+impl Fault {
+    /// The alarm of a FANUC control; `None` where none is known.
+    ///
+    /// PS0056 is titled "no end point & angle", and raised when one is missing; some tables say "were
+    /// specified" where "were not" is meant.
+    pub fn alarm(&self) -> Option<&'static str> {
+        match self {
+            Self::TooLong { side: Side::First, .. } | Self::NoFit { .. } => Some("PS0055"),
+            Self::TooLong { side: Side::Second, .. } | Self::NoCorner { .. } | Self::WrongSign => {
+                Some("PS0051")
+            }
+            Self::SecondNotPerpendicular => Some("PS0052"),
+            Self::FirstNotAlongAxis => Some("PS0054"),
+            Self::WrongLetter => Some("PS0306"),
+            Self::NextIncomplete => Some("PS0056"),
+            Self::NoSolution { .. } => Some("PS0057"),
+            Self::NoEndPoint => Some("PS0058"),
+            Self::Negative { .. } | Self::AngleDisagrees { .. } => None,
+        }
+    }
+}
+
+/// The rules of the forms without comma and without direct drawing: both moves along an axis, at right angles,
+/// the letter that of the axis, the sign that of the direction of the next move (§3.2.1).
+///
+/// A value of 0 has no sign to be wrong. The corner itself is then `join` with the amount of the value.
+pub fn check_signed(first: &Piece, second: &Piece, letter: Letter, value: f64) -> Result<(), Fault> {
+    let first_axis = axis(first).ok_or(Fault::FirstNotAlongAxis)?;
+    if second.is_empty() {
+        return Err(Fault::TooLong { side: Side::Second, needed: value.abs(), available: 0.0 });
+    }
+    let second_axis = axis(second).ok_or(Fault::SecondNotPerpendicular)?;
+    if first_axis == second_axis {
+        return Err(Fault::SecondNotPerpendicular);
+    }
+    let direction = match second_axis {
+        Axis::X => second.to.x - second.from.x,
+        Axis::Z => second.to.z - second.from.z,
+    };
+    match (letter, second_axis) {
+        (Letter::I, Axis::Z) | (Letter::K, Axis::X) => Err(Fault::WrongLetter),
+        (Letter::I, Axis::X) | (Letter::K, Axis::Z) | (Letter::C | Letter::R, _) => {
+            if value.abs() > SAME && sign(value) != sign(direction) {
+                return Err(Fault::WrongSign);
+            }
+            Ok(())
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Axis {
+    X,
+    Z,
+}
+
+/// The one axis along which a straight piece moves.
+fn axis(piece: &Piece) -> Option<Axis> {
+    let x_moves = (piece.to.x - piece.from.x).abs() > SAME;
+    let z_moves = (piece.to.z - piece.from.z).abs() > SAME;
+    match (piece.arc, x_moves, z_moves) {
+        (None, true, false) => Some(Axis::X),
+        (None, false, true) => Some(Axis::Z),
+        (None, true, true) | (None, false, false) | (Some(_), _, _) => None,
+    }
+}
