@@ -2,6 +2,7 @@
 
 pub mod arcs;
 pub mod codes;
+pub mod compensation;
 pub mod corners;
 pub mod dialect;
 pub mod interpreter;
