@@ -162,7 +162,7 @@ impl Curve {
                 let along = between * (1.0 / distance);
                 // Where the line through both meetings crosses the line of centres.
                 let squares = (radius - other_radius) * (radius + other_radius);
-                let reach = ((distance + squares / distance) / 2.0).clamp(-radius, radius);
+                let reach = ((distance + squares / distance) / 2.0).max(-radius).min(radius);
                 either_side(center + along * reach, along.left(), radius, reach.abs())
             }
             (Self::Line { .. }, Self::Line { .. }) => [None; 2],

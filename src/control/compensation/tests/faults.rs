@@ -134,3 +134,20 @@ fn after_a_fault_the_path_goes_on() {
     let last = outcomes[5].unwrap();
     assert!(last.to.is_same(Point::new(20.0, -50.0)), "{last:?}");
 }
+
+#[test]
+fn numbers_beyond_all_measure_do_no_harm() {
+    for far in [1e160, f64::MAX, f64::INFINITY, f64::NAN] {
+        let (near, away) = (at(20.0, 0.0), Point::new(far, -far));
+        let path = [
+            line(0, near, at(20.0, -5.0)),
+            line(1, at(20.0, -5.0), away),
+            arc(2, away, near, Point::new(far, 1.0), Turn::Clockwise),
+            arc(3, near, away, Point::new(1.0, far), Turn::Counterclockwise),
+            line(4, away, near),
+        ];
+        for nose in [nose(0.8, 3), nose(far, 3)] {
+            assert!(!run(Side::Left, nose, &path, None).is_empty());
+        }
+    }
+}
