@@ -4,6 +4,7 @@ pub mod grooving;
 #[cfg(test)]
 mod listing;
 pub mod pattern;
+pub mod roughing;
 pub mod single;
 pub mod threading;
 pub mod units;
