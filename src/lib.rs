@@ -14,6 +14,7 @@ pub mod cli;
 pub mod control;
 pub mod cycles;
 pub mod diagnostics;
+pub mod expand;
 pub mod geometry;
 pub mod limits;
 pub mod motion;

@@ -229,6 +229,8 @@ pub struct Motion {
     pub lead: Option<f64>,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
+    /// Where the program says it ends, when nose radius compensation puts the tip elsewhere.
+    pub programmed: Option<Point>,
     /// The cycle it belongs to.
     pub cycle: Option<CycleStep>,
     /// Feed, spindle and tool.
@@ -280,6 +282,8 @@ pub struct Chunk {
     start: Point,
     /// Motions before whose start the frame changed: they begin here, not where the last one ended.
     starts: Vec<(u32, Point)>,
+    /// Programmed end points of compensated motions.
+    programmed: Vec<(u32, Point)>,
     kind: Vec<u8>,
     /// End point, radius in mm.
     x: Vec<f64>,
@@ -307,6 +311,7 @@ impl Chunk {
             first_line,
             start,
             starts: Vec::new(),
+            programmed: Vec::new(),
             kind: Vec::new(),
             x: Vec::new(),
             z: Vec::new(),
@@ -356,6 +361,9 @@ impl Chunk {
         if motion.from != previous {
             self.starts.push((index as u32, motion.from));
         }
+        if let Some(programmed) = motion.programmed {
+            self.programmed.push((index as u32, programmed));
+        }
         self.kind.push(motion.kind as u8);
         self.x.push(motion.to.x);
         self.z.push(motion.to.z);
@@ -399,6 +407,7 @@ impl Chunk {
             center: is_arc.then(|| self.centers[detail as usize]),
             lead: number.filter(|_| kind != MotionKind::Dwell),
             seconds: number.filter(|_| kind == MotionKind::Dwell),
+            programmed: look_up(&self.programmed, index),
             cycle: unpack_cycle(self.cycle[index]),
             process: self.processes[self.process[index] as usize],
         }
@@ -417,14 +426,22 @@ impl Chunk {
     }
 
     fn from(&self, index: usize) -> Point {
-        if let Ok(found) = self.starts.binary_search_by_key(&(index as u32), |entry| entry.0) {
-            return self.starts[found].1;
+        if let Some(start) = look_up(&self.starts, index) {
+            return start;
         }
         match index {
             0 => self.start,
             _ => Point::new(self.x[index - 1], self.z[index - 1]),
         }
     }
+}
+
+/// The entry of a motion in a table of few, sorted by index.
+fn look_up(table: &[(u32, Point)], index: usize) -> Option<Point> {
+    if table.is_empty() {
+        return None;
+    }
+    table.binary_search_by_key(&(index as u32), |entry| entry.0).ok().map(|found| table[found].1)
 }
 
 /// All motions of a program, in order.

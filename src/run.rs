@@ -24,6 +24,8 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Blocks read.
     pub blocks: usize,
+    /// Parts of the text that were passed over, such as the contour behind its cycle: first byte, end.
+    pub skipped: Vec<Span>,
 }
 
 /// A run under way.
@@ -33,6 +35,7 @@ pub struct Run {
     block: Block,
     at: Resume,
     blocks: usize,
+    skipped: Vec<Span>,
     programs: BTreeSet<u32>,
     /// Something of the main program was carried out.
     begun: bool,
@@ -54,6 +57,7 @@ impl Run {
             block: Block::default(),
             at: Resume::default(),
             blocks: 0,
+            skipped: Vec::new(),
             programs: BTreeSet::new(),
             begun: false,
             ended: false,
@@ -84,7 +88,11 @@ impl Run {
             }
             left -= 1;
             self.blocks += 1;
-            self.step(&text);
+            if let Flow::Jump(at) = self.step(&text) {
+                let from = parser.position().byte;
+                self.skipped.extend((at.byte > from).then_some(Span { start: from, end: at.byte }));
+                parser = Parser::resume(&text, at);
+            }
         }
         self.at = parser.position();
         self.text = text;
@@ -152,23 +160,23 @@ impl Run {
     /// What came of the run.
     pub fn into_analysis(self) -> Analysis {
         let (motions, diagnostics) = self.interpreter.into_parts();
-        Analysis { motions, diagnostics, blocks: self.blocks }
+        Analysis { motions, diagnostics, blocks: self.blocks, skipped: self.skipped }
     }
 
     /// Carries out the block just read.
     #[inline]
-    fn step(&mut self, text: &[u8]) {
+    fn step(&mut self, text: &[u8]) -> Flow {
         if let Some((number, span)) = self.block.program {
             self.program(number, span);
         }
         if self.ended {
             self.interpreter.tell_faults(&self.block);
-            return;
+            return Flow::End;
         }
         self.begun |= !self.block.words.is_empty();
-        if self.interpreter.run(text, &self.block) == Flow::End {
-            self.ended = true;
-        }
+        let flow = self.interpreter.run(text, &self.block);
+        self.ended = flow == Flow::End;
+        flow
     }
 
     /// An O number: the head of the main program, or of one that follows it.
@@ -186,6 +194,7 @@ impl Run {
 
     fn end_of_text(&mut self) {
         let end = self.text.len();
+        self.interpreter.finish();
         if self.begun && !self.ended {
             let last = self.text.trim_ascii_end().len();
             self.interpreter.tell(Diagnostic::new(Message::NoEnd, Span::new(last.saturating_sub(1), last)));

@@ -124,7 +124,7 @@ fn tapers() {
 fn programs() {
     check("   O0\n// ^^ E-PROGRAM-ZERO");
     check("O5\nG0 X1\nM30\n   O5\n// ^^ W-DUP-O");
-    check_with("{}", "   G71 U2 R1\n// ^^^ N-NOT-YET");
+    check_with("{}", "   M98 P8001\n// ^^^ N-NOT-YET");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use fixtures::{Program, check_messages, compare, same};
 use gcode_playground::api::{self, Places};
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::expand::expand;
 use gcode_playground::run::Run;
 use gcode_playground::text::source::LineIndex;
 use gcode_playground::{analyze, run::Analysis};
@@ -72,6 +73,24 @@ fn messages_are_the_expected_ones() {
     for program in all().iter().filter(|program| program.needs.is_empty()) {
         let found = message_rows(&program.text, &analysis(program));
         check_messages(program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+    }
+}
+
+/// A program written out without cycles makes the same motions.
+#[test]
+fn expanded_programs_make_the_same_motions() {
+    for program in all().iter().filter(|program| program.needs.is_empty()) {
+        let setup = Setup::from_json(&program.setup).expect(&program.id);
+        let plain = expand(program.text.as_bytes(), &setup);
+        let (before, after) = (analysis(program), analyze(plain.as_bytes(), &setup));
+        let id = &program.id;
+        assert_eq!(before.motions.len(), after.motions.len(), "{id}:\n{plain}");
+        for (a, b) in before.motions.iter().zip(after.motions.iter()) {
+            assert_eq!(a.kind, b.kind, "{id}:\n{plain}");
+            let apart = a.to.distance(b.to).max(a.from.distance(b.from));
+            assert!(apart <= 0.001, "{id}: {apart} mm apart at {:?}\n{plain}", a.to);
+            assert!(b.cycle.is_none() && b.programmed.is_none(), "{id}: not plain");
+        }
     }
 }
 

@@ -51,6 +51,16 @@ enum Command {
         #[command(flatten)]
         with: With,
     },
+    /// Write the program out with every cycle, corner and compensation as plain moves.
+    Expand {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+        /// Where to write it; standard output when left out.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
     /// Draw the toolpath as SVG.
     Svg {
         /// The program; `-` reads standard input.
@@ -125,17 +135,18 @@ fn run(command: Command) -> Result<ExitCode, String> {
             })?;
             Ok(status(&program.analysis))
         }
+        Command::Expand { file, with, output } => {
+            let program = program(&file, &with)?;
+            let expanded = crate::expand::expand(&program.text, &program.setup);
+            save(output.as_deref(), &expanded)?;
+            Ok(status(&program.analysis))
+        }
         Command::Svg { file, with, output } => {
             let program = program(&file, &with)?;
             let outline = Outline::of(&program.analysis.motions);
             let scene = Scene::new(&program.analysis.motions, &outline, program.setup.stock);
             let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
-            match output {
-                None => print(|out| out.write_all(svg.as_bytes()))?,
-                Some(path) => {
-                    std::fs::write(&path, svg).map_err(|error| format!("{}: {error}", path.display()))?
-                }
-            }
+            save(output.as_deref(), &svg)?;
             Ok(status(&program.analysis))
         }
     }
@@ -202,6 +213,14 @@ fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
     let name = file.display().to_string();
     let text = std::fs::read(file).map_err(|error| format!("{name}: {error}"))?;
     Ok((name, text))
+}
+
+/// Writes to a file, or to standard output.
+fn save(path: Option<&Path>, content: &str) -> Result<(), String> {
+    match path {
+        None => print(|out| out.write_all(content.as_bytes())),
+        Some(path) => std::fs::write(path, content).map_err(|error| format!("{}: {error}", path.display())),
+    }
 }
 
 /// Writes to standard output; a reader that went away (`| head`) is no error.

@@ -7,7 +7,7 @@ use super::dialect::FeedMode;
 use super::words::Unit;
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
-use crate::motion::SpindleTurn;
+use crate::motion::{Cycle, SpindleTurn};
 
 /// What a G code asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +20,10 @@ pub enum G {
     Arc(Turn),
     /// G32.
     Thread,
+    /// G34: a thread whose lead changes.
+    VariableThread,
+    /// G33 on GSK: tapping, in and out again.
+    Tapping,
     /// G90, G92, G94.
     Cycle(Single),
     /// G04.
@@ -44,12 +48,48 @@ pub enum G {
     ConstantSpeed,
     /// G98, G99.
     Feed(FeedMode),
+    /// G70 to G76.
+    Multiple(Multiple),
     /// Accepted; nothing in this project depends on it.
     Idle,
     /// Recognised, not done yet; the block's axis words are not carried out either.
     NotYet,
     /// Recognised, not done yet, and modal in group 01: later axis words are not carried out.
     MotionNotYet,
+}
+
+/// The multiple cycles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Multiple {
+    /// G70.
+    Finishing,
+    /// G71.
+    RoughTurning,
+    /// G72.
+    RoughFacing,
+    /// G73.
+    Pattern,
+    /// G74.
+    FacePecking,
+    /// G75.
+    Grooving,
+    /// G76.
+    Threading,
+}
+
+impl Multiple {
+    /// The cycle as motions name it.
+    pub fn cycle(self) -> Cycle {
+        match self {
+            Self::Finishing => Cycle::Finishing,
+            Self::RoughTurning => Cycle::RoughTurning,
+            Self::RoughFacing => Cycle::RoughFacing,
+            Self::Pattern => Cycle::Pattern,
+            Self::FacePecking => Cycle::FacePecking,
+            Self::Grooving => Cycle::Grooving,
+            Self::Threading => Cycle::MultiThreading,
+        }
+    }
 }
 
 /// Working plane.
@@ -93,7 +133,8 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         220 | 230 => (G::Idle, 9),
         280 => (G::Home, 0),
         320 => (G::Thread, 1),
-        330 | 340 => (G::MotionNotYet, 1),
+        330 => (G::Tapping, 1),
+        340 => (G::VariableThread, 1),
         400 => (G::Compensation(Compensation::Off), 7),
         410 => (G::Compensation(Compensation::Left), 7),
         420 => (G::Compensation(Compensation::Right), 7),
@@ -105,6 +146,13 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         570 => (G::Frame(3), 14),
         580 => (G::Frame(4), 14),
         590 => (G::Frame(5), 14),
+        700 => (G::Multiple(Multiple::Finishing), 0),
+        710 => (G::Multiple(Multiple::RoughTurning), 0),
+        720 => (G::Multiple(Multiple::RoughFacing), 0),
+        730 => (G::Multiple(Multiple::Pattern), 0),
+        740 => (G::Multiple(Multiple::FacePecking), 0),
+        750 => (G::Multiple(Multiple::Grooving), 0),
+        760 => (G::Multiple(Multiple::Threading), 0),
         900 => (G::Cycle(Single::Turning), 1),
         920 => (G::Cycle(Single::Threading), 1),
         940 => (G::Cycle(Single::Facing), 1),
@@ -116,11 +164,11 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         80 | 90 | 110 | 250 | 260 | 490 | 502 | 610 | 640 | 670 | 690 | 800 | 131 | 1130 => (G::Idle, 0),
         // Hole cycles stay modal until G80.
         830 | 840 | 850 | 870 | 880 | 890 => (G::MotionNotYet, 1),
-        // Data input, reference points, machine coordinates, macros, multiple cycles, polar interpolation.
+        // Data input, reference points, machine coordinates, macros, polar interpolation.
         50 | 51 | 71 | 1070 | 100 | 121 | 1120 | 270 | 290 | 300 | 310 | 360 | 370 | 512 | 530 => {
             (G::NotYet, 0)
         }
-        650 | 660 | 680 | 700 | 710 | 720 | 730 | 740 | 750 | 760 => (G::NotYet, 0),
+        650 | 660 | 680 => (G::NotYet, 0),
         _ => return None,
     })
 }
@@ -136,6 +184,8 @@ pub enum M {
     Spindle(SpindleTurn),
     /// M13, M14: a live tool turns.
     LiveTool,
+    /// M45, M46: the C axis is connected or released.
+    CAxis(Switch),
     /// M23, M24 (the machine of seed 002): thread pull-out on or off.
     ThreadPullOut(Switch),
     /// Accepted; the tool path does not depend on it.
@@ -164,8 +214,10 @@ pub fn m_code(number: u64) -> Option<M> {
         13 | 14 => M::LiveTool,
         23 => M::ThreadPullOut(Switch::On),
         24 => M::ThreadPullOut(Switch::Off),
+        45 => M::CAxis(Switch::On),
+        46 => M::CAxis(Switch::Off),
         98 | 99 => M::NotYet,
-        7..=12 | 19 | 20 | 25 | 26 | 29 | 40..=46 | 68 | 69 | 90 | 91 | 200 | 201 | 712 | 713 => M::Idle,
+        7..=12 | 19 | 20 | 25 | 26 | 29 | 40..=44 | 68 | 69 | 90 | 91 | 200 | 201 | 712 | 713 => M::Idle,
         _ => return None,
     })
 }

@@ -7,5 +7,6 @@ pub mod corners;
 pub mod dialect;
 pub mod interpreter;
 pub mod modal;
+pub mod program;
 pub mod setup;
 pub mod words;

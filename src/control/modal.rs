@@ -4,12 +4,16 @@
 //! the new state meets the old one.
 
 use super::codes::{Compensation, Plane};
+use super::compensation::Compensator;
+use super::corners::{Corner, Letter};
 use super::dialect::{Dialect, FeedMode};
 use super::setup::Setup;
 use super::words::Unit;
 use crate::cycles::single::Single;
+use crate::cycles::units::Amount;
 use crate::geometry::{Point, Turn};
-use crate::motion::{Feed, Process, SpindleSpeed, SpindleTurn};
+use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn};
+use crate::text::source::Span;
 
 /// Group 01: what axis words do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +26,10 @@ pub enum MotionMode {
     Arc(Turn),
     /// G32.
     Thread,
+    /// G34.
+    VariableThread,
+    /// G33 on GSK.
+    Tapping,
     /// G90, G92, G94.
     Cycle(Single),
     /// A code of the group that is not done yet: axis words move nothing.
@@ -66,6 +74,105 @@ pub struct CycleMemory {
 impl CycleMemory {
     /// Nothing remembered.
     pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
+}
+
+/// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
+/// before any first block are those of semantics §2.2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CycleParameters {
+    /// Depth of a pass of G71 (radius) and G72 (length), mm.
+    pub depth: Option<f64>,
+    /// Escape of G71 and G72, mm.
+    pub escape: f64,
+    /// Total relief of G73: radius and length, mm.
+    pub relief: Option<Point>,
+    /// Passes of G73.
+    pub pattern_passes: Option<f64>,
+    /// Retract between the pecks of G74 and G75, mm.
+    pub retract: f64,
+    /// Finishing passes of G76.
+    pub finishing: u32,
+    /// Tool angle of G76, degrees.
+    pub angle: f64,
+    /// Q of the first block of G76; its unit is known only with the second.
+    pub least_amount: Option<Amount>,
+    /// Least depth of G76, mm.
+    pub least_depth: f64,
+    /// Finishing allowance of G76, mm.
+    pub thread_allowance: f64,
+}
+
+impl CycleParameters {
+    /// Before any first block.
+    pub const INITIAL: Self = Self {
+        depth: None,
+        escape: 1.0,
+        relief: None,
+        pattern_passes: None,
+        retract: 1.0,
+        finishing: 1,
+        angle: 0.0,
+        least_amount: None,
+        least_depth: 0.0,
+        thread_allowance: 0.0,
+    };
+}
+
+/// A motion and the block that made it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Routed {
+    /// The motion.
+    pub motion: Motion,
+    /// Its block.
+    pub span: Span,
+    /// Line of its block, from 0.
+    pub line: u32,
+}
+
+/// An angle word.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angle {
+    /// The angle, radians, counter-clockwise from +Z.
+    pub radians: f64,
+    /// The word's place.
+    pub span: Span,
+    /// The word.
+    pub word: String,
+}
+
+/// A chamfer or rounding word.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// What is put in place of the corner.
+    pub corner: Corner,
+    /// The letter of a form without comma, whose sign and axis have a meaning; its value, mm.
+    pub signed: Option<(Letter, f64)>,
+    /// The word's place.
+    pub span: Span,
+    /// The word.
+    pub word: String,
+}
+
+/// A move that cannot be made before the next one is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pending {
+    /// The move, up to the virtual corner.
+    pub routed: Routed,
+    /// What joins it to the next move.
+    pub joint: Option<Joint>,
+    /// Its angle, while its end point is open.
+    pub angle: Option<Angle>,
+}
+
+/// Nose radius compensation under way, with the moves it holds back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compensating {
+    /// The geometry.
+    pub compensator: Compensator,
+    /// The moves it may still give out, by their number.
+    pub waiting: Vec<(u32, Routed)>,
+    /// Blocks without a move since the last one.
+    pub idle_blocks: u32,
 }
 
 /// The spindle as commanded.
@@ -130,13 +237,11 @@ pub struct Told(u32);
 pub enum Once {
     SpindleStopped,
     CompensationIdle,
-    CompensationNotYet,
     AxisNotYet,
     PlaneNotYet,
     LetterIInG92,
     ThreadAtSurfaceSpeed,
     G90AsAbsolute,
-    CornerNotYet,
     FeedUnit,
 }
 
@@ -160,6 +265,8 @@ impl Told {
 pub struct State {
     /// Place of the tip in the work frame in force.
     pub position: Point,
+    /// Where the tip really stands, when compensation has just left it beside the programmed point.
+    pub tip: Option<Point>,
     /// Work zero points.
     pub frames: Frames,
     /// Group 01.
@@ -182,8 +289,16 @@ pub struct State {
     pub compensation: Compensation,
     /// Turret station and offset number.
     pub tool: (u16, u16),
+    /// A move that waits for the next one.
+    pub pending: Option<Pending>,
+    /// Compensation under way.
+    pub compensating: Option<Compensating>,
+    /// Whether a C word is an axis (M45) rather than a chamfer.
+    pub c_axis: bool,
     /// Memory of the single cycles.
     pub memory: CycleMemory,
+    /// Memory of the multiple cycles.
+    pub parameters: CycleParameters,
     /// Thread pull-out, tenths of a lead (parameter 5130).
     pub thread_chamfer: u8,
     /// Whether it is switched on (M23, M24).
@@ -200,6 +315,7 @@ impl State {
         let start = setup.start();
         Self {
             position: Point::new(start.x / 2.0, start.z),
+            tip: None,
             frames: Frames { shift: Point::default(), local: [Point::default(); 6], active: 0 },
             motion: MotionMode::Rapid,
             plane: Plane::Zx,
@@ -219,7 +335,11 @@ impl State {
             },
             compensation: Compensation::Off,
             tool: (0, 0),
+            pending: None,
+            compensating: None,
+            c_axis: false,
             memory: CycleMemory::EMPTY,
+            parameters: CycleParameters::INITIAL,
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
             uncertain: false,

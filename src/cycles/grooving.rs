@@ -171,6 +171,9 @@ mod tests {
     use super::*;
     use crate::cycles::listing::check;
 
+    /// A mirror or turn of the plane.
+    type Map = fn(Point) -> Point;
+
     const MANY: usize = 4_000_000;
 
     /// A point as programs give it: X a diameter.
@@ -309,7 +312,7 @@ mod tests {
     fn mirrored_and_exchanged_cycles_make_mirrored_and_exchanged_moves() {
         let (start, plain) = (Point::new(21.0, 22.0), Pecking { relief: 0.3, ..groove() });
         let moves = peck(start, Direction::Radial, &plain, MANY).unwrap();
-        let maps: [(fn(Point) -> Point, Direction); 4] = [
+        let maps: [(Map, Direction); 4] = [
             (|point| Point::new(-point.x, point.z), Direction::Radial),
             (|point| Point::new(point.x, -point.z), Direction::Radial),
             (|point| Point::new(-point.x, -point.z), Direction::Radial),

@@ -169,7 +169,7 @@ impl MultiThread {
     /// full depth (semantics §7.7; the zero of the shift is not the same on all controls).
     fn advance(&self, number: u32, depth: f64) -> f64 {
         let across = match self.edge {
-            Edge::InTurn if number % 2 == 0 => 2.0 * self.height - depth,
+            Edge::InTurn if number.is_multiple_of(2) => 2.0 * self.height - depth,
             Edge::InTurn | Edge::Leading => depth,
         };
         across * (self.angle / 2.0).tan()
@@ -235,6 +235,9 @@ pub fn thread(start: Point, thread: &MultiThread, most_moves: usize) -> Result<V
 mod tests {
     use super::*;
     use crate::cycles::listing::check;
+
+    /// A mirror or turn of the plane.
+    type Map = fn(Point) -> Point;
 
     const MANY: usize = 4_000_000;
 
@@ -384,7 +387,7 @@ mod tests {
         let outside = MultiThread { taper: -1.5, ..seed() };
         let plain = thread(start, &outside, MANY).unwrap();
         // Mirrored in X around A an external thread becomes an internal one.
-        let maps: [(fn(Point) -> Point, f64); 3] = [
+        let maps: [(Map, f64); 3] = [
             (|point| Point::new(point.x, -point.z), 1.0),
             (|point| Point::new(60.0 - point.x, point.z), -1.0),
             (|point| Point::new(60.0 - point.x, -point.z), -1.0),

@@ -170,6 +170,71 @@ pub enum Message {
     TaperBeyondStart { taper: f64, limit: f64, axis: char },
     /// R fits the drawing but not the real start point.
     TaperNotExtended { taper: f64, needed: f64, crossing: f64, wanted: f64, axis: char },
+    /// P or Q is missing in G70 to G73.
+    ContourNotNamed { code: &'static str },
+    /// No block has the number that P or Q names, or Q comes before P.
+    ContourNotFound { word: String },
+    /// The first block of a contour does not move by G00 or G01.
+    ContourFirstBlock { code: &'static str },
+    /// A code that may not stand in a contour.
+    ContourIllegal { word: String },
+    /// A subprogram call in a contour.
+    ContourCall { word: String },
+    /// The first block names both axes though the second does not move.
+    ContourBothAxes { code: &'static str, other: char },
+    /// The first block moves both axes and the control has no type II.
+    ContourTypeTwo { code: &'static str },
+    /// The contour turns back.
+    ContourTurnsBack { code: &'static str, axis: char, line: u32 },
+    /// The contour goes beyond the start point.
+    ContourBeyondStart { code: &'static str, axis: char },
+    /// The contour ends with a corner or an angle that needs a further move.
+    ContourOpenEnd { word: String },
+    /// The depth of a pass is missing, zero or negative.
+    DepthNotPositive { code: &'static str, depth: Option<f64> },
+    /// The allowance points into the part.
+    AllowanceSign { word: String },
+    /// G73 without a number of passes.
+    PatternPasses { passes: Option<f64> },
+    /// A cycle would take far too many passes.
+    TooManyPasses { code: &'static str, most: usize },
+    /// A peck or a step is negative.
+    PeckNegative { word: String },
+    /// A peck or a step is missing or zero though its axis moves.
+    PeckMissing { code: &'static str, address: char },
+    /// A relief that is negative though its direction is known.
+    ReliefNegative { word: String },
+    /// P or Q was read as millimetres.
+    AmountInMillimetres { word: String },
+    /// The tool angle of G76 is none a control takes.
+    ThreadAngle { angle: f64 },
+    /// The least depth of G76 is larger than the thread.
+    ThreadLeastDepth { least: f64, height: f64 },
+    /// The height or the first depth of G76 is zero or missing.
+    ThreadNoDepth { word: char },
+    /// G76 starts inside the crest of its thread.
+    ThreadStartInside { start: f64, crest: f64 },
+    /// A corner word whose next block is no straight move.
+    CornerNoMove { word: String },
+    /// A corner is larger than one of its moves.
+    CornerTooLarge { word: String },
+    /// A corner between moves that form none.
+    CornerNone { word: String },
+    /// The sign or axis of a corner word does not fit the next move.
+    CornerAxis { word: String },
+    /// An angle leads nowhere.
+    AngleNoPoint { word: String },
+    /// G41 or G42 begins or ends on an arc.
+    CompensationOnArc { code: &'static str },
+    /// The nose does not fit the contour.
+    CompensationOvercut { radius: f64 },
+    /// Two offset moves do not meet.
+    CompensationNoIntersection { radius: f64 },
+    /// The plane changes under compensation.
+    CompensationPlane,
+    /// G34 whose lead becomes zero or negative.
+    LeadRunsOut { lead: f64 },
+
     /// Nose compensation in force where it does nothing.
     CompensationIdle { code: &'static str },
 }
@@ -263,6 +328,47 @@ impl Message {
             Self::ArcNowhere => ("W-ARC-NOWHERE", "arc-without-way", Warning, None),
             Self::TaperBeyondStart { .. } => ("E-TAPER-R", "taper-beyond-start-point", Error, None),
             Self::TaperNotExtended { .. } => ("W-TAPER-NOT-EXTENDED", "taper-not-extended", Warning, None),
+            Self::ContourNotNamed { .. } => ("PS0061", "contour-not-named", Error, Some("PS0061")),
+            Self::ContourNotFound { .. } => ("W-NS-NOT-FOUND", "contour-not-found", Error, Some("PS0063")),
+            Self::ContourFirstBlock { .. } => ("PS0065", "contour-first-block", Error, Some("PS0065")),
+            Self::ContourIllegal { .. } => ("PS0325", "code-not-allowed-in-contour", Error, Some("PS0325")),
+            Self::ContourCall { .. } => ("E-SUB-IN-CONTOUR", "call-in-contour", Error, Some("PS0210")),
+            Self::ContourBothAxes { .. } => ("W-NS-BOTH-AXES", "contour-names-both-axes", Warning, None),
+            Self::ContourTypeTwo { .. } => ("PS0323", "pockets-not-available", Error, Some("PS0323")),
+            Self::ContourTurnsBack { axis: 'Z', .. } => {
+                ("PS0064", "contour-turns-back", Error, Some("PS0064"))
+            }
+            Self::ContourTurnsBack { .. } => ("PS0329", "contour-turns-back", Error, Some("PS0329")),
+            Self::ContourBeyondStart { .. } => {
+                ("PS0322", "contour-beyond-start-point", Error, Some("PS0322"))
+            }
+            Self::ContourOpenEnd { .. } => ("PS0069", "contour-ends-in-corner", Error, Some("PS0069")),
+            Self::DepthNotPositive { .. } => ("PS0062", "depth-not-positive", Error, Some("PS0062")),
+            Self::AllowanceSign { .. } => ("W-ALLOWANCE-SIGN", "allowance-into-part", Warning, None),
+            Self::PatternPasses { .. } => ("PS0321", "pattern-without-passes", Error, Some("PS0321")),
+            Self::TooManyPasses { .. } => ("E-TOO-MANY-PASSES", "too-many-passes", Error, None),
+            Self::PeckNegative { .. } => ("PS0320", "peck-negative", Error, Some("PS0320")),
+            Self::PeckMissing { .. } => ("W-PECK-ZERO", "peck-missing", Error, Some("PS0319")),
+            Self::ReliefNegative { .. } => ("PS0318", "relief-negative", Error, Some("PS0318")),
+            Self::AmountInMillimetres { .. } => {
+                ("W-PQ-UNIT", "amount-in-millimetres", Warning, Some("PS0007"))
+            }
+            Self::ThreadAngle { .. } => ("PS0315", "thread-angle", Error, Some("PS0315")),
+            Self::ThreadLeastDepth { .. } => ("PS0316", "thread-least-depth", Error, Some("PS0316")),
+            Self::ThreadNoDepth { .. } => ("PS0317", "thread-without-depth", Error, Some("PS0317")),
+            Self::ThreadStartInside { .. } => ("W-THREAD-START", "thread-start-inside-crest", Warning, None),
+            Self::CornerNoMove { .. } => ("PS0052", "corner-without-next-move", Error, Some("PS0052")),
+            Self::CornerTooLarge { .. } => ("PS0055", "corner-too-large", Error, Some("PS0055")),
+            Self::CornerNone { .. } => ("PS0051", "no-corner-here", Error, Some("PS0051")),
+            Self::CornerAxis { .. } => ("PS0306", "corner-axis", Error, Some("PS0306")),
+            Self::AngleNoPoint { .. } => ("PS0057", "angle-without-point", Error, Some("PS0057")),
+            Self::CompensationOnArc { .. } => ("PS0034", "compensation-on-arc", Error, Some("PS0034")),
+            Self::CompensationOvercut { .. } => ("PS0041", "compensation-overcut", Error, Some("PS0041")),
+            Self::CompensationNoIntersection { .. } => {
+                ("PS0033", "compensation-no-meeting", Error, Some("PS0033"))
+            }
+            Self::CompensationPlane => ("PS0037", "compensation-plane-change", Error, Some("PS0037")),
+            Self::LeadRunsOut { .. } => ("PS0313", "lead-runs-out", Error, Some("PS0313")),
             Self::CompensationIdle { .. } => ("W-TNRC-CYCLE", "compensation-without-effect", Warning, None),
         }
     }

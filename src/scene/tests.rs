@@ -85,7 +85,17 @@ impl Path {
             uncertain: self.uncertain,
         };
         let (lead, seconds) = (None, None);
-        self.list.push(Motion { kind, from: self.at, to, center, lead, seconds, cycle: None, process });
+        self.list.push(Motion {
+            kind,
+            from: self.at,
+            to,
+            center,
+            lead,
+            seconds,
+            programmed: None,
+            cycle: None,
+            process,
+        });
         self.at = to;
         self
     }

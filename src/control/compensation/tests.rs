@@ -1,6 +1,7 @@
 //! One door, [`run`]: a path in drawing coordinates (X diameter), what comes out in the same.
 
 mod faults;
+#[cfg(not(target_arch = "wasm32"))]
 mod properties;
 
 use super::*;

@@ -1,7 +1,9 @@
 //! Worked corners, each fault beside its nearest neighbour, and what holds at every corner.
 
 use super::*;
-use crate::geometry::{Arc, Point, Turn};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::geometry::Arc;
+use crate::geometry::{Point, Turn};
 use Turn::{Clockwise, Counterclockwise};
 
 /// Numbers worked by hand are given to six places.

@@ -6,24 +6,31 @@
 //! Order within a block (semantics §1.3): plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
+mod contours;
 mod motions;
+mod multiples;
+mod path;
 mod settings;
 mod singles;
 mod watch;
 
 use super::arcs::{self, CenterWords};
-use super::codes::{self, Compensation, G, M, Plane, Switch};
-use super::dialect::{Control, Dialect, FeedMode, IInG92, NegativeArcR, XuConflict};
-use super::modal::{CycleMemory, MotionMode, Once, State, Target};
+use super::codes::{self, Compensation, G, M, Multiple, Plane, Switch};
+use super::dialect::{
+    Control, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, IInG92, NegativeArcR, PqUnit, XuConflict,
+};
+use super::modal::{CycleMemory, MotionMode, Once, Routed, State, Target};
+use super::program::Labels;
 use super::setup::{Setup, Tool};
 use super::words::{self, Reading, Words, letters, plain, quote};
-use crate::cycles::Move;
 use crate::cycles::single::{self, PullOut, Single};
+use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
 use crate::limits::Limits;
-use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn};
+use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value, Word};
+use crate::text::parser::Resume;
 use crate::text::source::Span;
 
 /// Motions of a chunk before the next one is begun.
@@ -37,6 +44,8 @@ const AXES: u32 = letters(b"XZUW");
 pub enum Flow {
     /// With the next block.
     Next,
+    /// With the block at another place.
+    Jump(Resume),
     /// It has ended.
     End,
 }
@@ -48,6 +57,8 @@ enum OneShot {
     Home,
     Setting,
     LocalFrame,
+    /// G70 to G76.
+    Multiple(Multiple),
     NotYet,
 }
 
@@ -68,8 +79,10 @@ struct Request {
     /// Groups met so far, as bits, and the word of group 01.
     groups: u32,
     group_words: [Span; 2],
-    /// A word of a corner: `,C2`, `,R1`, `,A30`.
-    corner: Option<Span>,
+    /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
+    comma: [Option<usize>; 3],
+    /// The block made a move of the path.
+    moved: bool,
 }
 
 /// Runs blocks and keeps what comes of them.
@@ -85,6 +98,12 @@ pub struct Interpreter {
     diagnostics: Vec<Diagnostic>,
     hidden: usize,
     full: bool,
+    /// While a contour is read, motions are kept here instead of being stored.
+    recorded: Option<Vec<Routed>>,
+    /// Sequence numbers, made when first asked for.
+    labels: Option<Labels>,
+    /// Where the program goes on after the block.
+    jump: Option<Resume>,
 }
 
 impl Interpreter {
@@ -103,6 +122,9 @@ impl Interpreter {
             diagnostics: Vec::new(),
             hidden: 0,
             full: false,
+            recorded: None,
+            labels: None,
+            jump: None,
         }
     }
 
@@ -124,6 +146,11 @@ impl Interpreter {
     /// The setup of the run.
     pub fn setup(&self) -> &Setup {
         &self.setup
+    }
+
+    /// Makes the moves that wait for a next one: the program has ended.
+    pub fn finish(&mut self) {
+        self.settle();
     }
 
     /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions, and puts the messages in
@@ -166,7 +193,7 @@ impl Interpreter {
             self.tell_faults(block);
             block.is_broken()
         };
-        if self.chunk.is_empty() || self.chunk.len() >= CHUNK {
+        if self.recorded.is_none() && (self.chunk.is_empty() || self.chunk.len() >= CHUNK) {
             let next = Chunk::new(block.span.start, block.line, self.state.position);
             self.motions.push(std::mem::replace(&mut self.chunk, next));
         }
@@ -200,12 +227,22 @@ impl Interpreter {
             self.act(text, block, &mut request, &words);
             self.state.uncertain |= request.drop;
         }
+        if !request.moved {
+            self.idle_block();
+        }
+        if request.end {
+            self.settle();
+        }
         if request.stop_spindle {
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.live_tool = false;
             self.state.told.forget(Once::SpindleStopped);
         }
-        if request.end || self.full { Flow::End } else { Flow::Next }
+        match self.jump.take() {
+            _ if request.end || self.full => Flow::End,
+            Some(at) => Flow::Jump(at),
+            None => Flow::Next,
+        }
     }
 
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
@@ -240,7 +277,14 @@ impl Interpreter {
                 self.take_g(text, request, key, word);
             }
             b'M' => self.take_m(text, request, number.mantissa, word),
-            _ if word.comma => request.corner = Some(word.span),
+            b'C' if word.comma => request.comma[0] = Some(index),
+            b'R' if word.comma => request.comma[1] = Some(index),
+            b'A' if word.comma => request.comma[2] = Some(index),
+            _ if word.comma => {
+                let text = quote(text, word.span);
+                self.tell(Diagnostic::new(Message::NotUnderstood { text }, word.span));
+                request.drop = true;
+            }
             address => {
                 if let Some(_before) = words.take(index, word) {
                     let used = quote(text, block.words[index].span);
@@ -266,11 +310,19 @@ impl Interpreter {
             G::Line => request.motion = Some(MotionMode::Line),
             G::Arc(turn) => request.motion = Some(MotionMode::Arc(turn)),
             G::Thread => request.motion = Some(MotionMode::Thread),
+            G::VariableThread => request.motion = Some(MotionMode::VariableThread),
+            G::Tapping if self.dialect.control != Control::Gsk => {
+                // System A of FANUC has no G33.
+                self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
+                request.drop = true;
+            }
+            G::Tapping => request.motion = Some(MotionMode::Tapping),
             G::Cycle(cycle) => request.motion = Some(MotionMode::Cycle(cycle)),
             G::Dwell => request.one_shot = Some(OneShot::Dwell),
             G::Home => request.one_shot = Some(OneShot::Home),
             G::Setting => request.one_shot = Some(OneShot::Setting),
             G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
+            G::Multiple(cycle) => request.one_shot = Some(OneShot::Multiple(cycle)),
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
             G::Compensation(compensation) => {
@@ -278,6 +330,8 @@ impl Interpreter {
                 state.told.forget(Once::CompensationIdle);
             }
             G::Frame(frame) => {
+                self.leave_compensation();
+                let state = &mut self.state;
                 state.change_frame(|frames| frames.active = frame);
                 state.memory = CycleMemory::EMPTY;
             }
@@ -329,6 +383,7 @@ impl Interpreter {
                 request.end = true;
                 state.compensation = Compensation::Off;
             }
+            Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
             Some(M::Pause | M::Idle) => {}
             Some(M::NotYet) => {
                 self.not_yet(text, word.span);
@@ -355,39 +410,41 @@ impl Interpreter {
                 request.drop = true;
                 return;
             }
+            if one_shot != OneShot::Dwell {
+                self.leave_compensation();
+            }
             match one_shot {
                 OneShot::Dwell => self.dwell(text, block, words, request),
                 OneShot::Home => self.home(text, block, words),
                 OneShot::Setting => self.setting(words),
                 OneShot::LocalFrame => self.local_frame(words),
+                OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
                 OneShot::NotYet => self.state.uncertain = true,
             }
             return;
         }
         const OTHER_AXES: u32 = letters(b"YVCH");
         if words.has_any(OTHER_AXES) {
-            self.other_axes(text, request, words);
+            self.other_axes(text, words);
         }
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES) => {
+                self.settle_angle();
                 let to = self.target(text, words);
-                self.watch_compensation(text, block);
-                self.go(block, MotionKind::Rapid, to);
+                request.moved = true;
+                self.travel(block, self.motion(MotionKind::Rapid, to), None);
             }
-            MotionMode::Line if words.has_any(AXES) => {
-                let to = self.target(text, words);
-                if self.may_cut(block, words, request) {
-                    self.corner(text, request, words);
-                    self.go(block, MotionKind::Feed, to);
-                }
+            MotionMode::Line if words.has_any(AXES | letters(b"A")) || request.comma[2].is_some() => {
+                self.line(text, block, request, words);
             }
             MotionMode::Arc(turn) if words.has_any(AXES | letters(b"IK")) => {
                 self.arc(text, block, request, words, turn)
             }
-            MotionMode::Thread if words.has_any(AXES) => self.thread(text, block, request, words),
+            MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping if words.has_any(AXES) => {
+                self.thread(text, block, request, words);
+            }
             MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
             MotionMode::NotYet if words.has_any(AXES) => self.state.uncertain = true,
-            _ if request.corner.is_some() => self.corner(text, request, words),
             _ => {}
         }
     }
@@ -435,6 +492,7 @@ impl Interpreter {
             center: None,
             lead: None,
             seconds: None,
+            programmed: None,
             cycle: None,
             process: self.state.process(),
         }
@@ -449,17 +507,40 @@ impl Interpreter {
     /// Keeps a motion unless it has no length, and puts the tip at its end.
     #[inline]
     fn push(&mut self, block: &Block, motion: Motion) {
+        self.emit(Routed { motion, span: block.span, line: block.line });
+        self.state.position = motion.to;
+    }
+
+    /// Keeps a motion unless it has no length.
+    #[inline]
+    fn emit(&mut self, mut routed: Routed) {
+        if let Some(tip) = self.state.tip.take() {
+            routed.motion.from = tip;
+        }
+        let motion = &routed.motion;
         let still = motion.from.is_same(motion.to) && motion.center.is_none() && motion.seconds.is_none();
         if still || self.full {
             return;
         }
+        match &mut self.recorded {
+            Some(recorded) if recorded.len() < self.limits.motions => recorded.push(routed),
+            Some(_) => {}
+            None => self.store(routed),
+        }
+    }
+
+    /// Keeps a motion for good.
+    #[inline]
+    fn store(&mut self, routed: Routed) {
         if self.motions.len() + self.chunk.len() >= self.limits.motions {
-            self.full = true;
-            self.tell(Diagnostic::new(Message::TooManyMotions { most: self.limits.motions }, block.span));
+            if !self.full {
+                self.full = true;
+                let message = Message::TooManyMotions { most: self.limits.motions };
+                self.tell(Diagnostic::new(message, routed.span));
+            }
             return;
         }
-        self.chunk.push(&motion, block.span, block.line);
-        self.state.position = motion.to;
+        self.chunk.push(&routed.motion, routed.span, routed.line);
     }
 }
 

@@ -3,6 +3,8 @@
 //! In: the words of a block. Out: motions. Corner words and angles are answered here too.
 
 use super::*;
+use crate::control::corners::{self, Corner, Letter};
+use crate::control::modal::{Angle, Joint};
 
 impl Interpreter {
     /// The end point that X, U, Z and W name.
@@ -52,36 +54,98 @@ impl Interpreter {
     }
 
     /// Y, V, C and H: told once.
-    pub(super) fn other_axes(&mut self, text: &[u8], request: &mut Request, words: &Words) {
+    pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
         // C on a G01 block may be a chamfer, which `corner` answers.
         let is_line = self.state.motion == MotionMode::Line;
         for address in [b'Y', b'V', b'H', b'C'] {
-            if words.get(address).is_some() && !(address == b'C' && is_line) {
+            if words.get(address).is_some() && !(address == b'C' && is_line && !self.state.c_axis) {
                 if self.state.told.first(Once::AxisNotYet) {
                     self.not_yet(text, words.span(address));
                 }
                 // The motion of X and Z is drawn all the same.
                 self.state.uncertain = true;
-                request.corner = None;
             }
         }
     }
 
-    /// Chamfers, rounded corners and angles: the move to the programmed corner is drawn.
-    pub(super) fn corner(&mut self, text: &[u8], request: &Request, words: &Words) {
-        const CORNER: u32 = letters(b"CRIKALD");
-        if request.corner.is_none() && !words.has_any(CORNER) {
+    /// G01, with its corner and angle words (semantics §3.2).
+    pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        let x = self.axis(text, words, b'X', b'U', 0.5);
+        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let angle = self.angle(text, block, request, words);
+        request.moved = true;
+        let absolute = |target: Target| match target {
+            Target::Absolute(place) => Some(place),
+            Target::Stay | Target::Incremental(_) => None,
+        };
+        let was_open = self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some());
+        if was_open && !self.close_angle(absolute(x), absolute(z), angle.as_ref().map(|angle| angle.radians))
+        {
+            request.drop = true;
             return;
         }
-        let gsk = self.dialect.control == Control::Gsk;
-        let addresses: &[u8] = if gsk { b"CRIKALD" } else { b"CRIKA" };
-        let word = addresses.iter().find_map(|&letter| words.get(letter)).map(|word| word.span);
-        if let Some(span) = request.corner.or(word) {
-            if self.state.told.first(Once::CornerNotYet) {
-                self.not_yet(text, span);
-            }
-            self.state.uncertain = true;
+        if !self.may_cut(block, words, request) {
+            return;
         }
+        let joint = self.joint(text, block, request, words);
+        let from = self.state.position;
+        let named = |target: Target, from: f64| match target {
+            Target::Stay => None,
+            target => Some(target.from(from)),
+        };
+        let to = match angle {
+            Some(angle) if x == Target::Stay && z == Target::Stay => {
+                self.travel_at_angle(block, angle, joint);
+                return;
+            }
+            Some(angle) if !was_open => {
+                match corners::end_by_angle(from, angle.radians, named(x, from.x), named(z, from.z)) {
+                    Ok(to) => to,
+                    Err(_) => {
+                        let message = Message::AngleNoPoint { word: angle.word };
+                        self.tell(Diagnostic::new(message, angle.span));
+                        request.drop = true;
+                        return;
+                    }
+                }
+            }
+            _ => Point::new(x.from(from.x), z.from(from.z)),
+        };
+        self.travel(block, self.motion(MotionKind::Feed, to), joint);
+    }
+
+    /// The angle word of a straight move: `,A` or A, degrees.
+    fn angle(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Angle> {
+        let word = request.comma[2].map(|index| &block.words[index]).or_else(|| words.get(b'A'))?;
+        Some(Angle { radians: plain(word)?.to_radians(), span: word.span, word: quote(text, word.span) })
+    }
+
+    /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
+    fn joint(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Joint> {
+        let straight = self.state.motion == MotionMode::Line;
+        let gsk = self.dialect.control == Control::Gsk;
+        let [chamfer, round, _] = request.comma;
+        let comma = |index: Option<usize>| index.map(|index| &block.words[index]);
+        let plain_word = |letter: u8, allowed: bool| words.get(letter).filter(|_| allowed);
+        let candidates = [
+            (comma(chamfer), None, Corner::Chamfer as fn(f64) -> Corner),
+            (comma(round), None, Corner::Round),
+            (plain_word(b'L', gsk), None, Corner::Chamfer),
+            (plain_word(b'D', gsk), None, Corner::Round),
+            (plain_word(b'I', straight), Some(Letter::I), Corner::Chamfer),
+            (plain_word(b'K', straight), Some(Letter::K), Corner::Chamfer),
+            (plain_word(b'C', straight && !self.state.c_axis), Some(Letter::C), Corner::Chamfer),
+            (plain_word(b'R', straight), Some(Letter::R), Corner::Round),
+        ];
+        let (word, letter, corner) =
+            candidates.into_iter().find_map(|(word, letter, corner)| Some((word?, letter, corner)))?;
+        let value = self.reading().length(word).filter(|&value| value != 0.0)?;
+        Some(Joint {
+            corner: corner(if letter.is_some() { value.abs() } else { value }),
+            signed: letter.map(|letter| (letter, value)),
+            span: word.span,
+            word: quote(text, word.span),
+        })
     }
 
     pub(super) fn arc(
@@ -124,13 +188,18 @@ impl Interpreter {
         if !self.may_cut(block, words, request) {
             return;
         }
-        self.watch_compensation(text, block);
+        self.settle_angle();
+        let joint = self.joint(text, block, request, words);
+        request.moved = true;
         let (kind, from) = match turn {
             Turn::Clockwise => (MotionKind::ArcClockwise, self.state.position),
             Turn::Counterclockwise => (MotionKind::ArcCounterclockwise, self.state.position),
         };
         match arcs::center(from, to, turn, center_words) {
-            Ok(Some(center)) => self.push(block, Motion { center: Some(center), ..self.motion(kind, to) }),
+            Ok(Some(center)) => {
+                let motion = Motion { center: Some(center), ..self.motion(kind, to) };
+                self.travel(block, motion, joint);
+            }
             Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
             Err(message) => {
                 self.tell(Diagnostic::new(message, block.words_span()));
@@ -139,24 +208,40 @@ impl Interpreter {
         }
     }
 
-    /// G32: one thread cut (semantics §3.5).
+    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (semantics §3.5).
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        let code = match self.state.motion {
+            MotionMode::VariableThread => "G34",
+            MotionMode::Tapping => "G33",
+            _ => "G32",
+        };
         let to = self.target(text, words);
-        let Some(lead) = self.lead(block, words, "G32") else {
+        let Some(lead) = self.lead(block, words, code) else {
             request.drop = true;
             return;
         };
-        self.watch_thread(text, block, words, "G32");
+        self.leave_compensation();
+        self.watch_thread(text, block, words, code);
         let reading = self.reading();
-        let gsk = self.dialect.control == Control::Gsk;
-        let given = |address: u8| words.get(address).filter(|_| gsk).and_then(|word| reading.length(word));
+        let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
-        let ends = match (given(b'J'), given(b'K')) {
-            (None, None) => [Some(to), None],
-            (j, k) => {
+        let gsk = self.dialect.control == Control::Gsk;
+        let ends = match (self.state.motion, given(b'J'), given(b'K')) {
+            (MotionMode::Tapping, ..) => [Some(to), Some(from)],
+            (MotionMode::VariableThread, _, change) => {
+                let length = (to.z - from.z).abs().max((to.x - from.x).abs());
+                if let Some(last) = last_lead(lead, change.unwrap_or(0.0), length).err() {
+                    self.tell(Diagnostic::new(Message::LeadRunsOut { lead: last }, words.span(b'K')));
+                    request.drop = true;
+                    return;
+                }
+                [Some(to), None]
+            }
+            (_, j, k) if gsk && (j.is_some() || k.is_some()) => {
                 let (out, along) = (j.or(k).unwrap_or(0.0), k.or(j).unwrap_or(0.0));
                 gsk_pull_out(from, to, out, along)
             }
+            _ => [Some(to), None],
         };
         for end in ends.into_iter().flatten() {
             let motion = Motion { lead: Some(lead), ..self.motion(MotionKind::Thread, end) };
@@ -197,4 +282,11 @@ fn gsk_pull_out(from: Point, to: Point, out: f64, along: f64) -> [Option<Point>;
         Point::new(to.x, leave.z + out)
     };
     [Some(leave), Some(end)]
+}
+
+/// The lead at the end of a G34, mm: n turns of F·n + K·n²/2 = L leave a lead of √(F² + 2·K·L). The error is the
+/// lead it would sink to, zero or below.
+fn last_lead(lead: f64, change: f64, length: f64) -> Result<f64, f64> {
+    let square = lead * lead + 2.0 * change * length;
+    if square > 0.0 { Ok(square.sqrt()) } else { Err(-(-square).sqrt()) }
 }

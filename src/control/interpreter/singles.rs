@@ -1,6 +1,7 @@
 //! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (semantics §6).
 
 use super::*;
+use crate::control::compensation::{Axis, Side, cycle_shift};
 
 impl Interpreter {
     /// G90, G92, G94 (semantics §6).
@@ -35,6 +36,7 @@ impl Interpreter {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
+        self.leave_compensation();
         let start = self.state.position;
         let memory = self.state.memory;
         let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));
@@ -56,7 +58,7 @@ impl Interpreter {
                 if !self.may_cut(block, words, request) {
                     return;
                 }
-                self.watch_cycle_compensation(text, block, cycle);
+                self.watch_cycle_compensation(block, cycle);
                 None
             }
         };
@@ -69,11 +71,28 @@ impl Interpreter {
                     self.run_moves(block, cycle, pass, Some(lead), &moves);
                 }
                 (Single::Facing, _) => {
+                    let begin = Point::new(start.x, end.z + memory.taper);
+                    let end = Point::new(end.x, end.z + self.nose_shift(begin, end, Axis::Z));
                     self.run_moves(block, cycle, pass, None, &single::facing(start, end, memory.taper));
                 }
-                _ => self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper)),
+                _ => {
+                    let begin = Point::new(end.x + memory.taper, start.z);
+                    let end = Point::new(end.x + self.nose_shift(begin, end, Axis::X), end.z);
+                    self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper));
+                }
             }
         }
+    }
+
+    /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed line
+    /// (semantics §4.4); nothing without compensation or radius.
+    fn nose_shift(&self, from: Point, to: Point, along: Axis) -> f64 {
+        let side = match self.state.compensation {
+            Compensation::Off => return 0.0,
+            Compensation::Left => Side::Left,
+            Compensation::Right => Side::Right,
+        };
+        cycle_shift(side, self.nose(), from, to, along).unwrap_or(0.0)
     }
 
     /// The letter that holds the taper in a block of a cycle: R, or its older spelling.

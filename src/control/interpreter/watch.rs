@@ -37,7 +37,8 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn watch_thread(&mut self, text: &[u8], block: &Block, words: &Words, code: &'static str) {
+    /// A thread needs a spindle that turns at a constant speed, and no compensation.
+    pub(super) fn watch_thread_spindle(&mut self, block: &Block, code: &'static str) {
         self.watch_spindle(block);
         if self.state.spindle.surface && self.state.told.first(Once::ThreadAtSurfaceSpeed) {
             self.tell(Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span()));
@@ -45,6 +46,11 @@ impl Interpreter {
         if self.state.compensation != Compensation::Off && self.state.told.first(Once::CompensationIdle) {
             self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
         }
+    }
+
+    /// The same for G32 and G92, whose Q is a start angle: a whole number of 0.001°.
+    pub(super) fn watch_thread(&mut self, text: &[u8], block: &Block, words: &Words, code: &'static str) {
+        self.watch_thread_spindle(block, code);
         if let Some(word) = words.get(b'Q')
             && let Value::Number { number, .. } = word.value
             && number.has_point()
@@ -55,40 +61,14 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn watch_cycle_compensation(&mut self, text: &[u8], block: &Block, cycle: Single) {
-        if self.state.compensation == Compensation::Off {
-            return;
+    /// G90 and G94 are compensated, but only with a nose radius (semantics §4.4).
+    pub(super) fn watch_cycle_compensation(&mut self, block: &Block, cycle: Single) {
+        if self.state.compensation != Compensation::Off
+            && self.nose().radius == 0.0
+            && self.state.told.first(Once::CompensationIdle)
+        {
+            let code = cycle.cycle().code();
+            self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
         }
-        if self.nose_radius() > 0.0 {
-            self.watch_compensation(text, block);
-        } else if self.state.told.first(Once::CompensationIdle) {
-            self.tell(Diagnostic::new(
-                Message::CompensationIdle { code: cycle.cycle().code() },
-                block.words_span(),
-            ));
-        }
-    }
-
-    /// Compensation with a radius would shift the path, which is not done yet; without one it changes nothing.
-    #[inline]
-    pub(super) fn watch_compensation(&mut self, _text: &[u8], block: &Block) {
-        if self.state.compensation == Compensation::Off || self.nose_radius() == 0.0 {
-            return;
-        }
-        if self.state.told.first(Once::CompensationNotYet) {
-            let what = if self.state.compensation == Compensation::Left { "`G41`" } else { "`G42`" };
-            self.tell(Diagnostic::new(Message::NotYet { what: what.into() }, block.words_span()));
-        }
-        self.state.uncertain = true;
-    }
-
-    /// Radius of the nose or cutter in force, mm; 0 without an offset.
-    pub(super) fn nose_radius(&self) -> f64 {
-        let (station, offset) = self.state.tool;
-        if offset == 0 {
-            return 0.0;
-        }
-        let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
-        tool.map_or(0.0, |tool| tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius))
     }
 }

@@ -173,6 +173,105 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             number(*wanted)
         ))
         .help(format!("The cut begins outside the stock, so R must be longer in proportion: R{}.", number(*needed))),
+        Message::ContourNotNamed { code } => Sentence::new(format!("{code} needs both P and Q."))
+            .help("P names the first block of the contour by its N number, Q the last."),
+        Message::ContourNotFound { word } => Sentence::new(format!("No block has the number that `{word}` names."))
+            .help("P names the first block of the contour, Q the last, which must stand behind it in the same program."),
+        Message::ContourFirstBlock { code } => {
+            Sentence::new(format!("The first block of the contour of {code} does not move by G00 or G01."))
+                .help("It takes the tool from the start point to where the contour begins.")
+        }
+        Message::ContourIllegal { word } => Sentence::new(format!("`{word}` may not stand between P and Q."))
+            .help("A contour holds moves by G00, G01, G02 and G03 only. The cycle is not carried out."),
+        Message::ContourCall { word } => Sentence::new(format!("`{word}` calls a subprogram inside a contour."))
+            .help("Write the moves out between P and Q. The cycle is not carried out."),
+        Message::ContourBothAxes { code, other } => {
+            Sentence::new(format!("The first block of the contour of {code} names {other} too, though it does not move."))
+                .help("Controls take two axes there as type II (pockets). Leave the word out for type I.")
+        }
+        Message::ContourTypeTwo { code } => {
+            Sentence::new(format!("The first block of the contour of {code} moves both axes, which this control does not take."))
+                .help("Without pockets (type II) only one axis may move there.")
+        }
+        Message::ContourTurnsBack { code, axis, line, .. } => {
+            Sentence::new(format!("The contour of {code} turns back in {axis} at line {line}."))
+                .help("Type I takes contours that go one way in both axes; type II, with two axes in the first block, allows pockets in depth.")
+        }
+        Message::ContourBeyondStart { code, axis } => {
+            Sentence::new(format!("The contour of {code} goes beyond the start point in {axis}."))
+                .help("Start the cycle outside the contour.")
+        }
+        Message::ContourOpenEnd { word } => Sentence::new(format!("`{word}` in the last block of the contour has no next move."))
+            .help("A contour cannot end in a chamfer, a rounded corner or an open angle."),
+        Message::DepthNotPositive { code, depth: None } => Sentence::new(format!("{code} has no depth of cut."))
+            .help("Give it in a first block, such as G71 U2 R0.5 or G72 W2 R0.5. U or W beside P and Q is the allowance."),
+        Message::DepthNotPositive { code, depth: Some(depth) } => {
+            Sentence::new(format!("The depth of cut {} of {code} must be larger than zero.", number(*depth)))
+                .help("It has no sign: the cycle finds its direction from the contour.")
+        }
+        Message::AllowanceSign { word } => Sentence::new(format!("The allowance `{word}` points into the part."))
+            .help("Outside work has a positive U, bores a negative one; W points away from the direction of cut."),
+        Message::PatternPasses { passes: None } => {
+            Sentence::new("G73 has no number of passes.").help("Give it as R in a first block, such as G73 U9 W2 R5.")
+        }
+        Message::PatternPasses { passes: Some(passes) } => {
+            Sentence::new(format!("G73 cannot make {} passes.", number(*passes)))
+        }
+        Message::TooManyPasses { code, most } => {
+            Sentence::new(format!("{code} would make more than {most} moves; it is not carried out."))
+                .help("Is the depth, the peck or the first cut far too small? Amounts without a point may be micrometres.")
+        }
+        Message::PeckNegative { word } => Sentence::new(format!("`{word}` cannot be negative."))
+            .help("Pecks and steps have no sign: the direction follows from the end point."),
+        Message::PeckMissing { code, address } => {
+            Sentence::new(format!("{code} moves this axis but has no {address}."))
+                .help("P is the amount along X (radius), Q along Z.")
+        }
+        Message::ReliefNegative { word } => Sentence::new(format!("The relief `{word}` cannot be negative here."))
+            .help("Its direction follows from the steps."),
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` was read as millimetres."))
+            .help("FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide."),
+        Message::ThreadAngle { angle } => Sentence::new(format!("{}° is no tool angle of G76.", number(*angle)))
+            .help("FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P."),
+        Message::ThreadLeastDepth { least, height } => Sentence::new(format!(
+            "The least depth {} mm is larger than the thread height {} mm.",
+            number(*least),
+            number(*height)
+        ))
+        .help("Q of the first block and P of the second are micrometres."),
+        Message::ThreadNoDepth { word } => {
+            let what = if *word == 'P' { "thread height P" } else { "first depth Q" };
+            Sentence::new(format!("G76 needs a {what} larger than zero."))
+                .help("P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.")
+        }
+        Message::ThreadStartInside { start, crest } => Sentence::new(format!(
+            "G76 starts at X{}, inside the crest of the thread at X{}.",
+            number(*start),
+            number(*crest)
+        ))
+        .help("The tool returns to the start X after every pass: it must clear the work."),
+        Message::CornerNoMove { word } => Sentence::new(format!("`{word}` has no straight move behind it to form a corner with."))
+            .help("The next block must move by G01 (G02 and G03 for `,C` and `,R`)."),
+        Message::CornerTooLarge { word } => Sentence::new(format!("`{word}` is larger than the moves beside it.")),
+        Message::CornerNone { word } => Sentence::new(format!("`{word}`: these two moves form no corner."))
+            .help("The path goes straight on or turns back on itself."),
+        Message::CornerAxis { word } => Sentence::new(format!("`{word}` does not fit the next move."))
+            .help("Without a comma, a chamfer or radius joins a move along one axis to a move along the other; its sign is the direction of the next move."),
+        Message::AngleNoPoint { word } => Sentence::new(format!("`{word}` leads to no point."))
+            .help("Angles count from +Z, counter-clockwise. Two lines must cross; one line needs X or Z beside its angle."),
+        Message::CompensationOnArc { code } => Sentence::new(format!("{code} may not begin or end on an arc."))
+            .help("Put G40, G41 and G42 on a straight move (G00 or G01)."),
+        Message::CompensationOvercut { radius } => {
+            Sentence::new(format!("A nose of R{} does not fit here: it would cut into the contour.", number(*radius)))
+                .help("A step is lower, a groove narrower or an inner arc smaller than the nose.")
+        }
+        Message::CompensationNoIntersection { radius } => {
+            Sentence::new(format!("With a nose of R{} these two moves do not meet.", number(*radius)))
+        }
+        Message::CompensationPlane => Sentence::new("The plane may not change while G41 or G42 is on.")
+            .help("Write G40 first."),
+        Message::LeadRunsOut { lead } => Sentence::new(format!("The lead of G34 would become {} mm.", number(*lead)))
+            .help("K is the change of lead for each turn; it must leave the lead positive to the end."),
         Message::CompensationIdle { code } => {
             Sentence::new(format!("Nose radius compensation is on, but it changes nothing in this {code}."))
                 .help("Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.")

@@ -200,6 +200,137 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             "Резание начинается вне заготовки, поэтому R по модулю должно быть больше в той же пропорции: R{}.",
             number(*needed)
         )),
+        Message::ContourNotNamed { code } => Sentence::new(format!("В {code} нужны и P, и Q."))
+            .help("P — номер N первого кадра контура, Q — номер последнего."),
+        Message::ContourNotFound { word } => {
+            Sentence::new(format!("Нет кадра с номером, указанным в `{word}`."))
+                .help("P указывает первый кадр контура, Q — последний; он должен стоять ниже в той же программе.")
+        }
+        Message::ContourFirstBlock { code } => {
+            Sentence::new(format!("В первом кадре контура для {code} нет перемещения по G00 или G01."))
+                .help("Этот кадр подводит инструмент от начальной точки цикла к началу контура.")
+        }
+        Message::ContourIllegal { word } => {
+            Sentence::new(format!("`{word}` нельзя писать между кадрами P и Q."))
+                .help("Контур задают только кодами G00, G01, G02 и G03. Цикл не выполняется.")
+        }
+        Message::ContourCall { word } => {
+            Sentence::new(format!("`{word}` вызывает подпрограмму внутри контура."))
+                .help("Запишите перемещения прямо между кадрами P и Q. Цикл не выполняется.")
+        }
+        Message::ContourBothAxes { code, other } => Sentence::new(format!(
+            "В первом кадре контура для {code} указана и ось {other}, хотя перемещения по ней нет."
+        ))
+        .help("Две оси в этом кадре стойка понимает как тип II (с карманами). Для типа I удалите это слово."),
+        Message::ContourTypeTwo { code } => Sentence::new(format!(
+            "Первый кадр контура для {code} перемещает обе оси; эта стойка такого не принимает."
+        ))
+        .help("Без типа II (с карманами) в этом кадре может перемещаться только одна ось."),
+        Message::ContourTurnsBack { code, axis, line, .. } => {
+            Sentence::new(format!("Контур для {code} в строке {line} поворачивает назад по {axis}."))
+                .help("Контур типа I идёт по каждой оси только в одну сторону; тип II (две оси в первом кадре) допускает карманы по глубине.")
+        }
+        Message::ContourBeyondStart { code, axis } => {
+            Sentence::new(format!("Контур для {code} выходит по {axis} за начальную точку цикла."))
+                .help("Начальная точка цикла должна лежать вне контура.")
+        }
+        Message::ContourOpenEnd { word } => {
+            Sentence::new(format!("После `{word}` в последнем кадре контура нет перемещения."))
+                .help("Контур не может кончаться фаской, скруглением или углом без конечной точки.")
+        }
+        Message::DepthNotPositive { code, depth: None } => {
+            Sentence::new(format!("В {code} не задана глубина прохода."))
+                .help("Задайте её в первом кадре цикла, например G71 U2 R0.5 или G72 W2 R0.5. U и W рядом с P и Q — это припуск.")
+        }
+        Message::DepthNotPositive { code, depth: Some(depth) } => {
+            Sentence::new(format!("Глубина прохода {} в {code} должна быть больше нуля.", number(*depth)))
+                .help("Её пишут без знака: направление цикл определяет по контуру.")
+        }
+        Message::AllowanceSign { word } => {
+            Sentence::new(format!("Припуск `{word}` направлен внутрь детали."))
+                .help("При наружной обработке U положительный, в отверстии — отрицательный; W направлен против хода резания.")
+        }
+        Message::PatternPasses { passes: None } => Sentence::new("В G73 не задано число проходов.")
+            .help("Задайте его адресом R в первом кадре цикла, например G73 U9 W2 R5."),
+        Message::PatternPasses { passes: Some(passes) } => {
+            Sentence::new(format!("Недопустимое число проходов в G73: {}.", number(*passes)))
+        }
+        Message::TooManyPasses { code, most } => {
+            Sentence::new(format!("Число перемещений в {code} превысит {most}; цикл не выполняется."))
+                .help("Не слишком ли мала глубина прохода, шаг или глубина первого прохода? Числа без точки могут считаться в микрометрах.")
+        }
+        Message::PeckNegative { word } => {
+            Sentence::new(format!("В `{word}` не может стоять отрицательное число."))
+                .help("Шаг врезания и смещение пишут без знака: направление задаёт конечная точка.")
+        }
+        Message::PeckMissing { code, address } => {
+            Sentence::new(format!("В {code} есть перемещение по этой оси, но нет {address}."))
+                .help("P — шаг по X (на радиус), Q — шаг по Z.")
+        }
+        Message::ReliefNegative { word } => {
+            Sentence::new(format!("Отвод в сторону `{word}` здесь не может быть отрицательным."))
+                .help("Его направление следует из направления смещения.")
+        }
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` прочитано в миллиметрах."))
+            .help("Стойки FANUC и GSK считают P и Q в микрометрах, без точки: 5 мм — это 5000. Единицу задаёт настройка pqUnit."),
+        Message::ThreadAngle { angle } => {
+            Sentence::new(format!("Угол инструмента {}° в G76 недопустим.", number(*angle)))
+                .help("FANUC принимает 80, 60, 55, 30, 29 и 0 градусов: это две последние цифры P.")
+        }
+        Message::ThreadLeastDepth { least, height } => Sentence::new(format!(
+            "Наименьшая глубина прохода {} мм больше высоты профиля резьбы {} мм.",
+            number(*least),
+            number(*height)
+        ))
+        .help("Q первого кадра и P второго задают в микрометрах."),
+        Message::ThreadNoDepth { word } => {
+            let what = if *word == 'P' {
+                "высота профиля резьбы P"
+            } else {
+                "глубина первого прохода Q"
+            };
+            Sentence::new(format!("В G76 {what} должна быть больше нуля."))
+                .help("P — высота профиля резьбы, Q — глубина первого прохода; обе на радиус, в микрометрах.")
+        }
+        Message::ThreadStartInside { start, crest } => Sentence::new(format!(
+            "G76 начинается в X{}, то есть внутри металла: вершины резьбы лежат на X{}.",
+            number(*start),
+            number(*crest)
+        ))
+        .help("После каждого прохода инструмент возвращается на начальный X: там он не должен касаться детали."),
+        Message::CornerNoMove { word } => {
+            Sentence::new(format!("После `{word}` нет прямолинейного перемещения: угол не образуется."))
+                .help("В следующем кадре нужно перемещение по G01 (для `,C` и `,R` также G02 и G03).")
+        }
+        Message::CornerTooLarge { word } => Sentence::new(format!("`{word}` больше соседних перемещений.")),
+        Message::CornerNone { word } => {
+            Sentence::new(format!("`{word}`: эти два перемещения не образуют угла."))
+                .help("Путь идёт прямо дальше или поворачивает назад по той же линии.")
+        }
+        Message::CornerAxis { word } => {
+            Sentence::new(format!("`{word}` не подходит к следующему перемещению."))
+                .help("Фаска или скругление без запятой соединяет перемещение по одной оси с перемещением по другой; знак — это направление следующего перемещения.")
+        }
+        Message::AngleNoPoint { word } => Sentence::new(format!("По `{word}` нельзя найти конечную точку."))
+            .help("Углы отсчитывают от +Z против часовой стрелки. Две прямые должны пересекаться; для одной прямой, кроме угла, нужен X или Z."),
+        Message::CompensationOnArc { code } => {
+            Sentence::new(format!("Коррекцию нельзя включать или отменять на дуге ({code})."))
+                .help("Пишите G40, G41 и G42 в кадре с прямолинейным перемещением (G00 или G01).")
+        }
+        Message::CompensationOvercut { radius } => {
+            Sentence::new(format!("Вершина R{} здесь не проходит: она врежется в контур.", number(*radius)))
+                .help("Уступ слишком низкий, канавка слишком узкая или внутренняя дуга слишком мала для такой вершины.")
+        }
+        Message::CompensationNoIntersection { radius } => Sentence::new(format!(
+            "При радиусе вершины R{} эти два перемещения не пересекаются.",
+            number(*radius)
+        )),
+        Message::CompensationPlane => Sentence::new("Пока действует G41 или G42, менять плоскость нельзя.")
+            .help("Сначала запишите G40."),
+        Message::LeadRunsOut { lead } => {
+            Sentence::new(format!("Ход резьбы в G34 станет равен {} мм.", number(*lead)))
+                .help("K — изменение хода за один оборот; до самого конца ход должен оставаться больше нуля.")
+        }
         Message::CompensationIdle { code } => {
             Sentence::new(format!("Коррекция на радиус вершины включена, но в этом {code} она не действует."))
                 .help("Резьбу нарезают без неё; для G90 и G94 в корректоре должен быть задан радиус вершины.")

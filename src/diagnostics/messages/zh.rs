@@ -178,6 +178,115 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             number(*wanted)
         ))
         .help(format!("切削起点在毛坯之外，R 的绝对值要按比例加大：R{}。", number(*needed))),
+        Message::ContourNotNamed { code } => Sentence::new(format!("{code} 必须同时写 P 和 Q。"))
+            .help("P 是精加工路线第一个程序段的顺序号，Q 是最后一个程序段的顺序号。"),
+        Message::ContourNotFound { word } => Sentence::new(format!("找不到 `{word}` 指定的程序段。"))
+            .help("P 指定精加工路线的第一段，Q 指定最后一段；两段要在同一个程序中，Q 段在 P 段之后。"),
+        Message::ContourFirstBlock { code } => {
+            Sentence::new(format!("{code} 精加工路线的第一段没有用 G00 或 G01 移动。"))
+                .help("这一段要把刀具从循环起点移到轮廓的起点。")
+        }
+        Message::ContourIllegal { word } => Sentence::new(format!("`{word}` 不能写在 P 段到 Q 段之间。"))
+            .help("精加工路线只能用 G00、G01、G02、G03 编程。这个循环不执行。"),
+        Message::ContourCall { word } => Sentence::new(format!("`{word}` 在精加工路线中调用了子程序。"))
+            .help("请把移动指令直接写在 P 段到 Q 段之间。这个循环不执行。"),
+        Message::ContourBothAxes { code, other } => {
+            Sentence::new(format!("{code} 精加工路线的第一段也写了 {other}，但 {other} 向并不移动。"))
+                .help("第一段写了两个轴，系统会按类型 II（凹槽）处理。要用类型 I，请删去这个指令字。")
+        }
+        Message::ContourTypeTwo { code } => {
+            Sentence::new(format!("{code} 精加工路线的第一段两轴同时移动，本系统不接受。"))
+                .help("没有类型 II（凹槽）功能时，这一段只能移动一个轴。")
+        }
+        Message::ContourTurnsBack { code, axis, line, .. } => Sentence::new(format!(
+            "{code} 的精加工路线在第 {line} 行沿 {axis} 向折返。"
+        ))
+        .help("类型 I 要求轮廓在 X、Z 两个方向上都单调变化；类型 II（第一段写两个轴）允许切深方向有凹槽。"),
+        Message::ContourBeyondStart { code, axis } => {
+            Sentence::new(format!("{code} 的精加工路线在 {axis} 向超出了循环起点。"))
+                .help("循环起点要选在轮廓之外。")
+        }
+        Message::ContourOpenEnd { word } => {
+            Sentence::new(format!("`{word}` 写在精加工路线的最后一段，后面没有移动。"))
+                .help("精加工路线不能以倒角、倒圆或终点未定的角度结束。")
+        }
+        Message::DepthNotPositive { code, depth: None } => Sentence::new(format!(
+            "{code} 没有给出背吃刀量。"
+        ))
+        .help(
+            "请在第一个程序段中指定，如 G71 U2 R0.5 或 G72 W2 R0.5。与 P、Q 写在一起的 U、W 是精加工余量。",
+        ),
+        Message::DepthNotPositive { code, depth: Some(depth) } => {
+            Sentence::new(format!("{code} 的背吃刀量 {} 必须大于零。", number(*depth)))
+                .help("背吃刀量不带正负号，进刀方向由精加工路线决定。")
+        }
+        Message::AllowanceSign { word } => Sentence::new(format!("精加工余量 `{word}` 的方向指向零件内部。"))
+            .help("车外圆时 U 为正，车内孔时 U 为负；W 的方向与切削方向相反。"),
+        Message::PatternPasses { passes: None } => {
+            Sentence::new("G73 没有给出循环次数。").help("请在第一个程序段中用 R 指定，如 G73 U9 W2 R5。")
+        }
+        Message::PatternPasses { passes: Some(passes) } => {
+            Sentence::new(format!("G73 的循环次数不能是 {}。", number(*passes)))
+        }
+        Message::TooManyPasses { code, most } => {
+            Sentence::new(format!("{code} 的刀具运动会超过 {most} 段，循环不执行。"))
+                .help("是不是背吃刀量、啄式进给量或第一刀切深写得太小了？不带小数点的数值可能按 μm 计算。")
+        }
+        Message::PeckNegative { word } => Sentence::new(format!("`{word}` 不能是负值。"))
+            .help("啄式进给量和移动量不带正负号，方向由终点坐标决定。"),
+        Message::PeckMissing { code, address } => {
+            Sentence::new(format!("{code} 在这个轴上有移动，却没有写 {address}。"))
+                .help("P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量。")
+        }
+        Message::ReliefNegative { word } => Sentence::new(format!("这里的让刀量 `{word}` 不能是负值。"))
+            .help("让刀方向由每次移动的方向决定。"),
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` 已按 mm 读取。")).help(
+            "FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
+        ),
+        Message::ThreadAngle { angle } => {
+            Sentence::new(format!("G76 的刀尖角度不能是 {}°。", number(*angle)))
+                .help("FANUC 只接受 80、60、55、30、29 和 0 度，写在 P 的最后两位。")
+        }
+        Message::ThreadLeastDepth { least, height } => {
+            Sentence::new(format!("最小切深 {} mm 大于牙型高度 {} mm。", number(*least), number(*height)))
+                .help("第一个程序段的 Q 和第二个程序段的 P 都以 μm 为单位。")
+        }
+        Message::ThreadNoDepth { word } => {
+            let what = if *word == 'P' { "牙型高度 P" } else { "第一刀切深 Q" };
+            Sentence::new(format!("G76 的{what} 必须大于零。"))
+                .help("P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。")
+        }
+        Message::ThreadStartInside { start, crest } => Sentence::new(format!(
+            "G76 的循环起点 X{} 没有让开螺纹牙顶 X{}。",
+            number(*start),
+            number(*crest)
+        ))
+        .help("每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。"),
+        Message::CornerNoMove { word } => Sentence::new(format!("`{word}` 后面没有直线移动，无法形成拐角。"))
+            .help("下一个程序段要用 G01 移动（`,C` 和 `,R` 也可以用 G02、G03）。"),
+        Message::CornerTooLarge { word } => {
+            Sentence::new(format!("`{word}` 太大，超过了相邻两段移动的长度。"))
+        }
+        Message::CornerNone { word } => Sentence::new(format!("`{word}`：这两段移动之间没有拐角。"))
+            .help("轨迹是一直向前，或者原路折返。"),
+        Message::CornerAxis { word } => Sentence::new(format!("`{word}` 与下一段移动不符。"))
+            .help("不带逗号的倒角、倒圆，前后两段要分别沿不同的轴移动；正负号表示下一段的移动方向。"),
+        Message::AngleNoPoint { word } => Sentence::new(format!("由 `{word}` 求不出终点。"))
+            .help("角度从 +Z 方向起按逆时针计算。两条直线必须相交；只有一条直线时，除角度外还要写 X 或 Z。"),
+        Message::CompensationOnArc { code } => Sentence::new(format!("{code} 不能在圆弧上建立或取消补偿。"))
+            .help("G40、G41、G42 要写在直线移动的程序段中（G00 或 G01）。"),
+        Message::CompensationOvercut { radius } => {
+            Sentence::new(format!("刀尖半径 R{} 在这里放不下，会产生过切。", number(*radius)))
+                .help("台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。")
+        }
+        Message::CompensationNoIntersection { radius } => {
+            Sentence::new(format!("刀尖半径为 R{} 时，这两段移动补偿后没有交点。", number(*radius)))
+        }
+        Message::CompensationPlane => {
+            Sentence::new("G41 或 G42 有效时，不能切换平面。").help("请先写 G40 取消补偿。")
+        }
+        Message::LeadRunsOut { lead } => Sentence::new(format!("G34 的导程会变成 {} mm。", number(*lead)))
+            .help("K 是主轴每转的导程增减量，直到终点导程都必须大于零。"),
         Message::CompensationIdle { code } => {
             Sentence::new(format!("刀尖半径补偿已打开，但对这里的 {code} 不起作用。"))
                 .help("车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。")

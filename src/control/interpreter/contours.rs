@@ -1,0 +1,225 @@
+//! The contour between blocks ns and nf of G70 to G73 (semantics §7.1).
+//!
+//! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the motion
+//! list, so that everything a block can say about a path can be said in a contour too.
+
+use super::*;
+use crate::cycles::{Approach, Contour, Piece};
+use crate::text::parser::Parser;
+
+/// Blocks ns to nf as they run.
+pub(super) struct Shape {
+    /// Their moves.
+    pub moves: Vec<Routed>,
+    /// What the first block names.
+    pub first: FirstBlock,
+    /// The first block's place in the text.
+    first_span: Span,
+    /// The first byte of block ns.
+    pub begins: u32,
+    /// Where the program goes on behind nf.
+    pub ends: Resume,
+    /// The state of the control behind nf.
+    pub state: State,
+}
+
+/// What the block ns names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct FirstBlock {
+    /// X or U.
+    pub x: bool,
+    /// Z or W.
+    pub z: bool,
+    /// `U0`, the idiom that asks for type II of G72.
+    pub u_zero: bool,
+    /// `W0`, the same for G71.
+    pub w_zero: bool,
+}
+
+/// What a shape is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// G71 to G73: F, S, T and compensation of the blocks do not count.
+    Roughing,
+    /// G70: they do.
+    Finishing,
+}
+
+impl Interpreter {
+    /// Reads the shape that P and Q name. `None`: it was told what is wrong; the program goes on behind nf if
+    /// that was found.
+    pub(super) fn shape(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        code: &'static str,
+        purpose: Purpose,
+    ) -> Option<Shape> {
+        let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
+        let (Some(first), Some(last)) = (named(b'P'), named(b'Q')) else {
+            self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+            return None;
+        };
+        let Some(begins) = self.find_label(text, first, block.span.start) else {
+            let word = words.quote(text, b'P');
+            self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P')));
+            return None;
+        };
+        let before = self.state.clone();
+        let outer = self.recorded.replace(Vec::new());
+        let read = self.read_shape(text, begins, last, code, purpose);
+        let moves = std::mem::replace(&mut self.recorded, outer).unwrap_or_default();
+        let told = self.state.told;
+        let state = std::mem::replace(&mut self.state, before);
+        self.state.told = told;
+        match read {
+            Ok((first, first_span, ends)) => {
+                Some(Shape { moves, first, first_span, begins: begins.byte, ends, state })
+            }
+            Err(Some(ends)) => {
+                self.go_on_behind(block, begins.byte, ends);
+                None
+            }
+            Err(None) => {
+                let word = words.quote(text, b'Q');
+                self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
+                None
+            }
+        }
+    }
+
+    /// Runs the blocks ns to nf. The error is where to go on, if nf was found.
+    fn read_shape(
+        &mut self,
+        text: &[u8],
+        begins: Resume,
+        last: u32,
+        code: &'static str,
+        purpose: Purpose,
+    ) -> Result<(FirstBlock, Span, Resume), Option<Resume>> {
+        if purpose == Purpose::Roughing {
+            self.state.compensation = Compensation::Off;
+            self.state.tip = None;
+        }
+        let mut parser = Parser::resume(text, begins);
+        let mut block = Block::default();
+        let mut first = None;
+        let mut sound = true;
+        while parser.next_block(&mut block) {
+            let is_first = first.is_none();
+            let (named, span) = *first.get_or_insert_with(|| (self.first_block(&block), block.span));
+            sound &= self.may_stand_in_contour(text, &block) && !block.is_broken();
+            let moves = self.recorded.as_ref().map_or(0, Vec::len);
+            let uncertain = std::mem::replace(&mut self.state.uncertain, false);
+            self.run(text, &block);
+            sound &= !self.state.uncertain;
+            self.state.uncertain |= uncertain;
+            if is_first {
+                let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
+                let moved = self.recorded.as_ref().map_or(0, Vec::len) > moves;
+                if !straight || (!moved && !named.x && !named.z) {
+                    self.tell(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
+                    sound = false;
+                }
+            }
+            if block.sequence == Some(last) {
+                sound &= self.end_shape();
+                let ends = parser.position();
+                return if sound { Ok((named, span, ends)) } else { Err(Some(ends)) };
+            }
+            if block.program.is_some() && !is_first {
+                break;
+            }
+        }
+        Err(None)
+    }
+
+    /// The last block is read: nothing may wait for a further move. False: told.
+    fn end_shape(&mut self) -> bool {
+        let waits = self.state.pending.take().and_then(|pending| {
+            let corner = pending.joint.map(|joint| (joint.word, joint.span));
+            corner.or(pending.angle.map(|angle| (angle.word, angle.span)))
+        });
+        self.leave_compensation();
+        self.state.tip = None;
+        match waits {
+            Some((word, span)) => {
+                self.tell(Diagnostic::new(Message::ContourOpenEnd { word }, span));
+                false
+            }
+            None => true,
+        }
+    }
+
+    /// The program goes on behind a contour that stands behind its cycle block; one that stands before it has
+    /// been run already (semantics §7.1 rule 7).
+    pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
+        if begins > block.span.start {
+            self.jump = Some(ends);
+        }
+    }
+
+    fn find_label(&mut self, text: &[u8], sequence: u32, from: u32) -> Option<Resume> {
+        self.labels.get_or_insert_with(|| Labels::new(text)).find(sequence, from)
+    }
+
+    fn first_block(&self, block: &Block) -> FirstBlock {
+        let reading = self.reading();
+        let mut first = FirstBlock::default();
+        for word in &block.words {
+            let zero = reading.length(word) == Some(0.0);
+            match word.address {
+                b'X' => first.x = true,
+                b'Z' => first.z = true,
+                b'U' => (first.x, first.u_zero) = (true, zero),
+                b'W' => (first.z, first.w_zero) = (true, zero),
+                _ => {}
+            }
+        }
+        first
+    }
+
+    /// Only moves may stand in a contour (semantics §7.1 rule 3, PS0325).
+    fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> bool {
+        for word in &block.words {
+            let Value::Number { number, .. } = word.value else { continue };
+            let quoted = || quote(text, word.span);
+            let message = match (word.address, number.decimals, number.mantissa) {
+                (b'M', _, 98 | 99) => Message::ContourCall { word: quoted() },
+                (b'G', 0, 65 | 66) => Message::ContourCall { word: quoted() },
+                (b'G', 0, 0..=4 | 18 | 40..=42 | 96..=99) => continue,
+                (b'G', ..) => Message::ContourIllegal { word: quoted() },
+                _ => continue,
+            };
+            self.tell(Diagnostic::new(message, word.span));
+            return false;
+        }
+        true
+    }
+}
+
+impl Shape {
+    /// The contour for a roughing cycle that starts at A: rapids inside are cut at feed.
+    pub(super) fn contour(&self, start: Point) -> Contour {
+        let own = self.moves.first().filter(|routed| routed.span == self.first_span);
+        let (first, approach) = match own {
+            Some(routed) if routed.motion.kind == MotionKind::Rapid => (routed.motion.to, Approach::Rapid),
+            Some(routed) => (routed.motion.to, Approach::Feed),
+            None => (start, Approach::Rapid),
+        };
+        let rest = &self.moves[usize::from(own.is_some())..];
+        let pieces = rest.iter().filter(|routed| routed.motion.kind != MotionKind::Dwell).map(|routed| {
+            let motion = routed.motion;
+            let turn = motion.arc().map(|arc| (arc.center, arc.turn));
+            Piece { from: motion.from, to: motion.to, arc: turn }
+        });
+        Contour { start, first, approach, pieces: pieces.filter(|piece| !piece.is_empty()).collect() }
+    }
+
+    /// Line (from 1) of the block that made piece `piece` of the contour.
+    pub(super) fn line_of(&self, piece: usize) -> u32 {
+        let own = usize::from(self.moves.first().is_some_and(|routed| routed.span == self.first_span));
+        self.moves.get(piece + own).or(self.moves.last()).map_or(0, |routed| routed.line + 1)
+    }
+}

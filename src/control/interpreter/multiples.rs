@@ -1,0 +1,528 @@
+//! G70 to G76 as blocks call them: first and second blocks, one-block forms, checks (semantics §7).
+//!
+//! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
+//! their units and their alarms. A cycle that cannot run makes no motion at all.
+
+use super::contours::{Purpose, Shape};
+use super::*;
+use crate::cycles::grooving::{self, Pecking};
+use crate::cycles::pattern::{self, Pattern};
+use crate::cycles::roughing::{self, Direction, Roughing};
+use crate::cycles::threading::{self, MultiThread};
+use crate::cycles::units::{self, Amount, Written};
+use crate::motion::Cycle;
+
+/// The least input increment, mm: D of the one-block forms counts it when written without a point.
+const INCREMENT: f64 = 0.001;
+
+impl Interpreter {
+    pub(super) fn multiple(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &mut Request,
+        words: &Words,
+        cycle: Multiple,
+    ) {
+        if self.recorded.is_some() {
+            // Told already: no cycle may stand in a contour.
+            request.drop = true;
+            return;
+        }
+        if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
+            // Roughing, pecking and threads run without compensation (semantics §4.4).
+            if self.nose().radius == 0.0 || self.state.told.first(Once::CompensationIdle) {
+                let code = cycle.cycle().code();
+                self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
+            }
+        }
+        let done = match cycle {
+            Multiple::Finishing => self.finishing(text, block, words),
+            Multiple::RoughTurning | Multiple::RoughFacing => self.roughing(text, block, words, cycle),
+            Multiple::Pattern => self.pattern(text, block, words),
+            Multiple::FacePecking | Multiple::Grooving => self.pecking(text, block, words, cycle),
+            Multiple::Threading => self.multi_threading(text, block, words),
+        };
+        request.drop |= done.is_none();
+    }
+
+    /// G70: the contour as it is written, then home.
+    fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
+        let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
+        let start = self.state.position;
+        for routed in &shape.moves {
+            let step = match routed.motion.kind {
+                MotionKind::Rapid => Step::Approach,
+                _ => Step::Contour,
+            };
+            let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step };
+            self.push(block, Motion { cycle: Some(tag), ..routed.motion });
+        }
+        // The blocks change the modal state as they would on their own; the tool goes home.
+        let (position, told) = (self.state.position, self.state.told);
+        self.state = State { position, told, ..shape.state };
+        let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step: Step::Return };
+        let home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
+        self.push(block, home);
+        Some(())
+    }
+
+    /// G71 and G72.
+    fn roughing(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) -> Option<()> {
+        let code = cycle.cycle().code();
+        let turning = cycle == Multiple::RoughTurning;
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let depth_word = if turning { b'U' } else { b'W' };
+        if !words.has_any(letters(b"PQ")) {
+            if !words.has_any(letters(b"UWR")) {
+                self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+                return None;
+            }
+            if let Some(depth) = length(depth_word) {
+                if depth <= 0.0 {
+                    let message = Message::DepthNotPositive { code, depth: Some(depth) };
+                    self.tell(Diagnostic::new(message, words.span(depth_word)));
+                    return None;
+                }
+                self.state.parameters.depth = Some(depth);
+            }
+            if let Some(escape) = length(b'R') {
+                self.state.parameters.escape = escape.abs();
+            }
+            return Some(());
+        }
+        if let Some(word) = words.get(b'D') {
+            self.state.parameters.depth = self.one_block_depth(word);
+        }
+        let shape = self.shape(text, block, words, code, Purpose::Roughing)?;
+        self.go_on_behind(block, shape.begins, shape.ends);
+        let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
+            let depth = self.state.parameters.depth;
+            self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));
+            return None;
+        };
+        let contour = shape.contour(self.state.position);
+        let allowance = Point::new(length(b'U').unwrap_or(0.0) / 2.0, length(b'W').unwrap_or(0.0));
+        let how = Roughing {
+            direction: if turning { Direction::Turning } else { Direction::Facing },
+            shape: roughing::Shape::Monotone,
+            depth,
+            escape: self.state.parameters.escape,
+            allowance,
+            escape_kind: match self.dialect.g71_retract {
+                G71Retract::Rapid => MotionKind::Rapid,
+                G71Retract::Feed => MotionKind::Feed,
+            },
+            last_pass: roughing::LastPass::Contour,
+        };
+        let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
+        self.run_cycle(block, cycle.cycle(), None, &moves);
+        Some(())
+    }
+
+    /// Roughs as type I or II (the table of semantics §7.2; for G72 with X and Z exchanged).
+    #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
+    fn rough(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        shape: &Shape,
+        contour: &Contour,
+        how: &Roughing,
+        code: &'static str,
+    ) -> Option<Vec<Move>> {
+        let turning = how.direction == Direction::Turning;
+        let (start, first) = (contour.start, contour.first);
+        let (second_named, idiom, second_moves) = if turning {
+            (shape.first.z, shape.first.w_zero, (first.z - start.z).abs() > crate::geometry::SAME)
+        } else {
+            (shape.first.x, shape.first.u_zero, (first.x - start.x).abs() > crate::geometry::SAME)
+        };
+        let pockets = second_named && (idiom || second_moves);
+        if second_named && !idiom && !second_moves {
+            let other = if turning { 'Z' } else { 'X' };
+            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, block.words_span()));
+        }
+        for axis in roughing::allowance_into_material(contour, how) {
+            let (address, other) = match axis {
+                roughing::Axis::X => (b'U', words.quote(text, b'U')),
+                roughing::Axis::Z => (b'W', words.quote(text, b'W')),
+            };
+            self.tell(Diagnostic::new(Message::AllowanceSign { word: other }, words.span(address)));
+        }
+        let most = self.moves_left();
+        let mut how = *how;
+        how.shape = if pockets { roughing::Shape::Pockets } else { roughing::Shape::Monotone };
+        let mut moves = roughing::rough(contour, &how, most);
+        if !pockets && second_named && matches!(moves, Err(roughing::Fault::NotMonotoneAcross { .. })) {
+            how.shape = roughing::Shape::Pockets;
+            moves = roughing::rough(contour, &how, most);
+        }
+        if how.shape == roughing::Shape::Pockets && !self.dialect.type_ii {
+            self.tell(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
+            return None;
+        }
+        let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
+        let message = match moves {
+            Ok(moves) => return Some(moves),
+            Err(roughing::Fault::NotMonotoneAlong { piece }) => {
+                Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
+            }
+            Err(roughing::Fault::NotMonotoneAcross { piece }) => {
+                Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
+            }
+            Err(roughing::Fault::BeyondStart { .. } | roughing::Fault::NothingToCut) => {
+                Message::ContourBeyondStart { code, axis: across }
+            }
+            Err(roughing::Fault::TooManyMoves) => Message::TooManyPasses { code, most },
+        };
+        self.tell(Diagnostic::new(message, block.words_span()));
+        None
+    }
+
+    /// G73.
+    fn pattern(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let parameters = &mut self.state.parameters;
+        if !words.has_any(letters(b"PQ")) {
+            let old = parameters.relief.unwrap_or_default();
+            if words.has_any(letters(b"UW")) {
+                parameters.relief =
+                    Some(Point::new(length(b'U').unwrap_or(old.x), length(b'W').unwrap_or(old.z)));
+            }
+            parameters.pattern_passes = words.get(b'R').and_then(plain).or(parameters.pattern_passes);
+            return self.pattern_passes(words, b'R').map(|_| ());
+        }
+        if words.has_any(letters(b"D")) {
+            parameters.pattern_passes = words.get(b'D').and_then(plain);
+            parameters.relief = Some(Point::new(length(b'I').unwrap_or(0.0), length(b'K').unwrap_or(0.0)));
+        }
+        let shape = self.shape(text, block, words, "G73", Purpose::Roughing)?;
+        self.go_on_behind(block, shape.begins, shape.ends);
+        let passes = self.pattern_passes(words, b'D')?;
+        let how = Pattern {
+            relief: self.state.parameters.relief.unwrap_or_default(),
+            passes,
+            allowance: Point::new(length(b'U').unwrap_or(0.0) / 2.0, length(b'W').unwrap_or(0.0)),
+            intervals: match self.dialect.g73_intervals {
+                G73Intervals::OneFewer => pattern::Intervals::OneFewer,
+                G73Intervals::Same => pattern::Intervals::Same,
+            },
+        };
+        let most = self.moves_left();
+        match pattern::pattern(&shape.contour(self.state.position), &how, most) {
+            Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
+            Err(_) => {
+                let message = Message::TooManyPasses { code: "G73", most };
+                self.tell(Diagnostic::new(message, block.words_span()));
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    fn pattern_passes(&mut self, words: &Words, address: u8) -> Option<u32> {
+        let passes = self.state.parameters.pattern_passes;
+        match passes {
+            Some(passes) if passes >= 1.0 => Some(passes as u32),
+            _ => {
+                self.tell(Diagnostic::new(Message::PatternPasses { passes }, words.span(address)));
+                None
+            }
+        }
+    }
+
+    /// G74 and G75.
+    fn pecking(&mut self, text: &[u8], block: &Block, words: &Words, cycle: Multiple) -> Option<()> {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        if !words.has_any(AXES) {
+            if let Some(retract) = length(b'R') {
+                self.state.parameters.retract = retract.abs();
+            }
+            return Some(());
+        }
+        let code = cycle.cycle().code();
+        let direction = match cycle {
+            Multiple::FacePecking => grooving::Direction::Face,
+            _ => grooving::Direction::Radial,
+        };
+        let start = self.state.position;
+        let end = self.target(text, words);
+        if !self.may_cut(block, words, &mut Request::default()) {
+            return None;
+        }
+        // The older one-block form spells P, Q and R as I, K and D, in millimetres.
+        let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
+            (length(b'I'), length(b'K'), length(b'D'))
+        } else {
+            let (p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q));
+            (p, q, length(b'R'))
+        };
+        let (peck, stepover) = match direction {
+            grooving::Direction::Face => (z_amount, x_amount),
+            grooving::Direction::Radial => (x_amount, z_amount),
+        };
+        let (address, other) = if cycle == Multiple::FacePecking { (b'Q', b'P') } else { (b'P', b'Q') };
+        if peck.unwrap_or(0.0) == 0.0 {
+            let message = Message::PeckMissing { code, address: address as char };
+            let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
+            self.tell(Diagnostic::new(message, block.words_span()).graded(severity));
+            if self.dialect.strict {
+                return None;
+            }
+        }
+        let how = Pecking {
+            end,
+            peck,
+            stepover,
+            retract: self.state.parameters.retract,
+            relief: relief.unwrap_or(0.0),
+            first_column: match self.dialect.relief_first {
+                true => grooving::FirstColumn::WithRelief,
+                false => grooving::FirstColumn::WithoutRelief,
+            },
+        };
+        let most = self.moves_left();
+        let (message, span) = match grooving::peck(start, direction, &how, most) {
+            Ok(moves) => {
+                self.run_cycle(block, cycle.cycle(), None, &moves);
+                return Some(());
+            }
+            Err(grooving::Fault::NegativeRelief) => {
+                (Message::ReliefNegative { word: words.quote(text, b'R') }, words.span(b'R'))
+            }
+            Err(grooving::Fault::NoStepover) => {
+                (Message::PeckMissing { code, address: other as char }, block.words_span())
+            }
+            Err(grooving::Fault::NegativePeck) => {
+                (Message::PeckNegative { word: words.quote(text, address) }, words.span(address))
+            }
+            Err(grooving::Fault::NegativeStepover) => {
+                (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
+            }
+            Err(grooving::Fault::TooManyMoves) => (Message::TooManyPasses { code, most }, block.words_span()),
+        };
+        self.tell(Diagnostic::new(message, span));
+        None
+    }
+
+    /// P and Q as lengths, mm (semantics §7.6).
+    fn amounts(
+        &mut self,
+        text: &[u8],
+        words: &Words,
+        by_size: impl FnOnce(Option<Amount>, Option<Amount>) -> units::Reading,
+    ) -> (Option<f64>, Option<f64>) {
+        let (p, q) = (self.amount(words, b'P'), self.amount(words, b'Q'));
+        let reading = match self.dialect.pq_unit {
+            PqUnit::Auto => by_size(p, q),
+            PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
+            PqUnit::Um => units::Reading::Micrometres,
+        };
+        self.tell_amounts(text, words, reading);
+        (p.map(|amount| self.amount_in(amount, reading)), q.map(|amount| self.amount_in(amount, reading)))
+    }
+
+    /// A P or Q word as it would count least increments.
+    fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
+        let Value::Number { number, negative } = words.get(address)?.value else { return None };
+        let increment = match self.state.unit {
+            words::Unit::Millimetre => INCREMENT,
+            words::Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
+        };
+        let value = if negative { -number.value() } else { number.value() };
+        let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
+        Some(Amount { in_increments: value * increment, written })
+    }
+
+    fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
+        match (reading, self.state.unit) {
+            (units::Reading::Micrometres, _) => amount.in_increments,
+            (units::Reading::Millimetres(_), words::Unit::Millimetre) => amount.in_increments / INCREMENT,
+            (units::Reading::Millimetres(_), words::Unit::Inch) => amount.in_increments / INCREMENT * 10.0,
+        }
+    }
+
+    /// Says that P and Q were read as millimetres, or that a control takes no point there.
+    fn tell_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) {
+        let pointed = [b'P', b'Q'].into_iter().find(|&address| {
+            self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
+        });
+        let diagnostic = match (self.dialect.pq_unit, reading) {
+            (PqUnit::Auto, units::Reading::Millimetres(_)) => {
+                let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
+                let word = words.quote(text, address);
+                Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address))
+            }
+            (PqUnit::Um, _) => {
+                let Some(address) = pointed else { return };
+                let word = words.quote(text, address);
+                Diagnostic::new(Message::PointNotAllowed { word }, words.span(address))
+            }
+            _ => return,
+        };
+        self.tell(diagnostic);
+    }
+
+    /// G76.
+    fn multi_threading(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        if !words.has_any(AXES) {
+            return self.threading_parameters(text, words);
+        }
+        let one_block = words.get(b'K').is_some();
+        let start = self.state.position;
+        let end = self.target(text, words);
+        let lead = self.lead(block, words, "G76")?;
+        self.watch_thread_spindle(block, "G76");
+        let (height, first_depth, method) = if one_block {
+            let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
+            (length(b'K'), depth, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
+        } else {
+            let least = self.state.parameters.least_amount;
+            let (p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q));
+            let millimetres = matches!(self.thread_reading(words), units::Reading::Millimetres(_));
+            if let Some(least) = least {
+                let reading = if millimetres {
+                    units::Reading::Millimetres(units::Because::Point)
+                } else {
+                    units::Reading::Micrometres
+                };
+                self.state.parameters.least_depth = self.amount_in(least, reading);
+            }
+            (p, q, 1)
+        };
+        let angle = if one_block {
+            words.get(b'A').and_then(plain).unwrap_or(0.0)
+        } else {
+            self.state.parameters.angle
+        };
+        let gsk = self.dialect.control == Control::Gsk;
+        if !gsk && !one_block && ![0.0, 29.0, 30.0, 55.0, 60.0, 80.0].contains(&angle) {
+            self.tell(Diagnostic::new(Message::ThreadAngle { angle }, block.words_span()));
+            return None;
+        }
+        let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
+        let pull_out = 0.1 * f64::from(self.state.thread_chamfer) * lead;
+        let parameters = self.state.parameters;
+        let how = MultiThread {
+            end,
+            taper,
+            height: height.unwrap_or(0.0),
+            first_depth: first_depth.unwrap_or(0.0),
+            least_depth: if one_block { 0.0 } else { parameters.least_depth },
+            allowance: if one_block { 0.0 } else { parameters.thread_allowance },
+            finishing: parameters.finishing,
+            pull_out: (self.state.thread_chamfer_on && pull_out > 0.0)
+                .then_some(PullOut { along: pull_out, out: pull_out }),
+            angle: angle.to_radians(),
+            clamp: match self.dialect.g76_clamp {
+                G76Clamp::Prev => threading::Clamp::Previous,
+                G76Clamp::Sqrt => threading::Clamp::Root,
+            },
+            edge: if matches!(method, 2 | 4) { threading::Edge::InTurn } else { threading::Edge::Leading },
+            load: if matches!(method, 3 | 4) {
+                threading::Load::EvenDepth
+            } else {
+                threading::Load::EvenArea
+            },
+        };
+        let most = self.moves_left();
+        let message = match threading::thread(start, &how, most) {
+            Ok(moves) => {
+                self.check_thread_start(block, start, &how);
+                self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
+                return Some(());
+            }
+            Err(threading::Fault::Angle) => Message::ThreadAngle { angle },
+            Err(threading::Fault::LeastDepthTooLarge) => {
+                Message::ThreadLeastDepth { least: how.least_depth, height: how.height }
+            }
+            Err(threading::Fault::NoHeight) => Message::ThreadNoDepth { word: 'P' },
+            Err(threading::Fault::NoFirstDepth) => Message::ThreadNoDepth { word: 'Q' },
+            Err(threading::Fault::TooManyMoves) => Message::TooManyPasses { code: "G76", most },
+        };
+        self.tell(Diagnostic::new(message, block.words_span()));
+        None
+    }
+
+    /// The unit of P and Q of the second block of G76, together with Q of the first.
+    fn thread_reading(&self, words: &Words) -> units::Reading {
+        match self.dialect.pq_unit {
+            PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
+            PqUnit::Um => units::Reading::Micrometres,
+            PqUnit::Auto => units::threading(
+                self.state.parameters.least_amount,
+                self.amount(words, b'P'),
+                self.amount(words, b'Q'),
+            ),
+        }
+    }
+
+    /// The first block of G76: `P(m)(r)(a) Q R`.
+    fn threading_parameters(&mut self, text: &[u8], words: &Words) -> Option<()> {
+        let reading = self.reading();
+        if let Some(word) = words.get(b'P') {
+            let Value::Number { number, .. } = word.value else { return None };
+            let Some(packed) = number.integer() else {
+                self.tell(Diagnostic::new(
+                    Message::PointNotAllowed { word: quote(text, word.span) },
+                    word.span,
+                ));
+                return None;
+            };
+            self.state.parameters.finishing = (packed / 10_000 % 100).max(1) as u32;
+            self.state.thread_chamfer = (packed / 100 % 100) as u8;
+            self.state.parameters.angle = (packed % 100) as f64;
+        }
+        if words.get(b'Q').is_some() {
+            self.state.parameters.least_amount = self.amount(words, b'Q');
+        }
+        if let Some(allowance) = words.get(b'R').and_then(|word| reading.length(word)) {
+            self.state.parameters.thread_allowance = allowance.abs();
+        }
+        Some(())
+    }
+
+    /// The tool returns to the start X after each pass: it must clear the crest.
+    fn check_thread_start(&mut self, block: &Block, start: Point, how: &MultiThread) {
+        let external = how.end.x < start.x;
+        let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
+        let inside = if external { start.x <= crest + 0.001 } else { start.x >= crest - 0.001 };
+        if inside {
+            let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+    }
+
+    /// The D of a one-block form: a depth; without a point in least increments.
+    fn one_block_depth(&self, word: &Word) -> Option<f64> {
+        let Value::Number { number, negative } = word.value else { return None };
+        let unit = self.state.unit.millimetres();
+        let scale = match (number.has_point(), self.state.unit) {
+            (true, _) => unit,
+            (false, words::Unit::Millimetre) => INCREMENT,
+            (false, words::Unit::Inch) => INCREMENT / 10.0 * unit,
+        };
+        Some(if negative { -number.value() * scale } else { number.value() * scale })
+    }
+
+    /// Moves that may still be made.
+    fn moves_left(&self) -> usize {
+        self.limits.motions.saturating_sub(self.motions.len() + self.chunk.len())
+    }
+
+    /// Makes the moves of a cycle.
+    fn run_cycle(&mut self, block: &Block, cycle: Cycle, lead: Option<f64>, moves: &[Move]) {
+        for step in moves {
+            let tag = CycleStep { cycle, pass: step.pass, step: step.step };
+            let motion = self.motion(step.kind, step.to);
+            self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! The way of the programmed path to the motion list: corners first, then nose radius compensation.
+//!
+//! In: straight moves and arcs as blocks program them. Out: motions. A move with a chamfer, a rounding or an open
+//! angle waits for the next one; under compensation every move does. Whatever is no part of the path (cycles,
+//! threads, G28, changes of the frame) first settles what waits.
+
+use super::*;
+use crate::control::compensation::{Compensator, Element, Nose, Outcome, Reason, Shape, Side, Travel};
+use crate::control::corners::{self, Fault};
+use crate::control::modal::{Angle, Compensating, Joint, Pending};
+use crate::cycles::Piece;
+
+/// Blocks without a move after which a control no longer sees the next move (semantics §4.3).
+const IDLE_BLOCKS: u32 = 2;
+
+impl Interpreter {
+    /// A move of the programmed path.
+    pub(super) fn travel(&mut self, block: &Block, motion: Motion, joint: Option<Joint>) {
+        let mut routed = Routed { motion, span: block.span, line: block.line };
+        if self.state.pending.is_some()
+            && let Some(pending) = self.state.pending.take()
+            && !self.join(pending, &mut routed)
+        {
+            self.state.uncertain = true;
+        }
+        self.state.position = routed.motion.to;
+        match joint {
+            Some(_) => self.state.pending = Some(Pending { routed, joint, angle: None }),
+            None => self.offset(routed),
+        }
+    }
+
+    /// A move known by its angle alone, until the next block gives its end.
+    pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
+        let motion = self.motion(MotionKind::Feed, self.state.position);
+        let mut routed = Routed { motion, span: block.span, line: block.line };
+        if let Some(pending) = self.state.pending.take() {
+            // Two open angles in a row leave too much open; a corner before an open angle waits for its end.
+            if !self.join(pending, &mut routed) {
+                self.state.uncertain = true;
+            }
+        }
+        self.state.pending = Some(Pending { routed, joint, angle: Some(angle) });
+    }
+
+    /// Closes an open angle with the end point and angle of the next block. False: told.
+    pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
+        let Some(pending) = &mut self.state.pending else { return true };
+        let Some(open) = &pending.angle else { return true };
+        match corners::after_angle(pending.routed.motion.from, open.radians, x, z, angle) {
+            Ok(end) => {
+                pending.routed.motion.to = end;
+                pending.angle = None;
+                self.state.position = end;
+                true
+            }
+            Err(_) => {
+                let message = Message::AngleNoPoint { word: open.word.clone() };
+                let diagnostic = Diagnostic::new(message, open.span);
+                self.state.pending = None;
+                self.tell(diagnostic);
+                false
+            }
+        }
+    }
+
+    /// Joins a waiting move to the next one, which it may shorten at its start. False: told; the waiting move is
+    /// dropped.
+    fn join(&mut self, pending: Pending, next: &mut Routed) -> bool {
+        let first = piece(&pending.routed.motion);
+        let Some(joint) = &pending.joint else {
+            self.offset(pending.routed);
+            return true;
+        };
+        let second = piece(&next.motion);
+        let fault = match next.motion.kind {
+            MotionKind::Rapid | MotionKind::Thread | MotionKind::Dwell => Some(Fault::SecondNotPerpendicular),
+            _ => joint.signed.and_then(|signed| signed_fault(&first, &second, signed)),
+        };
+        let joined = match fault {
+            Some(fault) => Err(fault),
+            None => corners::join(&first, &second, joint.corner),
+        };
+        match joined {
+            Ok(joined) => {
+                let shortened = |routed: Routed, piece: Piece| Routed {
+                    motion: Motion { from: piece.from, to: piece.to, ..routed.motion },
+                    ..routed
+                };
+                self.offset(shortened(pending.routed, joined.first));
+                if let Some(piece) = joined.inserted {
+                    let (kind, center) = match piece.arc {
+                        None => (MotionKind::Feed, None),
+                        Some((center, Turn::Clockwise)) => (MotionKind::ArcClockwise, Some(center)),
+                        Some((center, Turn::Counterclockwise)) => {
+                            (MotionKind::ArcCounterclockwise, Some(center))
+                        }
+                    };
+                    let motion = Motion { kind, center, ..pending.routed.motion };
+                    self.offset(shortened(Routed { motion, ..pending.routed }, piece));
+                }
+                next.motion.from = joined.second.from;
+                true
+            }
+            Err(fault) => {
+                self.tell_corner(joint, fault);
+                next.motion.from = pending.routed.motion.from;
+                false
+            }
+        }
+    }
+
+    /// Compensation: gives the move on at once where there is none.
+    fn offset(&mut self, routed: Routed) {
+        if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
+            return self.emit(routed);
+        }
+        self.compensate(routed);
+    }
+
+    fn compensate(&mut self, routed: Routed) {
+        let nose = self.nose();
+        let side = match self.state.compensation {
+            Compensation::Left => Some(Side::Left),
+            Compensation::Right => Some(Side::Right),
+            Compensation::Off => None,
+        };
+        let motion = routed.motion;
+        if motion.from.is_same(motion.to) && motion.center.is_none() {
+            return;
+        }
+        let mut compensating = match (self.state.compensating.take(), side) {
+            (Some(compensating), _) => compensating,
+            (None, Some(side)) if nose.radius > 0.0 => Compensating {
+                compensator: Compensator::start(side, nose, motion.from),
+                waiting: Vec::new(),
+                idle_blocks: 0,
+            },
+            (None, _) => return self.emit(routed),
+        };
+        let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
+        compensating.waiting.push((id, routed));
+        compensating.idle_blocks = 0;
+        let element = Element {
+            id,
+            travel: if motion.kind == MotionKind::Rapid { Travel::Rapid } else { Travel::Feed },
+            from: motion.from,
+            to: motion.to,
+            shape: motion.arc().map_or(Shape::Line, |arc| Shape::Arc { center: arc.center, turn: arc.turn }),
+        };
+        let mut outcomes = Vec::new();
+        let mut keep = |outcome| outcomes.push(outcome);
+        match side {
+            Some(side) => {
+                if side != compensating.compensator.side() {
+                    compensating.compensator.change_side(side);
+                }
+                compensating.compensator.push(element, &mut keep);
+            }
+            None => compensating.compensator.clone().cancel(Some(element), &mut keep),
+        }
+        self.give_out(&mut compensating, outcomes);
+        if side.is_some() {
+            self.state.compensating = Some(compensating);
+        }
+    }
+
+    /// Makes motions of what compensation gives out.
+    fn give_out(&mut self, compensating: &mut Compensating, outcomes: Vec<Outcome>) {
+        let mut last = None;
+        for outcome in outcomes {
+            let id = outcome.map_or_else(|fault| fault.id, |moved| moved.id);
+            let Some(&(_, routed)) = compensating.waiting.iter().find(|(waiting, _)| *waiting == id) else {
+                continue;
+            };
+            match outcome {
+                Ok(moved) => {
+                    let (kind, center) = match (moved.shape, moved.travel) {
+                        (Shape::Line, Travel::Rapid) => (MotionKind::Rapid, None),
+                        (Shape::Line, Travel::Feed) => (MotionKind::Feed, None),
+                        (Shape::Arc { center, turn: Turn::Clockwise }, _) => {
+                            (MotionKind::ArcClockwise, Some(center))
+                        }
+                        (Shape::Arc { center, turn: Turn::Counterclockwise }, _) => {
+                            (MotionKind::ArcCounterclockwise, Some(center))
+                        }
+                    };
+                    let programmed = Some(moved.programmed);
+                    let motion =
+                        Motion { kind, center, from: moved.from, to: moved.to, programmed, ..routed.motion };
+                    self.emit(Routed { motion, ..routed });
+                }
+                Err(fault) => {
+                    let radius = compensating.compensator.nose().radius;
+                    let code = if self.state.compensation == Compensation::Off { "G40" } else { "G41/G42" };
+                    let message = match fault.reason {
+                        Reason::ArcAtSwitch => Message::CompensationOnArc { code },
+                        Reason::NoIntersection { .. } => Message::CompensationNoIntersection { radius },
+                        Reason::Overcut { .. } | Reason::ArcRadius { .. } | Reason::ArcCenter => {
+                            Message::CompensationOvercut { radius }
+                        }
+                    };
+                    self.tell(Diagnostic::new(message, routed.span));
+                    self.state.uncertain = true;
+                }
+            }
+            last = Some(id);
+        }
+        if let Some(last) = last {
+            compensating.waiting.retain(|(id, _)| *id >= last);
+        }
+    }
+
+    /// Makes what waits for a next move that will not come: end of program, a cycle, a new frame.
+    pub(super) fn settle(&mut self) {
+        if let Some(pending) = self.state.pending.take() {
+            match (&pending.joint, &pending.angle) {
+                (_, Some(angle)) => {
+                    let message = Message::AngleNoPoint { word: angle.word.clone() };
+                    self.tell(Diagnostic::new(message, angle.span));
+                }
+                (Some(joint), None) => {
+                    let message = Message::CornerNoMove { word: joint.word.clone() };
+                    self.tell(Diagnostic::new(message, joint.span));
+                }
+                (None, None) => {}
+            }
+            if pending.angle.is_none() && pending.joint.is_none() {
+                self.offset(pending.routed);
+            } else {
+                self.state.position = pending.routed.motion.from;
+                self.state.uncertain = true;
+            }
+        }
+        self.flush_compensation();
+    }
+
+    /// The centre goes to the end of the last move; no next move is known.
+    pub(super) fn flush_compensation(&mut self) {
+        if let Some(mut compensating) = self.state.compensating.take() {
+            let mut outcomes = Vec::new();
+            compensating.compensator.flush(&mut |outcome| outcomes.push(outcome));
+            self.give_out(&mut compensating, outcomes);
+            self.state.compensating = Some(compensating);
+        }
+    }
+
+    /// Compensation ends here without a move of its own: the tip stands beside the programmed point, and what
+    /// comes next begins there.
+    pub(super) fn leave_compensation(&mut self) {
+        if self.state.pending.is_none() && self.state.compensating.is_none() {
+            return;
+        }
+        self.settle();
+        if let Some(compensating) = self.state.compensating.take() {
+            let tip = compensating.compensator.tip();
+            self.state.tip = (!tip.is_same(self.state.position)).then_some(tip);
+        }
+    }
+
+    /// An open angle that no straight move with an end point follows.
+    pub(super) fn settle_angle(&mut self) {
+        if self.state.pending.as_ref().is_some_and(|pending| pending.angle.is_some()) {
+            self.settle();
+        }
+    }
+
+    /// Counts a block that made no move of the path.
+    pub(super) fn idle_block(&mut self) {
+        if let Some(compensating) = &mut self.state.compensating {
+            compensating.idle_blocks += 1;
+            if compensating.idle_blocks == IDLE_BLOCKS {
+                self.flush_compensation();
+            }
+        }
+    }
+
+    fn tell_corner(&mut self, joint: &Joint, fault: Fault) {
+        let word = joint.word.clone();
+        let message = match fault {
+            Fault::TooLong { .. } | Fault::NoFit { .. } => Message::CornerTooLarge { word },
+            Fault::NoCorner { .. } | Fault::Negative { .. } => Message::CornerNone { word },
+            Fault::SecondNotPerpendicular => Message::CornerNoMove { word },
+            Fault::FirstNotAlongAxis | Fault::WrongLetter | Fault::WrongSign => Message::CornerAxis { word },
+            Fault::NoSolution { .. }
+            | Fault::NoEndPoint
+            | Fault::NextIncomplete
+            | Fault::AngleDisagrees { .. } => Message::AngleNoPoint { word },
+        };
+        self.tell(Diagnostic::new(message, joint.span));
+    }
+
+    /// The nose of the tool in force.
+    pub(super) fn nose(&self) -> Nose {
+        let (station, offset) = self.state.tool;
+        let none = Nose { radius: 0.0, tip: 0 };
+        if offset == 0 {
+            return none;
+        }
+        let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
+        tool.map_or(none, |tool| Nose {
+            radius: tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius).max(0.0),
+            tip: tool.tip.unwrap_or(0),
+        })
+    }
+}
+
+/// A motion as a piece of a path.
+fn piece(motion: &Motion) -> Piece {
+    let arc = motion.arc().map(|arc| (arc.center, arc.turn));
+    Piece { from: motion.from, to: motion.to, arc }
+}
+
+/// What is wrong with a corner word without comma. I and K are always held to their sign and axis; C and R, which
+/// many controls take as the comma forms, only where they are negative.
+fn signed_fault(first: &Piece, second: &Piece, (letter, value): (corners::Letter, f64)) -> Option<Fault> {
+    let strict = matches!(letter, corners::Letter::I | corners::Letter::K) || value < 0.0;
+    corners::check_signed(first, second, letter, value).err().filter(|_| strict)
+}
