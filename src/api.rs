@@ -283,7 +283,7 @@ impl Places<'_> {
             z: rounded(motion.to.z),
             at_x: rounded(2.0 * at.x),
             at_z: rounded(at.z),
-            text: describe_motion(&motion, language),
+            text: describe_motion(&motion, passes(motions, index), language),
         }
     }
 
@@ -308,6 +308,26 @@ impl Places<'_> {
         let end = self.lines.line_column(self.text, span.end);
         ((start.line + 1, start.column + 1), (end.line + 1, end.column + 1))
     }
+}
+
+/// Motions looked at in either direction to count the passes of a cycle.
+const LOOKED_AT: usize = 20_000;
+
+/// How many passes the cycle of a motion makes: those of its own call, or of the whole run of a modal cycle.
+fn passes(motions: &Motions, index: usize) -> Option<u32> {
+    let own = motions.get(index).cycle?;
+    let end = motions.len().min(index + LOOKED_AT);
+    let mut last = own.pass;
+    for step in (index + 1..end).map(|next| motions.get(next).cycle) {
+        match step {
+            // Passes only grow; a smaller number begins another call.
+            Some(step) if step.cycle == own.cycle && (step.pass == 0 || step.pass >= last) => {
+                last = last.max(step.pass);
+            }
+            _ => break,
+        }
+    }
+    Some(last).filter(|&last| last > 0)
 }
 
 /// The row of a motion on a line (from 0).

@@ -203,6 +203,11 @@ impl Playground {
         self.run.motions().chunks().get(index).map(MotionChunk::new)
     }
 
+    /// The program with every cycle, corner and compensation written out as plain moves.
+    pub fn expand(&self) -> String {
+        crate::expand::expand(self.run.text(), &self.setup)
+    }
+
     /// Draws on a canvas from now on.
     #[wasm_bindgen(js_name = attachCanvas)]
     pub fn attach_canvas(&mut self, canvas: OffscreenCanvas) -> Result<(), JsValue> {

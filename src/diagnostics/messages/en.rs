@@ -290,7 +290,7 @@ pub(super) fn fix_title(message: &Message) -> String {
     }
 }
 
-pub(super) fn motion(motion: &Motion) -> String {
+pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
     let kind = match motion.kind {
         MotionKind::Rapid => "rapid",
         MotionKind::Feed => "feed",
@@ -323,6 +323,10 @@ pub(super) fn motion(motion: &Motion) -> String {
         MotionKind::Thread => "in step with the spindle",
         _ => "at feed",
     };
-    let pass = if cycle.pass > 0 { format!(", pass {}", cycle.pass) } else { String::new() };
+    let pass = match passes {
+        Some(all) if cycle.pass > 0 => format!(", pass {} of {all}", cycle.pass),
+        None if cycle.pass > 0 => format!(", pass {}", cycle.pass),
+        _ => String::new(),
+    };
     format!("{}{pass}: {step} {manner} to {to}", cycle.cycle.code())
 }

@@ -79,12 +79,12 @@ impl Message {
     }
 }
 
-/// What a stroke of the picture is, in a language.
-pub fn describe_motion(motion: &crate::motion::Motion, language: Language) -> String {
+/// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.
+pub fn describe_motion(motion: &crate::motion::Motion, passes: Option<u32>, language: Language) -> String {
     match language {
-        Language::English => en::motion(motion),
-        Language::Chinese => zh::motion(motion),
-        Language::Russian => ru::motion(motion),
+        Language::English => en::motion(motion, passes),
+        Language::Chinese => zh::motion(motion, passes),
+        Language::Russian => ru::motion(motion, passes),
     }
 }
 

@@ -349,7 +349,7 @@ pub(super) fn fix_title(message: &Message) -> String {
     }
 }
 
-pub(super) fn motion(motion: &Motion) -> String {
+pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
     let kind = match motion.kind {
         MotionKind::Rapid => "ускоренное перемещение в",
         MotionKind::Feed => "перемещение на подаче в",
@@ -383,6 +383,10 @@ pub(super) fn motion(motion: &Motion) -> String {
         _ => "на подаче",
     };
     let preposition = if matches!(cycle.step, Step::Cut | Step::PullOut) { "до" } else { "в" };
-    let pass = if cycle.pass > 0 { format!(", проход {}", cycle.pass) } else { String::new() };
+    let pass = match passes {
+        Some(all) if cycle.pass > 0 => format!(", проход {} из {all}", cycle.pass),
+        None if cycle.pass > 0 => format!(", проход {}", cycle.pass),
+        _ => String::new(),
+    };
     format!("{}{pass}: {step} {manner} {preposition} {to}", cycle.cycle.code())
 }

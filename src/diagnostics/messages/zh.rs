@@ -305,7 +305,7 @@ pub(super) fn fix_title(message: &Message) -> String {
     }
 }
 
-pub(super) fn motion(motion: &Motion) -> String {
+pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
     let kind = match motion.kind {
         MotionKind::Rapid => "快速移动至",
         MotionKind::Feed => "切削进给至",
@@ -338,6 +338,10 @@ pub(super) fn motion(motion: &Motion) -> String {
         MotionKind::Thread => "随主轴同步",
         _ => "以进给",
     };
-    let pass = if cycle.pass > 0 { format!(" 第 {} 刀", cycle.pass) } else { String::new() };
+    let pass = match passes {
+        Some(all) if cycle.pass > 0 => format!(" 第 {} 刀（共 {all} 刀）", cycle.pass),
+        None if cycle.pass > 0 => format!(" 第 {} 刀", cycle.pass),
+        _ => String::new(),
+    };
     format!("{}{pass}：{manner}{step}至 {to}", cycle.cycle.code())
 }
