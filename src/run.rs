@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::control::interpreter::{Flow, Interpreter};
+use crate::control::interpreter::{Flow, Interpreter, Landmarks};
 use crate::control::modal::State;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
@@ -150,6 +150,11 @@ impl Run {
     /// Messages so far; in order of their place once the run has ended.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         self.interpreter.diagnostics()
+    }
+
+    /// Places of the contour cycles so far.
+    pub fn landmarks(&self) -> &[Landmarks] {
+        self.interpreter.landmarks()
     }
 
     /// Blocks read so far.

@@ -5,6 +5,7 @@
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
 use std::cell::OnceCell;
+use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
@@ -23,7 +24,7 @@ use crate::scene::canvas::Painter;
 use crate::scene::outline::Outline;
 use crate::scene::palette;
 use crate::scene::pick::pick;
-use crate::scene::view::View;
+use crate::scene::view::{Mark, View};
 use crate::text::highlight::highlight;
 use crate::text::source::{LineIndex, Span};
 
@@ -337,11 +338,13 @@ impl Playground {
         self.outline = Outline::new();
         self.view.hover = None;
         self.view.highlight.clear();
+        self.view.marks.clear();
     }
 
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
         let scene = Scene::new(self.run.motions(), &self.outline, None);
+        self.view.marks.clear();
         let Some(cursor) = self.cursor else {
             self.view.highlight.clear();
             return;
@@ -349,7 +352,9 @@ impl Playground {
         let text = self.run.text();
         let byte = self.lines().byte_at_utf16(text, cursor);
         let line = self.lines().line(text, self.lines().line_of(byte.min(text.len() as u32)));
-        self.view.highlight = scene.motions_of(block_at(text, line, byte));
+        let block = block_at(text, line, byte);
+        self.view.highlight = scene.motions_of(block);
+        self.view.marks = marks(&self.run, block, self.view.highlight.first());
     }
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
@@ -374,6 +379,17 @@ impl Playground {
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
         to_js(&self.places().stroke(self.run.motions(), motion, at, self.language))
     }
+}
+
+/// The places of a cycle that is called in a block: A, and A′ and B of its contour.
+fn marks(run: &Run, block: Span, motions: Option<&Range<usize>>) -> Vec<Mark> {
+    let inside = |span: Span| block.start <= span.start && span.end <= block.end;
+    if let Some(found) = run.landmarks().iter().find(|landmarks| inside(landmarks.span)) {
+        let names = [(found.start, "A"), (found.first, "A′"), (found.last, "B")];
+        return names.into_iter().map(|(at, name)| Mark { at, name }).collect();
+    }
+    let first = motions.map(|range| run.motions().get(range.start)).filter(|motion| motion.cycle.is_some());
+    first.map(|motion| Mark { at: motion.from, name: "A" }).into_iter().collect()
 }
 
 /// The part of a line between the semicolons around a byte.

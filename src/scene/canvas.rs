@@ -14,12 +14,13 @@ use std::ops::Range;
 use wasm_bindgen::JsValue;
 use web_sys::OffscreenCanvas;
 
+use super::camera::Pixel;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads, insert};
 use super::outline::STRETCH;
 use super::view::View;
 use super::{Place, Scene, StockShape, Stroke, StrokeStyle};
 use paths::{Ink, Paths};
-use pen::{Dash, Pen};
+use pen::{Dash, Pen, Text};
 
 /// Opacity of what has not run yet, while there is a playhead.
 const AHEAD: f64 = 0.22;
@@ -111,6 +112,7 @@ impl Painter {
         self.screen.copy(&self.sheet)?;
         self.screen.clip(view)?;
         self.highlight(scene, view)?;
+        self.name_places(view)?;
         if let Some(stroke) = view.hover.and_then(|motion| scene.stroke(motion)) {
             let paths = Paths::of([stroke].into_iter())?;
             self.pick_out(view, &paths, &view.palette.hover, || [stroke].into_iter())?;
@@ -119,6 +121,25 @@ impl Painter {
             self.tool(view, place)?;
         }
         self.screen.unclip();
+        Ok(())
+    }
+
+    /// Rings with a letter at the named places; the letter stands on paper, so that no line runs through it.
+    fn name_places(&self, view: &View) -> Result<(), JsValue> {
+        const FONT: &str = "600 13px system-ui, sans-serif";
+        self.screen.page(view)?;
+        for mark in &view.marks {
+            let at = view.camera().to_screen(mark.at);
+            let (text, baseline) = (Pixel::new(at.x + 8.0, at.y - 9.0), "middle");
+            let (from, to) = (Pixel::new(at.x + 5.0, at.y - 17.0), Pixel::new(at.x + 23.0, at.y - 2.0));
+            self.screen.opacity(0.8);
+            self.screen.block(&view.palette.background, from, to);
+            self.screen.opacity(1.0);
+            self.screen.dots(&view.palette.background, [at].into_iter(), 5.0)?;
+            self.screen.dots(&view.palette.highlight, [at].into_iter(), 3.5)?;
+            let name = Text { text: mark.name, font: FONT, align: "left", baseline };
+            self.screen.write(&name, text, &view.palette.highlight)?;
+        }
         Ok(())
     }
 
@@ -247,7 +268,7 @@ impl Painter {
         self.screen.fill(&view.palette.tool, [&corners[..]].into_iter());
         self.screen.opacity(1.0);
         self.screen.outline(&view.palette.tool, &corners, 1.75);
-        let hole = super::camera::Pixel::new((tip.x + corners[2].x) / 2.0, (tip.y + corners[2].y) / 2.0);
+        let hole = Pixel::new((tip.x + corners[2].x) / 2.0, (tip.y + corners[2].y) / 2.0);
         self.screen.dots(&view.palette.tool, [hole].into_iter(), 2.5)
     }
 }

@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use crate::geometry::Point;
+
 use super::Scene;
 use super::camera::{Camera, Pixel, Size};
 use super::palette::Palette;
@@ -18,6 +20,15 @@ pub enum Framing {
     Moved,
 }
 
+/// A place with a name, such as the start point A of a cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// The place.
+    pub at: Point,
+    /// Its name, as manuals print it.
+    pub name: &'static str,
+}
+
 /// What is seen, in which colours, and what is picked out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
@@ -28,6 +39,8 @@ pub struct View {
     pub palette: Palette,
     /// Motions of the selected block or blocks.
     pub highlight: Vec<Range<usize>>,
+    /// Named places of the selected cycle.
+    pub marks: Vec<Mark>,
     /// The motion under the pointer.
     pub hover: Option<usize>,
     /// How far the tool has come, mm along the whole path; `None` shows everything drawn and no tool.
@@ -43,6 +56,7 @@ impl View {
             pixel_ratio: 1.0,
             palette: Palette::default(),
             highlight: Vec::new(),
+            marks: Vec::new(),
             hover: None,
             playhead: None,
         }
@@ -65,7 +79,7 @@ impl View {
 
     /// The same view with nothing picked out.
     pub fn bare(&self) -> View {
-        View { palette: self.palette.clone(), highlight: Vec::new(), hover: None, ..*self }
+        View { palette: self.palette.clone(), highlight: Vec::new(), marks: Vec::new(), hover: None, ..*self }
     }
 
     /// Shows all that is worth looking at.

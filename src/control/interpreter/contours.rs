@@ -75,7 +75,14 @@ impl Interpreter {
         self.state.told = told;
         match read {
             Ok((first, first_span, ends)) => {
-                Some(Shape { moves, first, first_span, begins: begins.byte, ends, state })
+                let shape = Shape { moves, first, first_span, begins: begins.byte, ends, state };
+                if self.landmarks.len() < self.limits.messages {
+                    let (start, span) = (self.state.position, block.span);
+                    let contour = shape.contour(start);
+                    let (first, last) = (contour.first, contour.last());
+                    self.landmarks.push(Landmarks { span, start, first, last });
+                }
+                Some(shape)
             }
             Err(Some(ends)) => {
                 self.go_on_behind(block, begins.byte, ends);

@@ -50,6 +50,19 @@ pub enum Flow {
     End,
 }
 
+/// The places manuals name in a cycle along a contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landmarks {
+    /// The cycle block.
+    pub span: Span,
+    /// A: where the cycle starts.
+    pub start: Point,
+    /// A′: where the contour begins.
+    pub first: Point,
+    /// B: where the contour ends.
+    pub last: Point,
+}
+
 /// One-shot codes: they use up the words of their block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OneShot {
@@ -102,6 +115,8 @@ pub struct Interpreter {
     recorded: Option<Vec<Routed>>,
     /// Sequence numbers, made when first asked for.
     labels: Option<Labels>,
+    /// Places of the contour cycles, for the picture.
+    landmarks: Vec<Landmarks>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
 }
@@ -124,6 +139,7 @@ impl Interpreter {
             full: false,
             recorded: None,
             labels: None,
+            landmarks: Vec::new(),
             jump: None,
         }
     }
@@ -136,6 +152,11 @@ impl Interpreter {
     /// Messages so far.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
+    }
+
+    /// Places of the contour cycles so far.
+    pub fn landmarks(&self) -> &[Landmarks] {
+        &self.landmarks
     }
 
     /// Messages that were not kept.
