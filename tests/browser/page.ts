@@ -10,8 +10,18 @@ interface Playground extends HTMLElement {
 
 /** The text of a program in tests/programs. */
 export function program(id: string): string {
-  return readFileSync(join(__dirname, '..', 'programs', id, 'program.nc'), 'utf8');
+  return read(id, 'program.nc');
 }
+
+/** How many motions are expected of a program in tests/programs. */
+export function motionCount(id: string): number {
+  return read(id, 'motions.jsonl').split('\n').filter((line) => line.trim() !== '').length;
+}
+
+/** The programs of the gallery, in its order. */
+export const examples: readonly { readonly id: string; readonly needs: readonly string[] }[] = (
+  JSON.parse(read('.', 'gallery.json')) as string[]
+).map((id) => ({ id, needs: (JSON.parse(read(id, 'about.json')) as { needs: string[] }).needs }));
 
 export const editor = (page: Page): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
 export const status = (page: Page): Locator => page.getByRole('status');
@@ -41,6 +51,11 @@ export async function openFile(page: Page, name: string, bytes: Uint8Array): Pro
   await page.locator('input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
+/** The text in the editor, all of it. */
+export async function value(page: Page): Promise<string> {
+  return page.locator('gcode-playground').evaluate((element) => (element as Playground).value);
+}
+
 /** Where a place (X a diameter, Z, mm) is on the screen. */
 export async function locate(page: Page, x: number, z: number): Promise<{ x: number; y: number }> {
   const place = await page
@@ -66,4 +81,8 @@ export async function selected(page: Page): Promise<string> {
     const selection = (root as unknown as { getSelection?: () => Selection | null })?.getSelection?.() ?? getSelection();
     return selection?.toString() ?? '';
   });
+}
+
+function read(id: string, file: string): string {
+  return readFileSync(join(__dirname, '..', 'programs', id, file), 'utf8');
 }

@@ -48,6 +48,11 @@ export function prose(text: string): (Node | string)[] {
   return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
 }
 
+/** A sentence in which `Z-30` is never broken behind its minus. */
+export function unbroken(text: string): (Node | string)[] {
+  return text.split(/([!-~]*-\d[!-~]*)/).map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
+}
+
 /** Gives a button its name for screen readers and its tooltip. */
 export function name(element: HTMLElement, text: string): void {
   element.setAttribute('aria-label', text);

@@ -4,7 +4,7 @@
 // The canvas itself is painted in the worker; this file hands it over and never touches its pixels.
 // Must not know: how a stroke is found, or what it means.
 
-import { icon, make, name, perFrame } from './dom';
+import { icon, make, name, perFrame, unbroken } from './dom';
 import type { Strings } from './i18n';
 import type { Palette, Size, Stroke, Summary } from './protocol';
 
@@ -122,7 +122,7 @@ export class Drawing {
     if (stroke === undefined) return;
     this.#tip.replaceChildren(
       make('span', { className: `swatch ${swatch(stroke.kind)}` }),
-      make('span', {}, stroke.text),
+      make('span', { className: 'what' }, ...unbroken(stroke.text)),
       make('span', { className: 'facts' }, this.#strings.line(stroke.line)),
     );
     const room = this.#holder.getBoundingClientRect();

@@ -4,7 +4,7 @@
 // (what the program does to the editor fires nothing), and `viewMoved` when other lines came into sight.
 // Must not know: the language it edits. Offsets count every line end as one unit, as everywhere in this page.
 
-import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
 import { forEachDiagnostic, linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
@@ -96,7 +96,7 @@ export class Editor {
     this.#view.dispatch({
       changes: { from: 0, to: this.length, insert: text },
       selection: { anchor: 0 },
-      annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable')],
+      annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
       scrollIntoView: true,
     });
     this.element.firstElementChild?.classList.remove('cm-chosen');

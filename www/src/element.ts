@@ -19,7 +19,7 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro editor problems drawing canvas legend tooltip playback play readout
-// doing status notice help.
+// doing status notice written-out help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -36,6 +36,7 @@ import { Problems } from './problems';
 import type { Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
 import { initialProgram, mergedSetup } from './start';
 import { StatusLine } from './status-line';
+import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
 import styles from './styles.css?inline';
 
@@ -64,6 +65,7 @@ export class GcodePlayground extends HTMLElement {
   #status!: StatusLine;
   #notice!: Notice;
   #help!: Help;
+  #writtenOut!: WrittenOutDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
   #cursorKnown = false;
   #hovered: number | undefined;
@@ -217,14 +219,19 @@ export class GcodePlayground extends HTMLElement {
     this.#status = new StatusLine(texts);
     this.#notice = new Notice(texts);
     this.#help = new Help(texts);
+    this.#writtenOut = new WrittenOutDialog(root, texts, {
+      wanted: () => void this.#writeOut(),
+      taken: (text) => this.#takeOver(text),
+    });
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
-      make('div', { className: 'foot' }, this.#status.element, this.#help.button),
+      make('div', { className: 'foot' }, this.#status.element, this.#writtenOut.button, this.#help.button),
       this.#help.element,
+      this.#writtenOut.element,
     );
     root.append(frame);
     this.#acceptFiles(editor.element);
@@ -260,6 +267,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #key(event: KeyboardEvent): void {
+    if (this.#writtenOut.open) return;
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
@@ -317,6 +325,7 @@ export class GcodePlayground extends HTMLElement {
     console.error('gcode-playground: the interpreter was lost', loss);
     this.#playback.length = 0;
     this.#drawing.summary = undefined;
+    this.#writtenOut.available = false;
     this.#drawing.showTip(undefined);
     const texts = this.#strings;
     if (loss.kind === 'load-failed') {
@@ -352,6 +361,7 @@ export class GcodePlayground extends HTMLElement {
     const cursor = this.#cursorKnown ? editor.cursor : undefined;
     this.#line.client.send({ kind: 'text', text: editor.text, revision: editor.revision, cursor });
     this.#notice.hide('core');
+    this.#notice.hide('program');
     void this.#askTokens();
   }
 
@@ -383,12 +393,37 @@ export class GcodePlayground extends HTMLElement {
     this.#fire('gcode-select', { stroke });
   }
 
+  async #writeOut(): Promise<void> {
+    const editor = this.#editor;
+    const line = this.#line;
+    if (editor === undefined || line === undefined) return;
+    // What was typed a moment ago is written out too.
+    if (this.#sending !== undefined) {
+      this.#sendText();
+      this.#changed();
+    }
+    const { revision, text } = editor;
+    const written = await line.client.ask('expand', undefined);
+    if (editor.revision === revision) this.#writtenOut.show(written, text);
+  }
+
+  /** The written out program takes the place of the one in the editor, which undo brings back. */
+  #takeOver(text: string): void {
+    this.#editor?.setText(text, 'undoable');
+    this.#cursorKnown = false;
+    this.#sendText();
+    this.#notice.show(this.#strings.tookOver, 'program');
+    this.#editor?.focus();
+    this.#changed();
+  }
+
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
     const { summary, diagnostics, pathLength } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
+    this.#writtenOut.available = summary.finished && summary.motions > 0;
     this.#problems.diagnostics = diagnostics;
     this.#playback.length = pathLength;
     this.#showTool(undefined);
@@ -415,7 +450,7 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#help]) {
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#help, this.#writtenOut]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;

@@ -57,6 +57,17 @@ export interface Strings {
   readonly fileTooLarge: (name: string) => string;
   readonly fileUnreadable: (name: string) => string;
   readonly dropHere: string;
+  // the program written out
+  readonly writeOut: string;
+  readonly writeOutHint: string;
+  readonly writtenOut: string;
+  readonly writtenOutAbout: string;
+  readonly nothingToWriteOut: string;
+  readonly copy: string;
+  readonly copied: string;
+  readonly copyYourself: string;
+  readonly takeOver: string;
+  readonly tookOver: string;
   // help
   readonly help: string;
   readonly helpTitle: string;
@@ -138,6 +149,16 @@ const en: Strings = {
   fileTooLarge: (name) => `${name} is larger than 64 MB and was not opened.`,
   fileUnreadable: (name) => `${name} could not be read.`,
   dropHere: 'Drop the program here',
+  writeOut: 'Write out',
+  writeOutHint: 'Show the program with every cycle written out as plain moves',
+  writtenOut: 'The program, written out',
+  writtenOutAbout: 'Every cycle, corner and compensation as plain moves. The tool path is the same.',
+  nothingToWriteOut: 'This program has nothing but plain moves: there is nothing to write out.',
+  copy: 'Copy',
+  copied: 'Copied',
+  copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
+  takeOver: 'Put into the editor',
+  tookOver: 'The program is written out. Ctrl Z in the editor brings yours back.',
   help: 'Help',
   helpTitle: 'Keys and gestures',
   shortcuts: [
@@ -218,6 +239,16 @@ const zh: Strings = {
   fileTooLarge: (name) => `${name} 超过 64 MB，未打开。`,
   fileUnreadable: (name) => `无法读取 ${name}。`,
   dropHere: '将程序文件拖放到此处',
+  writeOut: '展开循环',
+  writeOutHint: '显示将所有循环展开为普通移动指令后的程序',
+  writtenOut: '展开后的程序',
+  writtenOutAbout: '循环、倒角和刀尖补偿均已写成普通移动指令，刀具轨迹不变。',
+  nothingToWriteOut: '此程序只有普通移动指令，没有可展开的内容。',
+  copy: '复制',
+  copied: '已复制',
+  copyYourself: '此处不允许自动复制。已全部选中，请按 Ctrl C。',
+  takeOver: '放入编辑器',
+  tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
   help: '帮助',
   helpTitle: '按键与手势',
   shortcuts: [
@@ -299,6 +330,16 @@ const ru: Strings = {
   fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
   fileUnreadable: (name) => `Файл ${name} не читается.`,
   dropHere: 'Отпустите файл с программой здесь',
+  writeOut: 'Расписать',
+  writeOutHint: 'Показать программу, в которой каждый цикл расписан простыми перемещениями',
+  writtenOut: 'Расписанная программа',
+  writtenOutAbout: 'Циклы, фаски, скругления и коррекция записаны простыми перемещениями. Траектория та же.',
+  nothingToWriteOut: 'В этой программе только простые перемещения: расписывать нечего.',
+  copy: 'Копировать',
+  copied: 'Скопировано',
+  copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
+  takeOver: 'Поместить в редактор',
+  tookOver: 'Программа расписана. Ctrl Z в редакторе вернёт прежнюю.',
   help: 'Справка',
   helpTitle: 'Клавиши и жесты',
   shortcuts: [

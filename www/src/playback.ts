@@ -4,7 +4,7 @@
 // While it plays, each painted frame asks for one place; while it is paused nothing runs.
 // Must not know: how the path is drawn, or what a stroke means.
 
-import { icon, make, name } from './dom';
+import { icon, make, name, unbroken } from './dom';
 import type { Strings } from './i18n';
 import type { ToolPlace } from './protocol';
 
@@ -102,7 +102,7 @@ export class Playback {
     const stroke = place?.stroke;
     this.#x.textContent = stroke === undefined ? '–' : millimetres(stroke.atX);
     this.#z.textContent = stroke === undefined ? '–' : millimetres(stroke.atZ);
-    this.#doing.textContent = stroke === undefined ? '' : `${this.#strings.line(stroke.line)}: ${stroke.text}`;
+    this.#doing.replaceChildren(...(stroke === undefined ? [] : unbroken(`${this.#strings.line(stroke.line)}: ${stroke.text}`)));
     this.#whole.hidden = place === undefined;
     const spoken =
       stroke === undefined ? '–' : this.#strings.positionText(millimetres(stroke.atX), millimetres(stroke.atZ));

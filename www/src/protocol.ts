@@ -37,6 +37,12 @@ export interface ToolPlace {
   readonly stroke: Stroke | undefined;
 }
 
+/** The program with every cycle written out; `tokens` as for `tokens`, none when the text is very long. */
+export interface WrittenOut {
+  readonly text: string;
+  readonly tokens: Uint32Array;
+}
+
 /** Every question with what it asks and what it is answered. */
 export interface Questions {
   ping: { ask: undefined; answer: true };
@@ -47,6 +53,7 @@ export interface Questions {
   step: { ask: { readonly distance: number; readonly direction: 'next' | 'previous' }; answer: ToolPlace };
   /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
+  expand: { ask: undefined; answer: WrittenOut };
 }
 
 export type QuestionKind = keyof Questions;

@@ -47,23 +47,25 @@ export class StatusLine {
   }
 
   #render(): void {
-    this.element.textContent = this.#text();
+    // On a narrow page the line breaks between facts, not inside them.
+    const facts = this.#facts().flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]);
+    this.element.replaceChildren(...facts);
   }
 
-  #text(): string {
+  #facts(): readonly string[] {
     const strings = this.#strings;
     switch (this.#shown.kind) {
       case 'loading':
-        return strings.loading;
+        return [strings.loading];
       case 'running':
-        return strings.running(Math.floor(this.#shown.done * 100));
+        return [strings.running(Math.floor(this.#shown.done * 100))];
       case 'failed':
-        return '—';
+        return ['—'];
       case 'summary': {
         const { motions, lines, errors, warnings, infos } = this.#shown.summary;
         const problems = errors + warnings + infos;
         const found = problems === 0 ? strings.noProblems : strings.problemCount(problems);
-        return `${strings.motions(motions)} · ${strings.lines(lines)} · ${found}`;
+        return [strings.motions(motions), strings.lines(lines), found];
       }
     }
   }

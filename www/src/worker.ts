@@ -5,10 +5,12 @@
 // Must not know: the page, the editor, or anything of what the program means.
 
 import init, { Playground } from '../pkg/gcode_playground.js';
-import type { Command, Question, QuestionKind, Questions, ToolPlace, WorkerEvent } from './protocol';
+import type { Command, Question, QuestionKind, Questions, ToolPlace, WorkerEvent, WrittenOut } from './protocol';
 
 const BLOCKS_PER_SLICE = 20_000;
 const RUN_LIMIT_MS = 10_000;
+/** Longer texts are written out without colours. */
+const COLOUR_LIMIT = 200_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
@@ -133,6 +135,8 @@ function answer(playground: Playground, question: Question): Questions[QuestionK
       const [px = 0, py = 0] = playground.screenOf(x, z);
       return { x: px, y: py };
     }
+    case 'expand':
+      return writtenOut(playground);
   }
 }
 
@@ -222,6 +226,21 @@ function motionEnd(playground: Playground, distance: number, direction: 'next' |
   const end = playground.lengthBefore(direction === 'next' ? motion + 1 : motion);
   // A hair before it: the motion that ends there is named, not the one that begins.
   return Math.min(Math.max(end - hair, 0), length);
+}
+
+// ---- written out ----------------------------------------------------------------------------------
+
+function writtenOut(playground: Playground): WrittenOut {
+  const text = playground.expand();
+  if (text.length > COLOUR_LIMIT) return { text, tokens: new Uint32Array() };
+  // Colours belong to a text, so the new text needs an interpreter of its own for a moment.
+  const reader = new Playground();
+  try {
+    reader.setText(text);
+    return { text, tokens: reader.tokens(0, text.length + 1) };
+  } finally {
+    reader.free();
+  }
 }
 
 // ---- the rest -------------------------------------------------------------------------------------

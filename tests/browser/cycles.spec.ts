@@ -1,0 +1,113 @@
+// Cycles on the page: every example runs, a stroke says which pass it is, and a program can be written out.
+import { expect, test, type Page } from '@playwright/test';
+import { between, editor, examples, motionCount, open, problems, program, status, tooltip, type, value } from './page';
+
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'The program, written out' });
+const writeOut = (page: Page) => page.getByRole('button', { name: 'Write out' });
+const CYCLE_CALL = /^\s*(N\d+\s*)?G7[0-6]\b/m;
+
+test('every example opens without an error, and the complete ones draw what is expected of them', async ({ page }) => {
+  await open(page);
+  // The newest report on each text the editor has held.
+  const reports = await page.locator('gcode-playground').evaluateHandle((element) => {
+    const found: Record<string, { motions: number; errors: number }> = {};
+    element.addEventListener('gcode-report', (event) => {
+      found[(element as HTMLElement & { value: string }).value] = (event as CustomEvent).detail.summary;
+    });
+    return found;
+  });
+  await type(page, '');
+  const picker = page.getByLabel('Example');
+  const partial = picker.locator('optgroup[label="Partly supported so far"] option');
+  expect(await partial.evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value))).toEqual(
+    examples.filter(({ needs }) => needs.length > 0).map(({ id }) => id),
+  );
+  for (const { id, needs } of examples) {
+    await test.step(id, async () => {
+      await picker.selectOption(id);
+      const text = program(id);
+      await expect.poll(() => reports.evaluate((found, text) => found[text]?.errors, text)).toBe(0);
+      if (needs.length > 0) return;
+      expect(await reports.evaluate((found, text) => found[text]?.motions, text)).toBe(motionCount(id));
+      await expect(problems(page).getByText('not supported here')).toHaveCount(0);
+    });
+  }
+});
+
+test('a roughing pass names its cycle, its number and its step', async ({ page }) => {
+  await open(page, '#s003-g71');
+  await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  await expect(problems(page).getByText('W-NS-BOTH-AXES')).toBeVisible();
+  const place = await between(page, { x: 33.5, z: 0.2 }, { x: 33.5, z: -60.3 });
+  await page.mouse.move(place.x, place.y);
+  await expect(tooltip(page)).toContainText('line 4');
+  await expect(tooltip(page)).toContainText(/G71, pass 2 of 10: cut at feed to X33\.5 Z-60\.3/);
+});
+
+test('a program is written out, read, copied, taken over, and brought back', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, '#s003-g71');
+  const motions = `${motionCount('s003-g71')} motions`;
+  await expect(status(page)).toContainText(motions);
+
+  await test.step('by keyboard: opened, read, closed', async () => {
+    await writeOut(page).focus();
+    await page.keyboard.press('Enter');
+    const text = dialog(page).getByRole('textbox');
+    await expect(text).toBeFocused();
+    await expect(text).toContainText('G01 X37.5 Z-60.3');
+    await expect(text).toContainText('G00 X39.5 Z0.2');
+    await page.keyboard.type('X1');
+    await expect(text).not.toContainText('X1N010');
+    await page.keyboard.press('Escape');
+    await expect(dialog(page)).toBeHidden();
+    await expect(writeOut(page)).toBeFocused();
+    expect(await value(page)).toBe(program('s003-g71'));
+  });
+
+  await test.step('copied', async () => {
+    await writeOut(page).click();
+    await dialog(page).getByRole('button', { name: 'Copy' }).click();
+    await expect(dialog(page).getByRole('button', { name: 'Copied' })).toBeVisible();
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(copied).toMatch(/^G03 X11\.5 Z-5\.3 /m);
+    expect(copied).not.toMatch(CYCLE_CALL);
+  });
+
+  await test.step('taken over: the tool path stays', async () => {
+    await dialog(page).getByRole('button', { name: 'Put into the editor' }).click();
+    await expect(dialog(page)).toBeHidden();
+    expect(await value(page)).not.toMatch(CYCLE_CALL);
+    await expect(status(page)).not.toContainText('14 lines');
+    await expect(status(page)).toContainText(motions);
+    await expect(page.getByText('Ctrl Z in the editor brings yours back')).toBeVisible();
+  });
+
+  await test.step('written out again, it stays as it is', async () => {
+    await writeOut(page).click();
+    await expect(dialog(page)).toContainText('nothing to write out');
+    await expect(dialog(page).getByRole('button', { name: 'Put into the editor' })).toBeHidden();
+    await dialog(page).getByRole('button', { name: 'Close' }).click();
+  });
+
+  await test.step('undo brings the own program back', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('Control+Z');
+    expect(await value(page)).toBe(program('s003-g71'));
+    await expect(status(page)).toContainText('14 lines');
+    await expect(status(page)).toContainText(motions);
+  });
+});
+
+test('there is nothing to write out without a motion, and its button speaks three languages', async ({ page }) => {
+  await open(page);
+  await expect(writeOut(page)).toBeEnabled();
+  await page.getByLabel('Language').selectOption('zh');
+  await expect(page.getByRole('button', { name: '展开循环' })).toBeVisible();
+  await page.getByLabel('语言').selectOption('ru');
+  await expect(page.getByRole('button', { name: 'Расписать' })).toBeVisible();
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await expect(page.getByRole('button', { name: 'Расписать' })).toBeDisabled();
+});
