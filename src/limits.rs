@@ -7,13 +7,25 @@ pub struct Limits {
     pub text: usize,
     /// Most motions that are kept.
     pub motions: usize,
+    /// Most moves of one cycle call, and of the contour it reads. A bar of 1 m diameter roughed by 0.02 mm
+    /// takes half as many; more is a slip of the point, and is refused as a whole.
+    pub moves_per_cycle: usize,
+    /// Most steps spent on what leaves no motion: each block of a contour read again, each move of a cycle that
+    /// is refused or leads nowhere. Keeps many cheap calls of a dear cycle from adding up.
+    pub cycle_work: usize,
     /// Most messages that are kept.
     pub messages: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { text: 64 << 20, motions: 4_000_000, messages: 500 }
+        Self {
+            text: 64 << 20,
+            motions: 4_000_000,
+            moves_per_cycle: 200_000,
+            cycle_work: 2_000_000,
+            messages: 500,
+        }
     }
 }
 

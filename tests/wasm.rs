@@ -2,8 +2,10 @@
 //! messages as the native run, whose output is committed next to each program.
 #![cfg(target_arch = "wasm32")]
 
+mod endless;
 mod fixtures;
 
+use endless::{MOST_SECONDS, endless};
 use fixtures::{Program, check_messages, compare};
 use gcode_playground::wasm::Playground;
 use serde_json::Value;
@@ -115,6 +117,39 @@ fn tokens_and_messages_are_in_utf16_offsets() {
     let unknown = found.iter().find(|row| row["code"] == "PS0010").expect("PS0010");
     assert_eq!((&unknown["from"], &unknown["to"]), (&Value::from(14), &Value::from(19)));
     assert_eq!((&unknown["line"], &unknown["column"]), (&Value::from(3), &Value::from(1)));
+}
+
+/// Cycles with an amount that is far too small are refused within a second, and say so.
+#[wasm_bindgen_test]
+fn endless_cycles_are_refused_at_once() {
+    for case in endless() {
+        let mut playground = Playground::new();
+        playground.set_setup(case.setup).expect("setup");
+        let begun = js_sys::Date::now();
+        playground.set_text(case.text);
+        while !playground.advance(1_000) {}
+        let seconds = (js_sys::Date::now() - begun) / 1_000.0;
+        assert!(seconds < MOST_SECONDS, "{}: {seconds} s", case.name);
+        let messages = rows(playground.diagnostics());
+        assert!(messages.iter().any(|row| row["code"] == case.code), "{}: {messages:?}", case.name);
+        let motions = rows(playground.motions(0, u32::MAX));
+        assert_eq!(motions.len(), 1, "{}", case.name);
+    }
+}
+
+/// A contour that is read again and again ends with a message before the page seems to hang.
+#[wasm_bindgen_test]
+fn a_long_contour_called_again_and_again_ends_with_a_message() {
+    let blocks: String = (0..40_000).map(|block| format!("G1 X{} W-0.001\n", 50 + block % 2)).collect();
+    let calls = "G70 P1 Q2\n".repeat(1_000);
+    let mut playground = Playground::new();
+    let begun = js_sys::Date::now();
+    playground.set_text(format!("M3 S500\nG99 F0.2\nN1 G0 X50\n{blocks}G28 U0\nN2 X200\n{calls}M30\n"));
+    while !playground.advance(1_000) {}
+    let seconds = (js_sys::Date::now() - begun) / 1_000.0;
+    assert!(seconds < 10.0, "{seconds} s");
+    let messages = rows(playground.diagnostics());
+    assert!(messages.iter().any(|row| row["code"] == "E-TOO-MUCH-WORK"), "{seconds} s");
 }
 
 /// JavaScript does not tell 2 from 2.0.

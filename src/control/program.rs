@@ -16,9 +16,16 @@ struct Label {
     at: Resume,
 }
 
-/// All sequence numbers of a text, in order.
+impl Label {
+    fn key(&self) -> (u32, u32, u32) {
+        (self.program, self.sequence, self.at.byte)
+    }
+}
+
+/// All sequence numbers of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
+    /// In order of program, number and place.
     labels: Vec<Label>,
     /// First bytes of the O programs behind the first.
     programs: Vec<u32>,
@@ -34,6 +41,7 @@ impl Labels {
         loop {
             let at = parser.position();
             if !parser.next_block(&mut block) {
+                labels.labels.sort_unstable_by_key(Label::key);
                 return labels;
             }
             if block.program.is_some() && begun {
@@ -49,10 +57,21 @@ impl Labels {
     /// The block of a sequence number: the first match behind byte `from`, then from the head of the same O
     /// program (semantics §1.1 rule 7).
     pub fn find(&self, sequence: u32, from: u32) -> Option<Resume> {
-        let program = self.programs.partition_point(|&start| start <= from) as u32;
-        let own =
-            || self.labels.iter().filter(|label| label.program == program && label.sequence == sequence);
-        own().find(|label| label.at.byte > from).or_else(|| own().next()).map(|label| label.at)
+        let head = || self.first_from(sequence, from, 0);
+        self.first_from(sequence, from, from + 1).or_else(head)
+    }
+
+    /// Whether a block of that number stands at byte `from` or behind it in the same O program.
+    pub fn is_at_or_behind(&self, sequence: u32, from: u32) -> bool {
+        self.first_from(sequence, from, from).is_some()
+    }
+
+    /// The first block of a number from byte `byte` on, in the O program around byte `around`.
+    fn first_from(&self, sequence: u32, around: u32, byte: u32) -> Option<Resume> {
+        let program = self.programs.partition_point(|&start| start <= around) as u32;
+        let at = self.labels.partition_point(|label| label.key() < (program, sequence, byte));
+        let label = self.labels.get(at)?;
+        ((label.program, label.sequence) == (program, sequence)).then_some(label.at)
     }
 }
 

@@ -100,6 +100,8 @@ pub enum Message {
     MoreMessages { hidden: usize },
     /// More motions than are kept.
     TooManyMotions { most: usize },
+    /// The cycles take too many steps to work out.
+    TooMuchWork { most: usize },
     /// The run was stopped from outside.
     Stopped { seconds: f64 },
 
@@ -265,6 +267,7 @@ impl Message {
         match self {
             Self::NotYet { .. }
             | Self::TooManyMotions { .. }
+            | Self::TooMuchWork { .. }
             | Self::TextTooLong { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             Self::UnknownM { .. } | Self::ShortTool { .. } | Self::LetterIInG92 { .. } => Kind::Machine,
@@ -297,6 +300,7 @@ impl Message {
             Self::NoEnd => ("W-NO-END", "no-program-end", Warning, Some("PS5010")),
             Self::MoreMessages { .. } => ("I-MORE", "more-messages", Info, None),
             Self::TooManyMotions { .. } => ("E-TOO-MANY-MOTIONS", "too-many-motions", Error, None),
+            Self::TooMuchWork { .. } => ("E-TOO-MUCH-WORK", "too-much-work", Error, None),
             Self::Stopped { .. } => ("E-STOPPED", "run-stopped", Error, None),
             Self::UnknownG { .. } => ("PS0010", "unknown-g-code", Error, Some("PS0010")),
             Self::UnknownM { .. } => ("W-M-UNKNOWN", "unknown-m-code", Info, None),

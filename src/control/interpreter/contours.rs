@@ -61,19 +61,33 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
             return None;
         };
-        let Some(begins) = self.find_label(text, first, block.span.start) else {
+        let Some(begins) = self.labels(text).find(first, block.span.start) else {
             let word = words.quote(text, b'P');
             self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P')));
             return None;
         };
+        if !self.labels(text).is_at_or_behind(last, begins.byte) {
+            let word = words.quote(text, b'Q');
+            self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
+            return None;
+        }
         let before = self.state.clone();
         let outer = self.recorded.replace(Vec::new());
-        let read = self.read_shape(text, begins, last, code, purpose);
+        let read = self.read_shape(text, block, begins, last, code, purpose);
         let moves = std::mem::replace(&mut self.recorded, outer).unwrap_or_default();
         let told = self.state.told;
         let state = std::mem::replace(&mut self.state, before);
         self.state.told = told;
+        if self.full {
+            return None;
+        }
+        let most = self.limits.moves_per_cycle;
         match read {
+            Ok((.., ends)) if moves.len() > most => {
+                self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, block.words_span()));
+                self.go_on_behind(block, begins.byte, ends);
+                None
+            }
             Ok((first, first_span, ends)) => {
                 let shape = Shape { moves, first, first_span, begins: begins.byte, ends, state };
                 if self.landmarks.len() < self.limits.messages {
@@ -100,6 +114,7 @@ impl Interpreter {
     fn read_shape(
         &mut self,
         text: &[u8],
+        cycle: &Block,
         begins: Resume,
         last: u32,
         code: &'static str,
@@ -114,6 +129,9 @@ impl Interpreter {
         let mut first = None;
         let mut sound = true;
         while parser.next_block(&mut block) {
+            if !self.spend(1, cycle) {
+                break;
+            }
             let is_first = first.is_none();
             let (named, span) = *first.get_or_insert_with(|| (self.first_block(&block), block.span));
             sound &= self.may_stand_in_contour(text, &block) && !block.is_broken();
@@ -167,8 +185,8 @@ impl Interpreter {
         }
     }
 
-    fn find_label(&mut self, text: &[u8], sequence: u32, from: u32) -> Option<Resume> {
-        self.labels.get_or_insert_with(|| Labels::new(text)).find(sequence, from)
+    fn labels(&mut self, text: &[u8]) -> &Labels {
+        self.labels.get_or_insert_with(|| Labels::new(text))
     }
 
     fn first_block(&self, block: &Block) -> FirstBlock {

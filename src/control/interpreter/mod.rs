@@ -111,6 +111,8 @@ pub struct Interpreter {
     diagnostics: Vec<Diagnostic>,
     hidden: usize,
     full: bool,
+    /// Steps so far that left no motion: see [`Limits::cycle_work`].
+    work: usize,
     /// While a contour is read, motions are kept here instead of being stored.
     recorded: Option<Vec<Routed>>,
     /// Sequence numbers, made when first asked for.
@@ -137,6 +139,7 @@ impl Interpreter {
             diagnostics: Vec::new(),
             hidden: 0,
             full: false,
+            work: 0,
             recorded: None,
             labels: None,
             landmarks: Vec::new(),
@@ -544,16 +547,33 @@ impl Interpreter {
             return;
         }
         match &mut self.recorded {
-            Some(recorded) if recorded.len() < self.limits.motions => recorded.push(routed),
+            // One more than a cycle may have, so that it is refused rather than cut short.
+            Some(recorded) if recorded.len() <= self.limits.moves_per_cycle => recorded.push(routed),
             Some(_) => {}
             None => self.store(routed),
         }
     }
 
+    /// Counts steps that leave no motion. False: they were too many, and the run ends here.
+    fn spend(&mut self, steps: usize, block: &Block) -> bool {
+        self.work = self.work.saturating_add(steps);
+        if self.work > self.limits.cycle_work && !self.full {
+            self.full = true;
+            let message = Message::TooMuchWork { most: self.limits.cycle_work };
+            self.tell_always(Diagnostic::new(message, block.words_span()));
+        }
+        !self.full
+    }
+
+    /// Motions kept so far.
+    fn kept(&self) -> usize {
+        self.motions.len() + self.chunk.len()
+    }
+
     /// Keeps a motion for good.
     #[inline]
     fn store(&mut self, routed: Routed) {
-        if self.motions.len() + self.chunk.len() >= self.limits.motions {
+        if self.kept() >= self.limits.motions {
             if !self.full {
                 self.full = true;
                 let message = Message::TooManyMotions { most: self.limits.motions };

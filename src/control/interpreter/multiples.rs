@@ -80,12 +80,12 @@ impl Interpreter {
                 return None;
             }
             if let Some(depth) = length(depth_word) {
+                self.state.parameters.depth = Some(depth);
                 if depth <= 0.0 {
                     let message = Message::DepthNotPositive { code, depth: Some(depth) };
                     self.tell(Diagnostic::new(message, words.span(depth_word)));
                     return None;
                 }
-                self.state.parameters.depth = Some(depth);
             }
             if let Some(escape) = length(b'R') {
                 self.state.parameters.escape = escape.abs();
@@ -99,7 +99,10 @@ impl Interpreter {
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
-            self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));
+            // A depth that is wrong in the first block was told there.
+            if depth.is_none() || words.get(b'D').is_some() {
+                self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));
+            }
             return None;
         };
         let contour = shape.contour(self.state.position);
@@ -176,7 +179,11 @@ impl Interpreter {
             Err(roughing::Fault::BeyondStart { .. } | roughing::Fault::NothingToCut) => {
                 Message::ContourBeyondStart { code, axis: across }
             }
-            Err(roughing::Fault::TooManyMoves) => Message::TooManyPasses { code, most },
+            Err(roughing::Fault::TooManyMoves) => {
+                // Found out only after that many moves.
+                self.spend(most, block);
+                Message::TooManyPasses { code, most }
+            }
         };
         self.tell(Diagnostic::new(message, block.words_span()));
         None
@@ -512,17 +519,19 @@ impl Interpreter {
         Some(if negative { -number.value() * scale } else { number.value() * scale })
     }
 
-    /// Moves that may still be made.
+    /// Moves that a cycle may make.
     fn moves_left(&self) -> usize {
-        self.limits.motions.saturating_sub(self.motions.len() + self.chunk.len())
+        self.limits.moves_per_cycle.min(self.limits.motions.saturating_sub(self.kept()))
     }
 
     /// Makes the moves of a cycle.
     fn run_cycle(&mut self, block: &Block, cycle: Cycle, lead: Option<f64>, moves: &[Move]) {
+        let kept = self.kept();
         for step in moves {
             let tag = CycleStep { cycle, pass: step.pass, step: step.step };
             let motion = self.motion(step.kind, step.to);
             self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
         }
+        self.spend(moves.len() - (self.kept() - kept), block);
     }
 }

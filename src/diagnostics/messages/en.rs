@@ -62,6 +62,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("The program makes more than {most} motions; the rest is not shown."))
                 .help("Is an amount in a cycle far too small?")
         }
+        Message::TooMuchWork { most } => {
+            Sentence::new(format!("The cycles take more than {most} steps to work out; what follows is not shown."))
+                .help("Each call of G70 to G73 reads its contour again. Call long contours less often, and correct the cycles that are refused.")
+        }
         Message::Stopped { seconds } => {
             Sentence::new(format!("The run was stopped after {} s; what follows is not shown.", number(*seconds)))
         }
@@ -207,7 +211,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             .help("Give it in a first block, such as G71 U2 R0.5 or G72 W2 R0.5. U or W beside P and Q is the allowance."),
         Message::DepthNotPositive { code, depth: Some(depth) } => {
             Sentence::new(format!("The depth of cut {} of {code} must be larger than zero.", number(*depth)))
-                .help("It has no sign: the cycle finds its direction from the contour.")
+                .help("It has no sign: the cycle finds its direction from the contour. Digits below 0.001 mm do not count.")
         }
         Message::AllowanceSign { word } => Sentence::new(format!("The allowance `{word}` points into the part."))
             .help("Outside work has a positive U, bores a negative one; W points away from the direction of cut."),

@@ -70,6 +70,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("Число перемещений превысило {most}; остальные не показаны."))
                 .help("Не слишком ли мала какая-нибудь величина в цикле?")
         }
+        Message::TooMuchWork { most } => {
+            Sentence::new(format!("Расчёт циклов занял больше {most} шагов; дальнейшее не показано."))
+                .help("Каждый вызов G70–G73 читает контур заново. Вызывайте длинные контуры реже и исправьте циклы, которые не выполняются.")
+        }
         Message::Stopped { seconds } => {
             Sentence::new(format!("Расчёт остановлен через {} с; дальнейшее не показано.", number(*seconds)))
         }
@@ -244,7 +248,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::DepthNotPositive { code, depth: Some(depth) } => {
             Sentence::new(format!("Глубина прохода {} в {code} должна быть больше нуля.", number(*depth)))
-                .help("Её пишут без знака: направление цикл определяет по контуру.")
+                .help("Её пишут без знака: направление цикл определяет по контуру. Цифры меньше 0,001 мм отбрасываются.")
         }
         Message::AllowanceSign { word } => {
             Sentence::new(format!("Припуск `{word}` направлен внутрь детали."))

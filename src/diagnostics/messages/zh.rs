@@ -63,6 +63,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("程序的刀具运动超过 {most} 段，其余没有显示。"))
                 .help("是不是循环中的某个量写得太小了？")
         }
+        Message::TooMuchWork { most } => Sentence::new(format!(
+            "各循环的计算超过 {most} 步，后面的内容没有显示。"
+        ))
+        .help("G70～G73 每调用一次都要重新读取精加工路线。请减少对长路线的调用，并改正不能执行的循环。"),
         Message::Stopped { seconds } => {
             Sentence::new(format!("运行 {} 秒后被中止，后面的内容没有显示。", number(*seconds)))
         }
@@ -218,7 +222,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         ),
         Message::DepthNotPositive { code, depth: Some(depth) } => {
             Sentence::new(format!("{code} 的背吃刀量 {} 必须大于零。", number(*depth)))
-                .help("背吃刀量不带正负号，进刀方向由精加工路线决定。")
+                .help("背吃刀量不带正负号，进刀方向由精加工路线决定。小于 0.001 mm 的位数会被舍去。")
         }
         Message::AllowanceSign { word } => Sentence::new(format!("精加工余量 `{word}` 的方向指向零件内部。"))
             .help("车外圆时 U 为正，车内孔时 U 为负；W 的方向与切削方向相反。"),
