@@ -143,7 +143,8 @@ impl Interpreter {
             if is_first {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
                 let moved = self.recorded.as_ref().map_or(0, Vec::len) > moves;
-                if !straight || (!moved && !named.x && !named.z) {
+                // One fault, one message.
+                if sound && (!straight || (!moved && !named.x && !named.z)) {
                     self.tell(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
                     sound = false;
                 }
@@ -212,6 +213,8 @@ impl Interpreter {
             let quoted = || quote(text, word.span);
             let message = match (word.address, number.decimals, number.mantissa) {
                 (b'M', _, 98 | 99) => Message::ContourCall { word: quoted() },
+                // The program would end in the middle of the cycle.
+                (b'M', _, 2 | 30) => Message::ContourIllegal { word: quoted() },
                 (b'G', 0, 65 | 66) => Message::ContourCall { word: quoted() },
                 (b'G', 0, 0..=4 | 18 | 40..=42 | 96..=99) => continue,
                 (b'G', ..) => Message::ContourIllegal { word: quoted() },
