@@ -8,10 +8,12 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use crate::control::setup::Setup;
-use crate::motion::{Feed, Motion, MotionKind, Motions};
+use crate::diagnostics::Message;
+use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
 use crate::run::{Analysis, Run};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
+use crate::text::source::Span;
 
 /// Writes out a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
@@ -24,27 +26,32 @@ pub fn expand(text: &[u8], setup: &Setup) -> String {
         code: None,
         feed: None,
         inch: false,
-        corner: false,
+        moved_start: false,
+        any_failed: false,
     };
     let blocks = motions_by_block(&analysis);
+    let own_of =
+        |start: u32| blocks.binary_search_by_key(&start, |entry| entry.0).ok().map(|at| blocks[at].1.clone());
+    // A contour is left out where its cycle was written out; a cycle that could not run keeps it.
+    let left_out: Vec<Span> = analysis
+        .skipped
+        .iter()
+        .filter(|skipped| own_of(skipped.cycle).is_some())
+        .map(|skipped| skipped.span)
+        .collect();
+    writer.any_failed = left_out.len() < analysis.skipped.len();
     let mut parser = Parser::new(text);
     let mut block = Block::default();
     let mut copied = 0;
     while parser.next_block(&mut block) {
         let end = parser.position().byte as usize;
-        if analysis
-            .skipped
-            .iter()
-            .any(|skipped| skipped.start <= block.span.start && block.span.start < skipped.end)
-        {
+        if left_out.iter().any(|span| span.start <= block.span.start && block.span.start < span.end) {
             copied = end;
+            writer.comments(text, &block);
             continue;
         }
-        let own = blocks
-            .binary_search_by_key(&block.span.start, |entry| entry.0)
-            .ok()
-            .map(|at| blocks[at].1.clone());
-        if writer.must_write(&block, own.clone(), text) {
+        let own = own_of(block.span.start);
+        if writer.must_write(&block, own.clone()) {
             writer.write(text, &block, own.unwrap_or(0..0));
         } else {
             writer.copy(text, &block, &text[copied.max(block.span.start as usize)..end], own);
@@ -75,13 +82,15 @@ struct Writer<'a> {
     code: Option<&'static str>,
     feed: Option<f64>,
     inch: bool,
-    /// The block before ended in a corner: the start of this one has moved.
-    corner: bool,
+    /// The block before was written out as moves of the path: the start of this one may have moved.
+    moved_start: bool,
+    /// A contour cycle could not run: first blocks are kept, for its sake.
+    any_failed: bool,
 }
 
 impl Writer<'_> {
     /// Whether a block is more than plain moves.
-    fn must_write(&self, block: &Block, own: Option<Range<usize>>, text: &[u8]) -> bool {
+    fn must_write(&self, block: &Block, own: Option<Range<usize>>) -> bool {
         if block.kind != BlockKind::Words || block.is_broken() {
             return false;
         }
@@ -91,16 +100,14 @@ impl Writer<'_> {
             // A first block of a cycle sets only what the cycle is written out with.
             let first = multiple
                 && !block.words.iter().any(|word| matches!(word.address, b'P' | b'Q' if !code(76.0)));
-            return first || code(41.0) || code(42.0);
+            return (first && !self.any_failed) || code(41.0) || code(42.0);
         };
-        let _ = text;
         let cornered =
             block.words.iter().any(|word| word.comma || matches!(word.address, b'A' | b'C' | b'L' | b'D'));
         let mut rounds = false;
         for index in own {
             let motion = self.motions.get(index);
-            let arc = motion.center.is_some();
-            if motion.cycle.is_some() || motion.programmed.is_some() || (self.corner && arc) {
+            if motion.cycle.is_some() || motion.programmed.is_some() || self.moved_start {
                 return true;
             }
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
@@ -123,6 +130,7 @@ impl Writer<'_> {
             }
         }
         if let Some(own) = own {
+            self.moved_start = false;
             let last = self.motions.get(own.end - 1);
             let code = code_of(&last);
             let moves = block
@@ -133,10 +141,27 @@ impl Writer<'_> {
                 let _ = write!(self.out, "{} ", code.unwrap_or_default());
             }
             self.code = if moves { code.or(self.code) } else { self.code };
-            self.feed = feed_of(&last).or(self.feed);
+            let feed = feed_of(&last);
+            let cuts = matches!(
+                last.kind,
+                MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise
+            );
+            let has_feed = block.words.iter().any(|word| word.address == b'F');
+            if cuts && !has_feed && self.feed.is_some() && feed.is_some() && feed != self.feed {
+                // A thread written out before left its lead as F.
+                let unit = if self.inch { 25.4 } else { 1.0 };
+                let _ =
+                    write!(self.out, "F{} ", feed.map_or_else(String::new, |feed| fine_decimal(feed / unit)));
+            }
+            self.feed = feed.or(self.feed);
         }
-        self.corner = false;
-        let _ = text;
+        let remark =
+            block.faults.iter().any(|fault| matches!(fault.message, Message::TextAfterSemicolon { .. }));
+        if remark && self.out.ends_with('\n') {
+            // Prose behind a `;` is a remark only on the line of its block, which was written out.
+            self.comments(text, block);
+            return;
+        }
         self.out.push_str(&String::from_utf8_lossy(bytes));
     }
 
@@ -151,7 +176,9 @@ impl Writer<'_> {
                 (b'M' | b'S' | b'T', _) => &mut before,
                 (
                     b'G',
-                    Some(0.0 | 1.0 | 2.0 | 3.0 | 32.0 | 34.0 | 40.0 | 41.0 | 42.0 | 90.0 | 92.0 | 94.0),
+                    Some(
+                        0.0 | 1.0 | 2.0 | 3.0 | 32.0 | 33.0 | 34.0 | 40.0 | 41.0 | 42.0 | 90.0 | 92.0 | 94.0,
+                    ),
                 ) => continue,
                 (b'G', Some(70.0..=76.0)) => continue,
                 (b'G', _) => &mut before,
@@ -162,10 +189,13 @@ impl Writer<'_> {
             }
             target.push_str(&quoted);
         }
-        let number = block.sequence.map_or_else(String::new, |number| format!("N{number} "));
+        let number = block.sequence.map_or_else(String::new, |_| sequence_as_written(text, block));
         let source: String =
             block.words_span().quote(text).chars().filter(|ch| !matches!(ch, '(' | ')')).collect();
-        let _ = writeln!(self.out, "{number}({})", source.trim());
+        let delete = block.delete.map_or_else(String::new, |level| format!("/{level} "));
+        let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
+        self.comments(text, block);
+        let angle = block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(text));
         self.line(&before);
         let inch = self.inch && !own.is_empty();
         if inch {
@@ -180,7 +210,9 @@ impl Writer<'_> {
                 pass = Some((step.cycle, step.pass));
                 let _ = writeln!(self.out, "({} PASS {})", step.cycle.code(), step.pass);
             }
-            self.motion(&motion);
+            let first_cut = |step: CycleStep| step.cycle == Cycle::Threading && step.step == Step::Cut;
+            let is_thread = motion.cycle.is_some_and(first_cut);
+            self.motion(&motion, angle.as_deref().filter(|_| is_thread));
         }
         if inch {
             self.line("G20");
@@ -188,7 +220,7 @@ impl Writer<'_> {
         }
         self.line(&after);
         let last_is_cycle = own.clone().last().is_some_and(|index| self.motions.get(index).cycle.is_some());
-        self.corner = !own.is_empty() && !last_is_cycle;
+        self.moved_start = !own.is_empty() && !last_is_cycle;
     }
 
     fn line(&mut self, words: &str) {
@@ -197,7 +229,17 @@ impl Writer<'_> {
         }
     }
 
-    fn motion(&mut self, motion: &Motion) {
+    /// The comments of a block, each on a line of its own.
+    fn comments(&mut self, text: &[u8], block: &Block) {
+        for comment in &block.comments {
+            let quoted: String =
+                comment.quote(text).chars().filter(|ch| !matches!(ch, '(' | ')' | '（' | '）')).collect();
+            let _ = writeln!(self.out, "({})", quoted.trim());
+        }
+    }
+
+    /// A motion as a block; `start_angle` is the Q of a thread.
+    fn motion(&mut self, motion: &Motion, start_angle: Option<&str>) {
         if let Some(seconds) = motion.seconds {
             let _ = writeln!(self.out, "G04 X{}", decimal(seconds));
             return;
@@ -217,9 +259,20 @@ impl Writer<'_> {
             let _ = write!(self.out, " F{}", feed.map_or_else(String::new, fine_decimal));
             self.feed = feed;
         }
+        if let Some(start_angle) = start_angle {
+            let _ = write!(self.out, " {start_angle}");
+        }
         self.out.push('\n');
         self.code = Some(code);
     }
+}
+
+/// The sequence number of a block as it was typed, with a blank behind it.
+fn sequence_as_written(text: &[u8], block: &Block) -> String {
+    let quoted = block.span.quote(text);
+    let from = quoted.find(['N', 'n']).unwrap_or(0);
+    let digits: String = quoted[from + 1..].trim_start().chars().take_while(char::is_ascii_digit).collect();
+    format!("N{digits} ")
 }
 
 /// The code of group 01 that makes a motion.

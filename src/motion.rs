@@ -214,6 +214,17 @@ pub struct Process {
     pub uncertain: bool,
 }
 
+/// A move as it was programmed, before compensation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Programmed {
+    /// Where it begins.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// Centre, of arcs only; they turn as the motion does.
+    pub center: Option<Point>,
+}
+
 /// One motion as a value: what is pushed and what is read back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
@@ -229,8 +240,8 @@ pub struct Motion {
     pub lead: Option<f64>,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
-    /// Where the program says it ends, when nose radius compensation puts the tip elsewhere.
-    pub programmed: Option<Point>,
+    /// What the program says, when nose radius compensation leads the tip elsewhere.
+    pub programmed: Option<Programmed>,
     /// The cycle it belongs to.
     pub cycle: Option<CycleStep>,
     /// Feed, spindle and tool.
@@ -246,6 +257,12 @@ impl Motion {
             _ => return None,
         };
         Some(Arc { start: self.from, end: self.to, center: self.center?, turn })
+    }
+
+    /// The same motion along the programmed path, if compensation leads it elsewhere.
+    pub fn as_programmed(&self) -> Option<Motion> {
+        let Programmed { from, to, center } = self.programmed?;
+        Some(Motion { from, to, center, programmed: None, ..*self })
     }
 
     /// Length of the path, mm; 0 for a dwell.
@@ -282,8 +299,8 @@ pub struct Chunk {
     start: Point,
     /// Motions before whose start the frame changed: they begin here, not where the last one ended.
     starts: Vec<(u32, Point)>,
-    /// Programmed end points of compensated motions.
-    programmed: Vec<(u32, Point)>,
+    /// Compensated motions as they were programmed.
+    programmed: Vec<(u32, Programmed)>,
     kind: Vec<u8>,
     /// End point, radius in mm.
     x: Vec<f64>,
@@ -329,6 +346,11 @@ impl Chunk {
     /// Number of motions.
     pub fn len(&self) -> usize {
         self.kind.len()
+    }
+
+    /// Indices of the motions that compensation leads away from the programmed path.
+    pub fn compensated(&self) -> impl Iterator<Item = usize> + '_ {
+        self.programmed.iter().map(|(index, _)| *index as usize)
     }
 
     /// Whether there are no motions.
@@ -437,7 +459,7 @@ impl Chunk {
 }
 
 /// The entry of a motion in a table of few, sorted by index.
-fn look_up(table: &[(u32, Point)], index: usize) -> Option<Point> {
+fn look_up<T: Copy>(table: &[(u32, T)], index: usize) -> Option<T> {
     if table.is_empty() {
         return None;
     }

@@ -24,8 +24,17 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Blocks read.
     pub blocks: usize,
-    /// Parts of the text that were passed over, such as the contour behind its cycle: first byte, end.
-    pub skipped: Vec<Span>,
+    /// Parts of the text that were passed over.
+    pub skipped: Vec<Skipped>,
+}
+
+/// A contour that was passed over because its cycle has used it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Skipped {
+    /// First byte of the block that did so.
+    pub cycle: u32,
+    /// What was passed over.
+    pub span: Span,
 }
 
 /// A run under way.
@@ -35,7 +44,7 @@ pub struct Run {
     block: Block,
     at: Resume,
     blocks: usize,
-    skipped: Vec<Span>,
+    skipped: Vec<Skipped>,
     programs: BTreeSet<u32>,
     /// Something of the main program was carried out.
     begun: bool,
@@ -90,7 +99,9 @@ impl Run {
             self.blocks += 1;
             if let Flow::Jump(at) = self.step(&text) {
                 let from = parser.position().byte;
-                self.skipped.extend((at.byte > from).then_some(Span { start: from, end: at.byte }));
+                let cycle = self.block.span.start;
+                let span = Span { start: from, end: at.byte.max(from) };
+                self.skipped.extend((at.byte > from).then_some(Skipped { cycle, span }));
                 parser = Parser::resume(&text, at);
             }
         }

@@ -223,3 +223,23 @@ fn what_is_not_done_yet_moves_nothing_and_makes_the_rest_uncertain() {
     let rows: Vec<_> = api::motions(&analysis.motions).map(|row| (row.to.x, row.uncertain)).collect();
     assert_eq!(rows, [(50.0, false), (40.0, true)]);
 }
+
+#[test]
+fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
+    let program = |end: &str| {
+        format!("M3 S1 F1\nG0 X50 Z2\nG71 U5 R1\nG71 P10 Q20 U0 W0\nN10 G0 X20\nG1 Z-20\nX40\n{end}\nN30 M30")
+    };
+    let setup = Setup::from_json("{}").expect("setup");
+    let run = |end: &str| analyze(program(end).as_bytes(), &setup);
+    let codes = |end: &str| -> Vec<&'static str> {
+        run(end)
+            .diagnostics
+            .iter()
+            .filter(|found| found.is_error())
+            .map(|found| found.message.code())
+            .collect()
+    };
+    assert_eq!(codes("N20 G00 Z2"), [] as [&str; 0]);
+    assert_eq!(codes("N20 G01 Z2"), ["W-NOT-MONOTONE"]);
+    assert_eq!(run("N20 G00 Z2").motions.len(), run("N20 M8").motions.len());
+}

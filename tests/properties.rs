@@ -177,7 +177,7 @@ fn every_bound_has_its_message() {
     assert!(codes("G0 X1\nX2\nX3", Limits { motions: 2, ..limits }).contains(&"E-TOO-MANY-MOTIONS"));
     assert!(codes("X\nX\nX\nX\n", Limits { messages: 2, ..limits }).contains(&"I-MORE"));
     assert!(codes("", limits).contains(&"I-EMPTY"));
-    let cycle = "G73 U1 R9\nG73 P1 Q2\nN1 G0 X1\nN2 X2\nG70 P1 Q2\nG70 P1 Q2";
+    let cycle = "F1\nG73 U1 R9\nG73 P1 Q2\nN1 G0 X1\nN2 X2\nG70 P1 Q2\nG70 P1 Q2";
     assert!(codes(cycle, Limits { moves_per_cycle: 8, ..limits }).contains(&"E-TOO-MANY-PASSES"));
     assert!(codes(cycle, Limits { moves_per_cycle: 1, ..limits }).contains(&"E-TOO-MANY-PASSES"));
     assert!(codes(cycle, Limits { cycle_work: 3, ..limits }).contains(&"E-TOO-MUCH-WORK"));

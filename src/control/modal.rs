@@ -162,6 +162,10 @@ pub struct Pending {
     pub joint: Option<Joint>,
     /// Its angle, while its end point is open.
     pub angle: Option<Angle>,
+    /// The move before, which waits with its corner for the end of this open angle.
+    pub before: Option<Box<Pending>>,
+    /// Dwells at its end.
+    pub dwells: Vec<Routed>,
 }
 
 /// Nose radius compensation under way, with the moves it holds back.
@@ -171,6 +175,10 @@ pub struct Compensating {
     pub compensator: Compensator,
     /// The moves it may still give out, by their number.
     pub waiting: Vec<(u32, Routed)>,
+    /// Dwells behind the move of a number.
+    pub dwells: Vec<(u32, Routed)>,
+    /// Moves taken in so far.
+    pub taken: u32,
     /// Blocks without a move since the last one.
     pub idle_blocks: u32,
 }
@@ -352,8 +360,10 @@ impl State {
         let before = self.frames.offset();
         change(&mut self.frames);
         let after = self.frames.offset();
-        self.position.x += before.x - after.x;
-        self.position.z += before.z - after.z;
+        for place in std::iter::once(&mut self.position).chain(self.tip.as_mut()) {
+            place.x += before.x - after.x;
+            place.z += before.z - after.z;
+        }
     }
 
     /// Feed, spindle and tool as a motion carries them.

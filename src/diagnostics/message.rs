@@ -191,7 +191,7 @@ pub enum Message {
     /// The contour goes beyond the start point.
     ContourBeyondStart { code: &'static str, axis: char },
     /// The contour ends with a corner or an angle that needs a further move.
-    ContourOpenEnd { word: String },
+    ContourOpenEnd { word: String, alarm: &'static str },
     /// The depth of a pass is missing, zero or negative.
     DepthNotPositive { code: &'static str, depth: Option<f64> },
     /// The allowance points into the part.
@@ -223,13 +223,25 @@ pub enum Message {
     /// A corner between moves that form none.
     CornerNone { word: String },
     /// The sign or axis of a corner word does not fit the next move.
-    CornerAxis { word: String },
+    CornerAxis { word: String, alarm: &'static str },
+    /// More than one corner word in a block.
+    CornerTwice { word: String, other: String },
+    /// A corner word in a block that threads.
+    CornerInThread { word: String },
+    /// A corner word where compensation begins or ends.
+    CornerWithCompensation { word: String },
+    /// The multiple cycles need the plane of turning.
+    CyclePlane { code: &'static str },
+    /// G70 does not start where roughing did.
+    FinishStart { roughed_x: f64, roughed_z: f64 },
+    /// G70 along a contour that was not roughed.
+    FinishWithoutRoughing { first: u32, last: u32 },
     /// An angle leads nowhere.
-    AngleNoPoint { word: String },
+    AngleNoPoint { word: String, alarm: &'static str },
     /// G41 or G42 begins or ends on an arc.
     CompensationOnArc { code: &'static str },
     /// The nose does not fit the contour.
-    CompensationOvercut { radius: f64 },
+    CompensationOvercut { radius: f64, alarm: &'static str },
     /// Two offset moves do not meet.
     CompensationNoIntersection { radius: f64 },
     /// The plane changes under compensation.
@@ -338,16 +350,21 @@ impl Message {
             Self::ContourIllegal { .. } => ("PS0325", "code-not-allowed-in-contour", Error, Some("PS0325")),
             Self::ContourCall { .. } => ("E-SUB-IN-CONTOUR", "call-in-contour", Error, Some("PS0210")),
             Self::ContourBothAxes { .. } => ("W-NS-BOTH-AXES", "contour-names-both-axes", Warning, None),
-            Self::ContourTypeTwo { .. } => ("PS0323", "pockets-not-available", Error, Some("PS0323")),
+            Self::ContourTypeTwo { .. } => ("W-NS-BOTH-AXES", "pockets-not-available", Error, Some("PS0323")),
             Self::ContourTurnsBack { axis: 'Z', .. } => {
-                ("PS0064", "contour-turns-back", Error, Some("PS0064"))
+                ("W-NOT-MONOTONE", "contour-turns-back", Error, Some("PS0064"))
             }
-            Self::ContourTurnsBack { .. } => ("PS0329", "contour-turns-back", Error, Some("PS0329")),
+            Self::ContourTurnsBack { .. } => ("W-NOT-MONOTONE", "contour-turns-back", Error, Some("PS0329")),
             Self::ContourBeyondStart { .. } => {
                 ("PS0322", "contour-beyond-start-point", Error, Some("PS0322"))
             }
-            Self::ContourOpenEnd { .. } => ("PS0069", "contour-ends-in-corner", Error, Some("PS0069")),
-            Self::DepthNotPositive { .. } => ("PS0062", "depth-not-positive", Error, Some("PS0062")),
+            Self::ContourOpenEnd { alarm, .. } => (alarm, "contour-ends-in-corner", Error, Some(alarm)),
+            Self::DepthNotPositive { depth: Some(_), .. } => {
+                ("W-G71-U-SIGN", "depth-not-positive", Error, Some("PS0062"))
+            }
+            Self::DepthNotPositive { depth: None, .. } => {
+                ("W-G71-U-ROLE", "depth-missing", Error, Some("PS0062"))
+            }
             Self::AllowanceSign { .. } => ("W-ALLOWANCE-SIGN", "allowance-into-part", Warning, None),
             Self::PatternPasses { .. } => ("PS0321", "pattern-without-passes", Error, Some("PS0321")),
             Self::TooManyPasses { .. } => ("E-TOO-MANY-PASSES", "too-many-passes", Error, None),
@@ -364,10 +381,20 @@ impl Message {
             Self::CornerNoMove { .. } => ("PS0052", "corner-without-next-move", Error, Some("PS0052")),
             Self::CornerTooLarge { .. } => ("PS0055", "corner-too-large", Error, Some("PS0055")),
             Self::CornerNone { .. } => ("PS0051", "no-corner-here", Error, Some("PS0051")),
-            Self::CornerAxis { .. } => ("PS0306", "corner-axis", Error, Some("PS0306")),
-            Self::AngleNoPoint { .. } => ("PS0057", "angle-without-point", Error, Some("PS0057")),
-            Self::CompensationOnArc { .. } => ("PS0034", "compensation-on-arc", Error, Some("PS0034")),
-            Self::CompensationOvercut { .. } => ("PS0041", "compensation-overcut", Error, Some("PS0041")),
+            Self::CornerAxis { alarm, .. } => (alarm, "corner-axis", Error, Some(alarm)),
+            Self::CornerTwice { .. } => ("PS0053", "two-corner-words", Error, Some("PS0053")),
+            Self::CornerInThread { .. } => ("PS0050", "corner-in-thread", Error, Some("PS0050")),
+            Self::CornerWithCompensation { .. } => {
+                ("PS0039", "corner-with-compensation", Error, Some("PS0039"))
+            }
+            Self::CyclePlane { .. } => ("PS0327", "cycle-in-other-plane", Error, Some("PS0327")),
+            Self::FinishStart { .. } => ("W-G70-START", "finish-starts-elsewhere", Warning, None),
+            Self::FinishWithoutRoughing { .. } => {
+                ("W-G70-NO-ROUGH", "finish-without-roughing", Warning, None)
+            }
+            Self::AngleNoPoint { alarm, .. } => (alarm, "angle-without-point", Error, Some(alarm)),
+            Self::CompensationOnArc { .. } => ("W-TNRC-INSIDE", "compensation-on-arc", Error, Some("PS0034")),
+            Self::CompensationOvercut { alarm, .. } => (alarm, "compensation-overcut", Error, Some(alarm)),
             Self::CompensationNoIntersection { .. } => {
                 ("PS0033", "compensation-no-meeting", Error, Some("PS0033"))
             }

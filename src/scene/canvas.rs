@@ -19,7 +19,7 @@ use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads, insert};
 use super::outline::STRETCH;
 use super::view::View;
 use super::{Place, Scene, StockShape, Stroke, StrokeStyle};
-use paths::{Ink, Paths};
+use paths::{Ink, Paths, path_of};
 use pen::{Dash, Pen, Text};
 
 /// Opacity of what has not run yet, while there is a playhead.
@@ -101,6 +101,9 @@ impl Painter {
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
+        let programmed = path_of(scene.programmed())?;
+        self.sheet.world(view, 1.0, Dash::Broken(2.0, 3.0), &view.palette.axis)?;
+        self.sheet.stroke(&programmed);
         self.strokes(scene, view)?;
         self.sheet.unclip();
         sheet::rulers(&self.sheet, view)

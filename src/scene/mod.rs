@@ -292,6 +292,14 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// The programmed path where compensation leads the tip elsewhere.
+    pub fn programmed(&self) -> impl Iterator<Item = StrokeShape> + use<'a> {
+        let motions = self.motions.chunks().iter();
+        motions
+            .flat_map(|chunk| chunk.compensated().filter_map(|index| chunk.get(index).as_programmed()))
+            .map(|motion| StrokeShape::of(&motion))
+    }
+
     /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.
     pub fn motions_of(&self, block: Span) -> Vec<Range<usize>> {
         let mut ranges: Vec<Range<usize>> = Vec::new();

@@ -68,6 +68,7 @@ impl Drawing {
         self.grid(&along, &across);
         self.stock(scene);
         self.center_line();
+        self.programmed(scene);
         for style in StrokeStyle::ALL {
             self.strokes(scene, style);
         }
@@ -130,6 +131,18 @@ impl Drawing {
             self.path(&before, &d);
         }
         self.line("</g>");
+    }
+
+    /// The programmed path under the compensated one, thin and dotted.
+    fn programmed(&mut self, scene: &Scene) {
+        let mut d = String::new();
+        for shape in scene.programmed() {
+            let _ = write!(d, "M{}", self.place(shape.start()));
+            self.shape(&mut d, &shape);
+        }
+        if !d.is_empty() {
+            self.line(&format!(r#"<path class="programmed" d="{d}"/>"#));
+        }
     }
 
     /// One path element: all that a block made in one style.
@@ -219,12 +232,13 @@ impl Drawing {
 
 /// Line widths, dashes and type: what light and dark have in common.
 const SHAPES: &str = "\
-.lathe .grid, .lathe .ruler, .lathe .center, .lathe g path { fill: none }
+.lathe .grid, .lathe .ruler, .lathe .center, .lathe g path, .lathe .programmed { fill: none }
 .lathe g path { stroke-linejoin: round; stroke-width: 1.75 }
 .lathe g path.rapid { stroke-width: 1; stroke-dasharray: 5 4 }
-.lathe g path.thread { stroke-width: 1.5; stroke-dasharray: 10 2.5 }
+.lathe g path.thread { stroke-width: 1.25 }
 .lathe g path.dwell { stroke-width: 6; stroke-linecap: round }
 .lathe .center { stroke-dasharray: 16 4 2 4 }
+.lathe .programmed { stroke-dasharray: 2 3 }
 .lathe .stock.mirrored { opacity: 0.45 }
 .lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
 .lathe text.x { text-anchor: end }
@@ -240,7 +254,7 @@ fn colours(palette: &Palette) -> String {
         "\
 .lathe .background {{ fill: {background} }}
 .lathe .grid {{ stroke: {grid} }}
-.lathe .ruler, .lathe .center {{ stroke: {axis} }}
+.lathe .ruler, .lathe .center, .lathe .programmed {{ stroke: {axis} }}
 .lathe text {{ fill: {text} }}
 .lathe .stock {{ fill: {stock}; stroke: {stock_edge} }}
 .lathe g .rapid {{ stroke: {rapid} }}

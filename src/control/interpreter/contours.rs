@@ -56,6 +56,22 @@ impl Interpreter {
         code: &'static str,
         purpose: Purpose,
     ) -> Option<Shape> {
+        for address in [b'P', b'Q'] {
+            if let Some(word) = words.get(address)
+                && let Value::Number { number, .. } = word.value
+                && number.has_point()
+            {
+                self.tell(Diagnostic::new(
+                    Message::PointNotAllowed { word: quote(text, word.span) },
+                    word.span,
+                ));
+                return None;
+            }
+        }
+        if self.state.plane != Plane::Zx {
+            self.tell(Diagnostic::new(Message::CyclePlane { code }, block.words_span()));
+            return None;
+        }
         let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
         let (Some(first), Some(last)) = (named(b'P'), named(b'Q')) else {
             self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
@@ -73,8 +89,15 @@ impl Interpreter {
         }
         let before = self.state.clone();
         let outer = self.recorded.replace(Vec::new());
+        let outer_purpose = self.purpose.replace(purpose);
+        let no_feed = before.feed.unwrap_or(0.0) == 0.0;
+        if purpose == Purpose::Roughing && no_feed {
+            // The F of the contour does not count; its lack is told of the cycle, not of each of these blocks.
+            self.state.feed = Some(1.0);
+        }
         let read = self.read_shape(text, block, begins, last, code, purpose);
         let moves = std::mem::replace(&mut self.recorded, outer).unwrap_or_default();
+        self.purpose = outer_purpose;
         let told = self.state.told;
         let state = std::mem::replace(&mut self.state, before);
         self.state.told = told;
@@ -83,18 +106,24 @@ impl Interpreter {
         }
         let most = self.limits.moves_per_cycle;
         match read {
+            Ok((.., ends)) if purpose == Purpose::Roughing && no_feed => {
+                self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                self.go_on_behind(block, begins.byte, ends);
+                None
+            }
             Ok((.., ends)) if moves.len() > most => {
                 self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, block.words_span()));
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
-            Ok((first, first_span, ends)) => {
-                let shape = Shape { moves, first, first_span, begins: begins.byte, ends, state };
+            Ok((first_block, first_span, ends)) => {
+                let shape = Shape { moves, first: first_block, first_span, begins: begins.byte, ends, state };
                 if self.landmarks.len() < self.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
-                    let (first, last) = (contour.first, contour.last());
-                    self.landmarks.push(Landmarks { span, start, first, last });
+                    let (a, b) = (contour.first, contour.last());
+                    let (named, roughed) = ((first, last), purpose == Purpose::Roughing);
+                    self.landmarks.push(Landmarks { span, start, first: a, last: b, named, roughed });
                 }
                 Some(shape)
             }
@@ -164,14 +193,14 @@ impl Interpreter {
     /// The last block is read: nothing may wait for a further move. False: told.
     fn end_shape(&mut self) -> bool {
         let waits = self.state.pending.take().and_then(|pending| {
-            let corner = pending.joint.map(|joint| (joint.word, joint.span));
-            corner.or(pending.angle.map(|angle| (angle.word, angle.span)))
+            let angle = pending.angle.map(|angle| (angle.word, angle.span, "PS0326"));
+            angle.or(pending.joint.map(|joint| (joint.word, joint.span, "PS0069")))
         });
         self.leave_compensation();
         self.state.tip = None;
         match waits {
-            Some((word, span)) => {
-                self.tell(Diagnostic::new(Message::ContourOpenEnd { word }, span));
+            Some((word, span, alarm)) => {
+                self.tell(Diagnostic::new(Message::ContourOpenEnd { word, alarm }, span));
                 false
             }
             None => true,
@@ -243,6 +272,15 @@ impl Shape {
             Piece { from: motion.from, to: motion.to, arc: turn }
         });
         Contour { start, first, approach, pieces: pieces.filter(|piece| !piece.is_empty()).collect() }
+    }
+
+    /// The contour without the rapids at its end, if there are any: many programs leave the contour there and go
+    /// back, which is no part of the shape to be roughed.
+    pub(super) fn without_retreat(&self, contour: &Contour) -> Option<Contour> {
+        let rapids =
+            self.moves.iter().rev().take_while(|routed| routed.motion.kind == MotionKind::Rapid).count();
+        let left = contour.pieces.len().checked_sub(rapids).filter(|&left| rapids > 0 && left > 0)?;
+        Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
     }
 
     /// Line (from 1) of the block that made piece `piece` of the contour.

@@ -17,7 +17,8 @@ mod watch;
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, Multiple, Plane, Switch};
 use super::dialect::{
-    Control, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, IInG92, NegativeArcR, PqUnit, XuConflict,
+    Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, IInG92, NegativeArcR,
+    PqUnit, XuConflict,
 };
 use super::modal::{CycleMemory, MotionMode, Once, Routed, State, Target};
 use super::program::Labels;
@@ -61,6 +62,10 @@ pub struct Landmarks {
     pub first: Point,
     /// B: where the contour ends.
     pub last: Point,
+    /// P and Q.
+    pub named: (u32, u32),
+    /// Whether it was roughed there.
+    pub roughed: bool,
 }
 
 /// One-shot codes: they use up the words of their block.
@@ -96,6 +101,8 @@ struct Request {
     comma: [Option<usize>; 3],
     /// The block made a move of the path.
     moved: bool,
+    /// G40, G41 or G42 changes compensation.
+    switches_compensation: bool,
 }
 
 /// Runs blocks and keeps what comes of them.
@@ -115,6 +122,8 @@ pub struct Interpreter {
     work: usize,
     /// While a contour is read, motions are kept here instead of being stored.
     recorded: Option<Vec<Routed>>,
+    /// What for, if a contour is being read.
+    purpose: Option<contours::Purpose>,
     /// Sequence numbers, made when first asked for.
     labels: Option<Labels>,
     /// Places of the contour cycles, for the picture.
@@ -141,6 +150,7 @@ impl Interpreter {
             full: false,
             work: 0,
             recorded: None,
+            purpose: None,
             labels: None,
             landmarks: Vec::new(),
             jump: None,
@@ -256,6 +266,7 @@ impl Interpreter {
         }
         if request.end {
             self.settle();
+            self.state.compensation = Compensation::Off;
         }
         if request.stop_spindle {
             self.state.spindle.turn = SpindleTurn::Stopped;
@@ -347,9 +358,16 @@ impl Interpreter {
             G::Setting => request.one_shot = Some(OneShot::Setting),
             G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
             G::Multiple(cycle) => request.one_shot = Some(OneShot::Multiple(cycle)),
+            G::Plane(plane) if plane != state.plane && state.compensation != Compensation::Off => {
+                self.tell(Diagnostic::new(Message::CompensationPlane, word.span));
+                request.drop = true;
+            }
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
+            // Roughing cycles pass over compensation in their contour (semantics §7.1 rule 5).
+            G::Compensation(_) if self.purpose == Some(contours::Purpose::Roughing) => {}
             G::Compensation(compensation) => {
+                request.switches_compensation = compensation != state.compensation;
                 state.compensation = compensation;
                 state.told.forget(Once::CompensationIdle);
             }
@@ -357,7 +375,6 @@ impl Interpreter {
                 self.leave_compensation();
                 let state = &mut self.state;
                 state.change_frame(|frames| frames.active = frame);
-                state.memory = CycleMemory::EMPTY;
             }
             G::SurfaceSpeed => request.surface = Some(true),
             G::ConstantSpeed => request.surface = Some(false),
@@ -368,6 +385,8 @@ impl Interpreter {
             }
             G::Idle => {}
             G::NotYet => {
+                // Under polar interpolation C is an axis, not a chamfer.
+                self.state.c_axis |= matches!(key, 121 | 1120);
                 request.one_shot = Some(OneShot::NotYet);
                 self.not_yet(text, word.span);
             }
@@ -403,10 +422,7 @@ impl Interpreter {
             Some(M::Spindle(turn)) => state.spindle.turn = turn,
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
-            Some(M::End) => {
-                request.end = true;
-                state.compensation = Compensation::Off;
-            }
+            Some(M::End) => request.end = true,
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
             Some(M::Pause | M::Idle) => {}
             Some(M::NotYet) => {
@@ -434,8 +450,10 @@ impl Interpreter {
                 request.drop = true;
                 return;
             }
-            if one_shot != OneShot::Dwell {
-                self.leave_compensation();
+            match one_shot {
+                OneShot::Dwell => {}
+                OneShot::Multiple(_) => self.arrive_for_cycle(),
+                _ => self.leave_compensation(),
             }
             match one_shot {
                 OneShot::Dwell => self.dwell(text, block, words, request),
@@ -454,6 +472,12 @@ impl Interpreter {
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES) => {
                 self.settle_angle();
+                if let Some(index) = request.comma.into_iter().flatten().next() {
+                    let span = block.words[index].span;
+                    self.tell(Diagnostic::new(Message::CornerNone { word: quote(text, span) }, span));
+                    request.drop = true;
+                    return;
+                }
                 let to = self.target(text, words);
                 request.moved = true;
                 self.travel(block, self.motion(MotionKind::Rapid, to), None);

@@ -87,7 +87,10 @@ impl Interpreter {
         if !self.may_cut(block, words, request) {
             return;
         }
-        let joint = self.joint(text, block, request, words);
+        let Ok(joint) = self.joint(text, block, request, words) else {
+            request.drop = true;
+            return;
+        };
         let from = self.state.position;
         let named = |target: Target, from: f64| match target {
             Target::Stay => None,
@@ -101,8 +104,9 @@ impl Interpreter {
             Some(angle) if !was_open => {
                 match corners::end_by_angle(from, angle.radians, named(x, from.x), named(z, from.z)) {
                     Ok(to) => to,
-                    Err(_) => {
-                        let message = Message::AngleNoPoint { word: angle.word };
+                    Err(fault) => {
+                        let alarm = fault.alarm().unwrap_or("PS0057");
+                        let message = Message::AngleNoPoint { word: angle.word, alarm };
                         self.tell(Diagnostic::new(message, angle.span));
                         request.drop = true;
                         return;
@@ -117,11 +121,21 @@ impl Interpreter {
     /// The angle word of a straight move: `,A` or A, degrees.
     fn angle(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Angle> {
         let word = request.comma[2].map(|index| &block.words[index]).or_else(|| words.get(b'A'))?;
-        Some(Angle { radians: plain(word)?.to_radians(), span: word.span, word: quote(text, word.span) })
+        let Value::Number { number, .. } = word.value else { return None };
+        // Angles count 0.001° where numbers without a point count least increments.
+        let fine = self.dialect.decimal == DecimalRule::LeastIncrement && !number.has_point();
+        let degrees = if fine { plain(word)? / 1000.0 } else { plain(word)? };
+        Some(Angle { radians: degrees.to_radians(), span: word.span, word: quote(text, word.span) })
     }
 
     /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
-    fn joint(&self, text: &[u8], block: &Block, request: &Request, words: &Words) -> Option<Joint> {
+    fn joint(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+    ) -> Result<Option<Joint>, ()> {
         let straight = self.state.motion == MotionMode::Line;
         let gsk = self.dialect.control == Control::Gsk;
         let [chamfer, round, _] = request.comma;
@@ -137,15 +151,36 @@ impl Interpreter {
             (plain_word(b'C', straight && !self.state.c_axis), Some(Letter::C), Corner::Chamfer),
             (plain_word(b'R', straight), Some(Letter::R), Corner::Round),
         ];
-        let (word, letter, corner) =
-            candidates.into_iter().find_map(|(word, letter, corner)| Some((word?, letter, corner)))?;
-        let value = self.reading().length(word).filter(|&value| value != 0.0)?;
-        Some(Joint {
+        let mut found =
+            candidates.into_iter().filter_map(|(word, letter, corner)| Some((word?, letter, corner)));
+        let Some((word, letter, corner)) = found.next() else { return Ok(None) };
+        let quoted = quote(text, word.span);
+        if let Some((other, ..)) = found.next() {
+            let message = Message::CornerTwice { word: quoted, other: quote(text, other.span) };
+            self.tell(Diagnostic::new(message, word.span));
+            return Err(());
+        }
+        if request.switches_compensation {
+            self.tell(Diagnostic::new(Message::CornerWithCompensation { word: quoted }, word.span));
+            return Err(());
+        }
+        let Some(value) = self.reading().length(word).filter(|&value| value != 0.0) else { return Ok(None) };
+        Ok(Some(Joint {
             corner: corner(if letter.is_some() { value.abs() } else { value }),
             signed: letter.map(|letter| (letter, value)),
             span: word.span,
-            word: quote(text, word.span),
-        })
+            word: quoted,
+        }))
+    }
+
+    /// A thread has no corner words (PS0050).
+    fn no_corner_in_thread(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) -> bool {
+        let comma = request.comma.into_iter().flatten().next().map(|index| &block.words[index]);
+        let plain_word = [b'C', b'R'].into_iter().find_map(|address| words.get(address));
+        let Some(word) = comma.or(plain_word.filter(|_| !self.state.c_axis)) else { return true };
+        let message = Message::CornerInThread { word: quote(text, word.span) };
+        self.tell(Diagnostic::new(message, word.span));
+        false
     }
 
     pub(super) fn arc(
@@ -189,7 +224,10 @@ impl Interpreter {
             return;
         }
         self.settle_angle();
-        let joint = self.joint(text, block, request, words);
+        let Ok(joint) = self.joint(text, block, request, words) else {
+            request.drop = true;
+            return;
+        };
         request.moved = true;
         let (kind, from) = match turn {
             Turn::Clockwise => (MotionKind::ArcClockwise, self.state.position),
@@ -221,7 +259,12 @@ impl Interpreter {
             return;
         };
         self.leave_compensation();
-        self.watch_thread(text, block, words, code);
+        if !self.watch_thread(text, block, words, code)
+            || !self.no_corner_in_thread(text, block, request, words)
+        {
+            request.drop = true;
+            return;
+        }
         let reading = self.reading();
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;

@@ -49,6 +49,7 @@ impl Interpreter {
     /// G70: the contour as it is written, then home.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
+        self.watch_finish(block);
         let start = self.state.position;
         for routed in &shape.moves {
             let step = match routed.motion.kind {
@@ -65,6 +66,20 @@ impl Interpreter {
         let home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
         self.push(block, home);
         Some(())
+    }
+
+    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (semantics §7.8).
+    fn watch_finish(&mut self, block: &Block) {
+        let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
+        let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
+        let message = match roughed {
+            None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
+            Some(other) if other.start.distance(own.start) > 0.001 => {
+                Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
+            }
+            Some(_) => return,
+        };
+        self.tell(Diagnostic::new(message, block.words_span()));
     }
 
     /// G71 and G72.
@@ -157,8 +172,22 @@ impl Interpreter {
         }
         let most = self.moves_left();
         let mut how = *how;
+        // GSK runs along the contour behind its pockets only when asked to (TAC p. 100).
+        if pockets && self.dialect.control == Control::Gsk && words.get(b'J').and_then(plain) != Some(1.0) {
+            how.last_pass = roughing::LastPass::Nothing;
+        }
         how.shape = if pockets { roughing::Shape::Pockets } else { roughing::Shape::Monotone };
         let mut moves = roughing::rough(contour, &how, most);
+        if !self.dialect.strict
+            && matches!(
+                moves,
+                Err(roughing::Fault::NotMonotoneAlong { .. } | roughing::Fault::NotMonotoneAcross { .. })
+            )
+            && let Some(without) = shape.without_retreat(contour)
+            && let Ok(found) = roughing::rough(&without, &how, most)
+        {
+            moves = Ok(found);
+        }
         if !pockets && second_named && matches!(moves, Err(roughing::Fault::NotMonotoneAcross { .. })) {
             how.shape = roughing::Shape::Pockets;
             moves = roughing::rough(contour, &how, most);
@@ -264,9 +293,9 @@ impl Interpreter {
         }
         // The older one-block form spells P, Q and R as I, K and D, in millimetres.
         let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
-            (length(b'I'), length(b'K'), length(b'D'))
+            (length(b'I'), length(b'K'), words.get(b'D').and_then(|word| self.one_block_depth(word)))
         } else {
-            let (p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q));
+            let (p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q))?;
             (p, q, length(b'R'))
         };
         let (peck, stepover) = match direction {
@@ -323,15 +352,20 @@ impl Interpreter {
         text: &[u8],
         words: &Words,
         by_size: impl FnOnce(Option<Amount>, Option<Amount>) -> units::Reading,
-    ) -> (Option<f64>, Option<f64>) {
+    ) -> Option<(Option<f64>, Option<f64>)> {
         let (p, q) = (self.amount(words, b'P'), self.amount(words, b'Q'));
         let reading = match self.dialect.pq_unit {
             PqUnit::Auto => by_size(p, q),
             PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
             PqUnit::Um => units::Reading::Micrometres,
         };
-        self.tell_amounts(text, words, reading);
-        (p.map(|amount| self.amount_in(amount, reading)), q.map(|amount| self.amount_in(amount, reading)))
+        if !self.tell_amounts(text, words, reading) {
+            return None;
+        }
+        Some((
+            p.map(|amount| self.amount_in(amount, reading)),
+            q.map(|amount| self.amount_in(amount, reading)),
+        ))
     }
 
     /// A P or Q word as it would count least increments.
@@ -354,25 +388,27 @@ impl Interpreter {
         }
     }
 
-    /// Says that P and Q were read as millimetres, or that a control takes no point there.
-    fn tell_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) {
+    /// Says that P and Q were read as millimetres, or that a control takes no point there. False: it does not.
+    fn tell_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
         let pointed = [b'P', b'Q'].into_iter().find(|&address| {
             self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
         });
-        let diagnostic = match (self.dialect.pq_unit, reading) {
-            (PqUnit::Auto, units::Reading::Millimetres(_)) => {
-                let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
-                let word = words.quote(text, address);
-                Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address))
-            }
-            (PqUnit::Um, _) => {
-                let Some(address) = pointed else { return };
-                let word = words.quote(text, address);
-                Diagnostic::new(Message::PointNotAllowed { word }, words.span(address))
-            }
-            _ => return,
+        let forbidden = match self.dialect.pq_unit {
+            PqUnit::Um => true,
+            PqUnit::Auto => self.dialect.strict,
+            PqUnit::Mm => false,
         };
-        self.tell(diagnostic);
+        if let Some(address) = pointed.filter(|_| forbidden) {
+            let word = words.quote(text, address);
+            self.tell(Diagnostic::new(Message::PointNotAllowed { word }, words.span(address)));
+            return false;
+        }
+        if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
+            let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
+            let word = words.quote(text, address);
+            self.tell(Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address)));
+        }
+        true
     }
 
     /// G76.
@@ -392,7 +428,7 @@ impl Interpreter {
             (length(b'K'), depth, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
         } else {
             let least = self.state.parameters.least_amount;
-            let (p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q));
+            let (p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q))?;
             let millimetres = matches!(self.thread_reading(words), units::Reading::Millimetres(_));
             if let Some(least) = least {
                 let reading = if millimetres {
@@ -509,6 +545,9 @@ impl Interpreter {
 
     /// The D of a one-block form: a depth; without a point in least increments.
     fn one_block_depth(&self, word: &Word) -> Option<f64> {
+        if self.dialect.control == Control::Gsk {
+            return self.reading().length(word);
+        }
         let Value::Number { number, negative } = word.value else { return None };
         let unit = self.state.unit.millimetres();
         let scale = match (number.has_point(), self.state.unit) {

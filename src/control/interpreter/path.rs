@@ -5,10 +5,13 @@
 //! threads, G28, changes of the frame) first settles what waits.
 
 use super::*;
-use crate::control::compensation::{Compensator, Element, Nose, Outcome, Reason, Shape, Side, Travel};
+use crate::control::compensation::{
+    Compensator, Element, Nose, Origin, Outcome, Reason, Shape, Side, Travel,
+};
 use crate::control::corners::{self, Fault};
 use crate::control::modal::{Angle, Compensating, Joint, Pending};
 use crate::cycles::Piece;
+use crate::motion::Programmed;
 
 /// Blocks without a move after which a control no longer sees the next move (semantics §4.3).
 const IDLE_BLOCKS: u32 = 2;
@@ -25,7 +28,10 @@ impl Interpreter {
         }
         self.state.position = routed.motion.to;
         match joint {
-            Some(_) => self.state.pending = Some(Pending { routed, joint, angle: None }),
+            Some(_) => {
+                self.state.pending =
+                    Some(Pending { routed, joint, angle: None, before: None, dwells: Vec::new() })
+            }
             None => self.offset(routed),
         }
     }
@@ -34,13 +40,16 @@ impl Interpreter {
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
         let mut routed = Routed { motion, span: block.span, line: block.line };
+        let mut before = None;
         if let Some(pending) = self.state.pending.take() {
-            // Two open angles in a row leave too much open; a corner before an open angle waits for its end.
-            if !self.join(pending, &mut routed) {
+            if pending.angle.is_none() && pending.joint.is_some() {
+                // The corner waits until the end of this open angle is known.
+                before = Some(Box::new(pending));
+            } else if !self.join(pending, &mut routed) {
                 self.state.uncertain = true;
             }
         }
-        self.state.pending = Some(Pending { routed, joint, angle: Some(angle) });
+        self.state.pending = Some(Pending { routed, joint, angle: Some(angle), before, dwells: Vec::new() });
     }
 
     /// Closes an open angle with the end point and angle of the next block. False: told.
@@ -52,10 +61,19 @@ impl Interpreter {
                 pending.routed.motion.to = end;
                 pending.angle = None;
                 self.state.position = end;
+                if let Some(before) = pending.before.take() {
+                    let mut routed = pending.routed;
+                    let joined = self.join(*before, &mut routed);
+                    self.state.uncertain |= !joined;
+                    if let Some(pending) = &mut self.state.pending {
+                        pending.routed = routed;
+                    }
+                }
                 true
             }
-            Err(_) => {
-                let message = Message::AngleNoPoint { word: open.word.clone() };
+            Err(fault) => {
+                let alarm = fault.alarm().unwrap_or("PS0057");
+                let message = Message::AngleNoPoint { word: open.word.clone(), alarm };
                 let diagnostic = Diagnostic::new(message, open.span);
                 self.state.pending = None;
                 self.tell(diagnostic);
@@ -70,6 +88,7 @@ impl Interpreter {
         let first = piece(&pending.routed.motion);
         let Some(joint) = &pending.joint else {
             self.offset(pending.routed);
+            self.wait_all(&pending.dwells, next.motion.from);
             return true;
         };
         let second = piece(&next.motion);
@@ -100,6 +119,7 @@ impl Interpreter {
                     self.offset(shortened(Routed { motion, ..pending.routed }, piece));
                 }
                 next.motion.from = joined.second.from;
+                self.wait_all(&pending.dwells, joined.second.from);
                 true
             }
             Err(fault) => {
@@ -107,6 +127,28 @@ impl Interpreter {
                 next.motion.from = pending.routed.motion.from;
                 false
             }
+        }
+    }
+
+    /// A dwell: it comes after the move that waits, if there is one.
+    pub(super) fn wait_here(&mut self, routed: Routed) {
+        if let Some(pending) = &mut self.state.pending {
+            pending.dwells.push(routed);
+            return;
+        }
+        match &mut self.state.compensating {
+            Some(Compensating { waiting, dwells, .. }) if !waiting.is_empty() => {
+                let last = waiting.last().map_or(0, |(id, _)| *id);
+                dwells.push((last, routed));
+            }
+            _ => self.emit(routed),
+        }
+    }
+
+    fn wait_all(&mut self, dwells: &[Routed], at: Point) {
+        for routed in dwells {
+            let motion = Motion { from: at, to: at, ..routed.motion };
+            self.wait_here(Routed { motion, ..*routed });
         }
     }
 
@@ -119,25 +161,31 @@ impl Interpreter {
     }
 
     fn compensate(&mut self, routed: Routed) {
-        let nose = self.nose();
-        let side = match self.state.compensation {
-            Compensation::Left => Some(Side::Left),
-            Compensation::Right => Some(Side::Right),
-            Compensation::Off => None,
-        };
+        let (nose, side) = (self.nose(), self.side());
         let motion = routed.motion;
         if motion.from.is_same(motion.to) && motion.center.is_none() {
             return;
         }
+        // Another tool or offset: the new nose counts from this move on.
+        if side.is_some()
+            && self.state.compensating.as_ref().is_some_and(|old| old.compensator.nose() != nose)
+        {
+            self.flush_compensation();
+            let old = self.state.compensating.take();
+            self.state.tip = old.map(|old| old.compensator.tip()).filter(|tip| !tip.is_same(motion.from));
+        }
         let mut compensating = match (self.state.compensating.take(), side) {
             (Some(compensating), _) => compensating,
             (None, Some(side)) if nose.radius > 0.0 => Compensating {
-                compensator: Compensator::start(side, nose, motion.from),
+                compensator: Compensator::start(side, nose, self.state.tip.take().unwrap_or(motion.from)),
                 waiting: Vec::new(),
+                dwells: Vec::new(),
+                taken: 0,
                 idle_blocks: 0,
             },
             (None, _) => return self.emit(routed),
         };
+        compensating.taken = compensating.taken.saturating_add(1);
         let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
         compensating.waiting.push((id, routed));
         compensating.idle_blocks = 0;
@@ -185,7 +233,12 @@ impl Interpreter {
                             (MotionKind::ArcCounterclockwise, Some(center))
                         }
                     };
-                    let programmed = Some(moved.programmed);
+                    let Motion { from, to, center: own, .. } = routed.motion;
+                    let programmed = matches!(moved.origin, Origin::Programmed).then_some(Programmed {
+                        from,
+                        to,
+                        center: own,
+                    });
                     let motion =
                         Motion { kind, center, from: moved.from, to: moved.to, programmed, ..routed.motion };
                     self.emit(Routed { motion, ..routed });
@@ -196,12 +249,24 @@ impl Interpreter {
                     let message = match fault.reason {
                         Reason::ArcAtSwitch => Message::CompensationOnArc { code },
                         Reason::NoIntersection { .. } => Message::CompensationNoIntersection { radius },
-                        Reason::Overcut { .. } | Reason::ArcRadius { .. } | Reason::ArcCenter => {
-                            Message::CompensationOvercut { radius }
+                        Reason::Overcut { .. } | Reason::ArcRadius { .. } => {
+                            Message::CompensationOvercut { radius, alarm: "PS0041" }
                         }
+                        Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
                     };
                     self.tell(Diagnostic::new(message, routed.span));
                     self.state.uncertain = true;
+                }
+            }
+            if !matches!(outcome, Ok(moved) if moved.origin == Origin::Corner) {
+                let at = compensating.compensator.tip();
+                let at = outcome.map_or(at, |moved| moved.to);
+                let (now, later) = compensating.dwells.drain(..).partition(|(after, _)| *after == id);
+                compensating.dwells = later;
+                let now: Vec<(u32, Routed)> = now;
+                for (_, dwell) in now {
+                    let motion = Motion { from: at, to: at, ..dwell.motion };
+                    self.emit(Routed { motion, ..dwell });
                 }
             }
             last = Some(id);
@@ -216,7 +281,7 @@ impl Interpreter {
         if let Some(pending) = self.state.pending.take() {
             match (&pending.joint, &pending.angle) {
                 (_, Some(angle)) => {
-                    let message = Message::AngleNoPoint { word: angle.word.clone() };
+                    let message = Message::AngleNoPoint { word: angle.word.clone(), alarm: "PS0058" };
                     self.tell(Diagnostic::new(message, angle.span));
                 }
                 (Some(joint), None) => {
@@ -225,12 +290,15 @@ impl Interpreter {
                 }
                 (None, None) => {}
             }
+            let from =
+                pending.before.as_ref().map_or(pending.routed.motion.from, |first| first.routed.motion.from);
             if pending.angle.is_none() && pending.joint.is_none() {
                 self.offset(pending.routed);
             } else {
-                self.state.position = pending.routed.motion.from;
+                self.state.position = from;
                 self.state.uncertain = true;
             }
+            self.wait_all(&pending.dwells, self.state.position);
         }
         self.flush_compensation();
     }
@@ -277,31 +345,64 @@ impl Interpreter {
 
     fn tell_corner(&mut self, joint: &Joint, fault: Fault) {
         let word = joint.word.clone();
+        let alarm = fault.alarm().unwrap_or("PS0051");
         let message = match fault {
             Fault::TooLong { .. } | Fault::NoFit { .. } => Message::CornerTooLarge { word },
             Fault::NoCorner { .. } | Fault::Negative { .. } => Message::CornerNone { word },
             Fault::SecondNotPerpendicular => Message::CornerNoMove { word },
-            Fault::FirstNotAlongAxis | Fault::WrongLetter | Fault::WrongSign => Message::CornerAxis { word },
+            Fault::FirstNotAlongAxis | Fault::WrongLetter | Fault::WrongSign => {
+                Message::CornerAxis { word, alarm }
+            }
             Fault::NoSolution { .. }
             | Fault::NoEndPoint
             | Fault::NextIncomplete
-            | Fault::AngleDisagrees { .. } => Message::AngleNoPoint { word },
+            | Fault::AngleDisagrees { .. } => Message::AngleNoPoint { word, alarm },
         };
         self.tell(Diagnostic::new(message, joint.span));
     }
 
-    /// The nose of the tool in force.
-    pub(super) fn nose(&self) -> Nose {
+    /// The radius of the nose or cutter in force, mm, as the offset table has it, and its tip.
+    fn offset_entry(&self) -> (f64, u8) {
         let (station, offset) = self.state.tool;
-        let none = Nose { radius: 0.0, tip: 0 };
         if offset == 0 {
-            return none;
+            return (0.0, 0);
         }
         let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
-        tool.map_or(none, |tool| Nose {
-            radius: tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius).max(0.0),
-            tip: tool.tip.unwrap_or(0),
+        tool.map_or((0.0, 0), |tool| {
+            (tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius), tool.tip.unwrap_or(0))
         })
+    }
+
+    /// The nose of the tool in force.
+    pub(super) fn nose(&self) -> Nose {
+        let (radius, tip) = self.offset_entry();
+        Nose { radius: radius.abs(), tip }
+    }
+
+    /// The side of the path the nose is on: a negative radius changes it (semantics §4.3).
+    pub(super) fn side(&self) -> Option<Side> {
+        let side = match self.state.compensation {
+            Compensation::Off => return None,
+            Compensation::Left => Side::Left,
+            Compensation::Right => Side::Right,
+        };
+        Some(if self.offset_entry().0 < 0.0 { side.opposite() } else { side })
+    }
+
+    /// A cycle starts here: its start point is the programmed one, so an approach that only begins compensation
+    /// goes there uncompensated.
+    pub(super) fn arrive_for_cycle(&mut self) {
+        let only_approach =
+            |compensating: &Compensating| compensating.taken == 1 && compensating.waiting.len() == 1;
+        if self.state.pending.is_none()
+            && self.state.compensating.as_ref().is_some_and(only_approach)
+            && let Some(compensating) = self.state.compensating.take()
+        {
+            for (_, routed) in compensating.waiting.into_iter().chain(compensating.dwells) {
+                self.emit(routed);
+            }
+        }
+        self.leave_compensation();
     }
 }
 

@@ -87,7 +87,8 @@ impl Interpreter {
         match by_seconds.or(by_milliseconds) {
             Some(seconds) if seconds > 0.0 => {
                 let motion = self.motion(MotionKind::Dwell, self.state.position);
-                self.push(block, Motion { seconds: Some(seconds), ..motion });
+                let motion = Motion { seconds: Some(seconds), ..motion };
+                self.wait_here(Routed { motion, span: block.span, line: block.line });
             }
             Some(_) => {}
             None => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
@@ -128,6 +129,9 @@ impl Interpreter {
         self.state.frames.shift.x += at.x - to_x;
         self.state.frames.shift.z += at.z - to_z;
         self.state.position = Point::new(to_x, to_z);
+        if let Some(tip) = &mut self.state.tip {
+            *tip = Point::new(tip.x + to_x - at.x, tip.z + to_z - at.z);
+        }
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);

@@ -1,7 +1,7 @@
 //! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (semantics §6).
 
 use super::*;
-use crate::control::compensation::{Axis, Side, cycle_shift};
+use crate::control::compensation::{Axis, cycle_shift};
 
 impl Interpreter {
     /// G90, G92, G94 (semantics §6).
@@ -36,7 +36,7 @@ impl Interpreter {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
-        self.leave_compensation();
+        self.arrive_for_cycle();
         let start = self.state.position;
         let memory = self.state.memory;
         let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));
@@ -51,7 +51,10 @@ impl Interpreter {
                     request.drop = true;
                     return;
                 };
-                self.watch_thread(text, block, words, "G92");
+                if !self.watch_thread(text, block, words, "G92") {
+                    request.drop = true;
+                    return;
+                }
                 Some(lead)
             }
             Single::Turning | Single::Facing => {
@@ -87,11 +90,7 @@ impl Interpreter {
     /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed line
     /// (semantics §4.4); nothing without compensation or radius.
     fn nose_shift(&self, from: Point, to: Point, along: Axis) -> f64 {
-        let side = match self.state.compensation {
-            Compensation::Off => return 0.0,
-            Compensation::Left => Side::Left,
-            Compensation::Right => Side::Right,
-        };
+        let Some(side) = self.side() else { return 0.0 };
         cycle_shift(side, self.nose(), from, to, along).unwrap_or(0.0)
     }
 

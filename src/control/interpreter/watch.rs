@@ -49,7 +49,14 @@ impl Interpreter {
     }
 
     /// The same for G32 and G92, whose Q is a start angle: a whole number of 0.001°.
-    pub(super) fn watch_thread(&mut self, text: &[u8], block: &Block, words: &Words, code: &'static str) {
+    /// False: it is not.
+    pub(super) fn watch_thread(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        code: &'static str,
+    ) -> bool {
         self.watch_thread_spindle(block, code);
         if let Some(word) = words.get(b'Q')
             && let Value::Number { number, .. } = word.value
@@ -58,7 +65,9 @@ impl Interpreter {
         {
             let message = Message::PointNotAllowed { word: quote(text, word.span) };
             self.tell(Diagnostic::new(message, word.span));
+            return false;
         }
+        true
     }
 
     /// G90 and G94 are compensated, but only with a nose radius (semantics §4.4).

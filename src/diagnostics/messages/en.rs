@@ -205,7 +205,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("The contour of {code} goes beyond the start point in {axis}."))
                 .help("Start the cycle outside the contour.")
         }
-        Message::ContourOpenEnd { word } => Sentence::new(format!("`{word}` in the last block of the contour has no next move."))
+        Message::ContourOpenEnd { word, .. } => Sentence::new(format!("`{word}` in the last block of the contour has no next move."))
             .help("A contour cannot end in a chamfer, a rounded corner or an open angle."),
         Message::DepthNotPositive { code, depth: None } => Sentence::new(format!("{code} has no depth of cut."))
             .help("Give it in a first block, such as G71 U2 R0.5 or G72 W2 R0.5. U or W beside P and Q is the allowance."),
@@ -259,13 +259,34 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::CornerTooLarge { word } => Sentence::new(format!("`{word}` is larger than the moves beside it.")),
         Message::CornerNone { word } => Sentence::new(format!("`{word}`: these two moves form no corner."))
             .help("The path goes straight on or turns back on itself."),
-        Message::CornerAxis { word } => Sentence::new(format!("`{word}` does not fit the next move."))
+        Message::CornerAxis { word, .. } => Sentence::new(format!("`{word}` does not fit the next move."))
             .help("Without a comma, a chamfer or radius joins a move along one axis to a move along the other; its sign is the direction of the next move."),
-        Message::AngleNoPoint { word } => Sentence::new(format!("`{word}` leads to no point."))
+        Message::CornerTwice { word, other } => {
+            Sentence::new(format!("`{word}` and `{other}` both ask for a corner; a block can have one."))
+        }
+        Message::CornerInThread { word } => Sentence::new(format!("`{word}`: a thread cannot end in a chamfer or a rounded corner."))
+            .help("Put the corner into a block with G01."),
+        Message::CornerWithCompensation { word } => {
+            Sentence::new(format!("`{word}` stands where compensation begins or ends."))
+                .help("Put G40, G41 and G42 into a block without a corner.")
+        }
+        Message::CyclePlane { code } => Sentence::new(format!("{code} works only in the plane G18."))
+            .help("Write G18 before it."),
+        Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(
+            "G70 does not start where the contour was roughed from, X{} Z{}.",
+            number(*roughed_x),
+            number(*roughed_z)
+        ))
+        .help("The first and the last move are rapids: from another point they may cross the part."),
+        Message::FinishWithoutRoughing { first, last } => {
+            Sentence::new(format!("The contour N{first} to N{last} is finished by G70, but no G71, G72 or G73 roughs it."))
+                .help("Is the blank near the finished size, or do P and Q name the wrong blocks?")
+        }
+        Message::AngleNoPoint { word, .. } => Sentence::new(format!("`{word}` leads to no point."))
             .help("Angles count from +Z, counter-clockwise. Two lines must cross; one line needs X or Z beside its angle."),
         Message::CompensationOnArc { code } => Sentence::new(format!("{code} may not begin or end on an arc."))
             .help("Put G40, G41 and G42 on a straight move (G00 or G01)."),
-        Message::CompensationOvercut { radius } => {
+        Message::CompensationOvercut { radius, .. } => {
             Sentence::new(format!("A nose of R{} does not fit here: it would cut into the contour.", number(*radius)))
                 .help("A step is lower, a groove narrower or an inner arc smaller than the nose.")
         }

@@ -238,7 +238,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("Контур для {code} выходит по {axis} за начальную точку цикла."))
                 .help("Начальная точка цикла должна лежать вне контура.")
         }
-        Message::ContourOpenEnd { word } => {
+        Message::ContourOpenEnd { word, .. } => {
             Sentence::new(format!("После `{word}` в последнем кадре контура нет перемещения."))
                 .help("Контур не может кончаться фаской, скруглением или углом без конечной точки.")
         }
@@ -311,17 +311,41 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("`{word}`: эти два перемещения не образуют угла."))
                 .help("Путь идёт прямо дальше или поворачивает назад по той же линии.")
         }
-        Message::CornerAxis { word } => {
+        Message::CornerAxis { word, .. } => {
             Sentence::new(format!("`{word}` не подходит к следующему перемещению."))
                 .help("Фаска или скругление без запятой соединяет перемещение по одной оси с перемещением по другой; знак — это направление следующего перемещения.")
         }
-        Message::AngleNoPoint { word } => Sentence::new(format!("По `{word}` нельзя найти конечную точку."))
+        Message::CornerTwice { word, other } => {
+            Sentence::new(format!("`{word}` и `{other}`: в кадре может быть только одна фаска или одно скругление."))
+        }
+        Message::CornerInThread { word } => {
+            Sentence::new(format!("`{word}`: в кадре резьбы не может быть фаски или скругления."))
+                .help("Запишите фаску в кадре с G01.")
+        }
+        Message::CornerWithCompensation { word } => {
+            Sentence::new(format!("`{word}` стоит в кадре, где коррекция включается или отменяется."))
+                .help("Запишите G40, G41 и G42 в кадре без фаски и скругления.")
+        }
+        Message::CyclePlane { code } => {
+            Sentence::new(format!("{code} работает только в плоскости G18.")).help("Запишите перед ним G18.")
+        }
+        Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(
+            "G70 начинается не там, откуда контур обрабатывался начерно: X{} Z{}.",
+            number(*roughed_x),
+            number(*roughed_z)
+        ))
+        .help("Первый и последний ход ускоренные: из другой точки они могут задеть деталь."),
+        Message::FinishWithoutRoughing { first, last } => {
+            Sentence::new(format!("Контур N{first}–N{last} обрабатывается G70, но чернового G71, G72 или G73 для него нет."))
+                .help("Заготовка близка к готовому размеру или в P и Q указаны не те кадры?")
+        }
+        Message::AngleNoPoint { word, .. } => Sentence::new(format!("По `{word}` нельзя найти конечную точку."))
             .help("Углы отсчитывают от +Z против часовой стрелки. Две прямые должны пересекаться; для одной прямой, кроме угла, нужен X или Z."),
         Message::CompensationOnArc { code } => {
             Sentence::new(format!("Коррекцию нельзя включать или отменять на дуге ({code})."))
                 .help("Пишите G40, G41 и G42 в кадре с прямолинейным перемещением (G00 или G01).")
         }
-        Message::CompensationOvercut { radius } => {
+        Message::CompensationOvercut { radius, .. } => {
             Sentence::new(format!("Вершина R{} здесь не проходит: она врежется в контур.", number(*radius)))
                 .help("Уступ слишком низкий, канавка слишком узкая или внутренняя дуга слишком мала для такой вершины.")
         }

@@ -210,7 +210,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("{code} 的精加工路线在 {axis} 向超出了循环起点。"))
                 .help("循环起点要选在轮廓之外。")
         }
-        Message::ContourOpenEnd { word } => {
+        Message::ContourOpenEnd { word, .. } => {
             Sentence::new(format!("`{word}` 写在精加工路线的最后一段，后面没有移动。"))
                 .help("精加工路线不能以倒角、倒圆或终点未定的角度结束。")
         }
@@ -273,13 +273,37 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::CornerNone { word } => Sentence::new(format!("`{word}`：这两段移动之间没有拐角。"))
             .help("轨迹是一直向前，或者原路折返。"),
-        Message::CornerAxis { word } => Sentence::new(format!("`{word}` 与下一段移动不符。"))
+        Message::CornerAxis { word, .. } => Sentence::new(format!("`{word}` 与下一段移动不符。"))
             .help("不带逗号的倒角、倒圆，前后两段要分别沿不同的轴移动；正负号表示下一段的移动方向。"),
-        Message::AngleNoPoint { word } => Sentence::new(format!("由 `{word}` 求不出终点。"))
+        Message::CornerTwice { word, other } => {
+            Sentence::new(format!("`{word}` 和 `{other}` 都是倒角指令，一个程序段只能有一个。"))
+        }
+        Message::CornerInThread { word } => {
+            Sentence::new(format!("`{word}`：螺纹切削程序段中不能倒角或倒圆。"))
+                .help("请把倒角写在 G01 程序段中。")
+        }
+        Message::CornerWithCompensation { word } => {
+            Sentence::new(format!("`{word}` 写在刀尖半径补偿建立或取消的程序段中。"))
+                .help("请把 G40、G41、G42 写在没有倒角的程序段中。")
+        }
+        Message::CyclePlane { code } => {
+            Sentence::new(format!("{code} 只能在 G18 平面内使用。")).help("请先写 G18。")
+        }
+        Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(
+            "G70 的起点与粗车循环的起点 X{} Z{} 不同。",
+            number(*roughed_x),
+            number(*roughed_z)
+        ))
+        .help("第一段和最后一段是快速移动，从别的点出发可能碰到工件。"),
+        Message::FinishWithoutRoughing { first, last } => {
+            Sentence::new(format!("G70 精车 N{first} 到 N{last} 的轮廓，但没有 G71、G72 或 G73 粗车它。"))
+                .help("毛坯是否已接近成品尺寸？或者 P、Q 写错了程序段号？")
+        }
+        Message::AngleNoPoint { word, .. } => Sentence::new(format!("由 `{word}` 求不出终点。"))
             .help("角度从 +Z 方向起按逆时针计算。两条直线必须相交；只有一条直线时，除角度外还要写 X 或 Z。"),
         Message::CompensationOnArc { code } => Sentence::new(format!("{code} 不能在圆弧上建立或取消补偿。"))
             .help("G40、G41、G42 要写在直线移动的程序段中（G00 或 G01）。"),
-        Message::CompensationOvercut { radius } => {
+        Message::CompensationOvercut { radius, .. } => {
             Sentence::new(format!("刀尖半径 R{} 在这里放不下，会产生过切。", number(*radius)))
                 .help("台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。")
         }

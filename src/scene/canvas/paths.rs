@@ -117,6 +117,21 @@ impl Paths {
     }
 }
 
+/// Shapes as one path, whatever their style.
+pub fn path_of(shapes: impl Iterator<Item = StrokeShape>) -> Result<Path2d, JsValue> {
+    let path = Path2d::new()?;
+    for shape in shapes {
+        let start = shape.start();
+        path.move_to(start.z, start.x);
+        match shape {
+            StrokeShape::Line { to, .. } => path.line_to(to.z, to.x),
+            StrokeShape::Arc(arc) => trace(&path, &arc)?,
+            StrokeShape::Dot(_) => {}
+        }
+    }
+    Ok(path)
+}
+
 /// Draws an arc on from its start.
 fn trace(path: &Path2d, arc: &Arc) -> Result<(), JsValue> {
     let radius = arc.radius();

@@ -31,7 +31,7 @@ pub fn width(ink: Ink) -> f64 {
     match ink.style() {
         StrokeStyle::Rapid => 1.0,
         StrokeStyle::Dwell | StrokeStyle::Feed => 1.75,
-        StrokeStyle::Thread => 1.5,
+        StrokeStyle::Thread => 1.25,
     }
 }
 
@@ -39,8 +39,7 @@ pub fn width(ink: Ink) -> f64 {
 pub fn dash(ink: Ink) -> Dash {
     match ink.style() {
         StrokeStyle::Rapid => Dash::Broken(5.0, 4.0),
-        StrokeStyle::Dwell | StrokeStyle::Feed => Dash::Solid,
-        StrokeStyle::Thread => Dash::Broken(10.0, 2.5),
+        StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => Dash::Solid,
     }
 }
 
