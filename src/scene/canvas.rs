@@ -26,6 +26,8 @@ use pen::{Dash, Pen, Text};
 const AHEAD: f64 = 0.22;
 /// Width of picked-out strokes, CSS pixels, and of the clear edge around them.
 const PICKED: f64 = 3.0;
+/// More strokes than this are picked out thinner.
+const MANY_PICKED: usize = 24;
 const CLEAR: f64 = 7.0;
 /// Picked-out strokes bear arrow heads from this length on the screen, CSS pixels.
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
@@ -133,9 +135,10 @@ impl Painter {
         self.screen.page(view)?;
         for mark in &view.marks {
             let at = view.camera().to_screen(mark.at);
-            let (text, baseline) = (Pixel::new(at.x + 8.0, at.y - 9.0), "middle");
-            let (from, to) = (Pixel::new(at.x + 5.0, at.y - 17.0), Pixel::new(at.x + 23.0, at.y - 2.0));
-            self.screen.opacity(0.8);
+            // Above and to the right, where a tool comes from: the path seldom runs there.
+            let (text, baseline) = (Pixel::new(at.x + 9.0, at.y - 11.0), "middle");
+            let (from, to) = (Pixel::new(at.x + 6.0, at.y - 20.0), Pixel::new(at.x + 27.0, at.y - 3.0));
+            self.screen.opacity(0.9);
             self.screen.block(&view.palette.background, from, to);
             self.screen.opacity(1.0);
             self.screen.dots(&view.palette.background, [at].into_iter(), 5.0)?;
@@ -239,6 +242,8 @@ impl Painter {
     ) -> Result<(), JsValue> {
         let pen = &self.screen;
         let camera = view.camera();
+        // Many strokes close together, as the passes of a thread, must not run into one.
+        let picked = if strokes().nth(MANY_PICKED).is_some() { PICKED * 0.55 } else { PICKED };
         pen.opacity(0.75);
         for path in Ink::ALL.into_iter().filter_map(|ink| paths.get(ink)) {
             pen.world(view, CLEAR, Dash::Solid, &view.palette.background)?;
@@ -247,7 +252,7 @@ impl Painter {
         pen.opacity(1.0);
         for ink in Ink::ALL {
             let Some(path) = paths.get(ink) else { continue };
-            let width = if ink.style() == StrokeStyle::Rapid { PICKED * 0.6 } else { PICKED };
+            let width = if ink.style() == StrokeStyle::Rapid { picked * 0.6 } else { picked };
             pen.world(view, width, sheet::dash(ink), colour)?;
             pen.stroke(path);
         }

@@ -14,7 +14,7 @@ pub(super) struct Shape {
     /// What the first block names.
     pub first: FirstBlock,
     /// The first block's place in the text.
-    first_span: Span,
+    pub first_span: Span,
     /// The first byte of block ns.
     pub begins: u32,
     /// Where the program goes on behind nf.

@@ -161,7 +161,7 @@ impl Interpreter {
         let pockets = second_named && (idiom || second_moves);
         if second_named && !idiom && !second_moves {
             let other = if turning { 'Z' } else { 'X' };
-            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, block.words_span()));
+            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, shape.first_span));
         }
         for axis in roughing::allowance_into_material(contour, how) {
             let (address, other) = match axis {
