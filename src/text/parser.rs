@@ -318,7 +318,9 @@ impl<'a> Parser<'a> {
     /// `GO1`: a letter where a digit belongs.
     fn letter_for_digit(&mut self, block: &mut Block, address: u8, first: Span, other: Span) {
         let mut end = other.end;
-        if let (Some(b'0'..=b'9' | b'.'), Some(token)) = (self.lexer.peek_byte(), self.lexer.next_token()) {
+        if matches!(self.lexer.peek_byte(), Some(b'0'..=b'9' | b'.'))
+            && let Some(token) = self.lexer.next_token()
+        {
             end = token.span.end;
         }
         let span = Span { start: first.start, end };
@@ -613,6 +615,7 @@ mod tests {
         assert_eq!(read("G01 Z,15"), ["G1 !comma-for-point"]);
         assert_eq!(read("Z20,5"), ["!comma-for-point"]);
         assert_eq!(read("GO1 X5"), ["G1 X5 !letter-for-digit"]);
+        assert_eq!(read("GO\nX5"), ["G0 !letter-for-digit", "X5"]);
         assert_eq!(read("X123456789"), ["!too-many-digits"]);
         assert_eq!(read("X"), ["!number-missing"]);
         assert_eq!(read("X-"), ["!number-missing"]);
