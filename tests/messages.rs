@@ -136,3 +136,31 @@ fn repairs() {
     check_fix("G0 (open\nX5", "G0 (open)\nX5");
     check_fix("00006;\nG0 X1", "O0006;\nG0 X1");
 }
+
+#[test]
+fn cycles_and_corners() {
+    let start = "M3 S500 F100\nG0 X50 Z2\n";
+    let contour = "N1 G0 X20\nG1 Z-10\nN2 X50";
+    check(&format!("{start}G71 U2 R1\nG71 X20 P1 Q2 U0 W0\n//  ^^^ PS0066\n{contour}"));
+    check(&format!("{start}G71 U2 R1\nG71 P1 Q2 U0 W0\n{contour}\nG70 P1 Q2"));
+    check(&format!("{start}   G71 P1 Q2 U0 W0\n// ^^^^^^^^^^^^^^^ W-G71-U-ROLE\n{contour}"));
+    check(&format!("{start}G71 U-2 R1\n//  ^^^ W-G71-U-SIGN\nG71 P1 Q2\n{contour}"));
+    check(&format!("{start}G71 U2 R1\nG71 P1 Q9\n//     ^^ W-NS-NOT-FOUND\n{contour}"));
+    check(&format!("{start}G17\nG71 U2 R1\n   G71 P1 Q2\n// ^^^^^^^^^ PS0327\n{contour}"));
+    check(&format!("{start}G90 X40 C20 Z-20\n//      ^^^ PS0330"));
+    check(&format!("{start}{contour}\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-NO-ROUGH"));
+    check(&format!("{start}G71 U2 R1\nG71 P1 Q2\n{contour}\nG0 X60\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-START"));
+    check(&format!("{start}G74 R1\nG74 Z-12 Q5\n//       ^^ W-PQ-UNIT"));
+    check(&format!("{start}G1 Z-20 C2 R1\n//      ^^ PS0053"));
+    check(&format!("{start}G32 Z-20 F2 R2\n//          ^^ PS0050"));
+    check(&format!("{start}G1 Z-20 ,C30\n//      ^^^^ PS0055\nX60"));
+    check(&format!("{start}G1 Z-20 ,C2\n//      ^^^ PS0052\nG0 X60"));
+    check(&format!("{start}G1 Z-20 I-2\n//      ^^^ PS0051\nX60"));
+    check(&format!("{start}G1 Z-20 K2\n//      ^^ PS0306\nX60"));
+    check(&format!("{start}G1 Z-20 I2\nX60"));
+    check(&format!("{start}G1 ,A180\n// ^^^^^ PS0056\nX60 Z-20"));
+    check(&format!("{start}G17 G1 X60 ,A135\n//         ^^^^^ PS0212"));
+    let strict = r#"{"dialect": {"feedMode": "G98", "strict": true}}"#;
+    check_with(strict, &format!("{start}G1 X40 Z-20 C2\n//          ^^ PS0054\nZ-30"));
+    check(&format!("{start}G1 X40 Z-20 C2\nZ-30"));
+}

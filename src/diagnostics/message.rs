@@ -231,7 +231,11 @@ pub enum Message {
     /// A corner word where compensation begins or ends.
     CornerWithCompensation { word: String },
     /// The multiple cycles need the plane of turning.
-    CyclePlane { code: &'static str },
+    CyclePlane { code: &'static str, alarm: &'static str },
+    /// A word that has no meaning in a multiple cycle.
+    CycleWord { code: &'static str, word: String },
+    /// An axis that a single cycle does not have.
+    CycleAxis { code: &'static str, word: String },
     /// G70 does not start where roughing did.
     FinishStart { roughed_x: f64, roughed_z: f64 },
     /// G70 along a contour that was not roughed.
@@ -387,7 +391,9 @@ impl Message {
             Self::CornerWithCompensation { .. } => {
                 ("PS0039", "corner-with-compensation", Error, Some("PS0039"))
             }
-            Self::CyclePlane { .. } => ("PS0327", "cycle-in-other-plane", Error, Some("PS0327")),
+            Self::CyclePlane { alarm, .. } => (alarm, "cycle-in-other-plane", Error, Some(alarm)),
+            Self::CycleWord { .. } => ("PS0066", "word-not-allowed-in-cycle", Error, Some("PS0066")),
+            Self::CycleAxis { .. } => ("PS0330", "axis-not-allowed-in-cycle", Error, Some("PS0330")),
             Self::FinishStart { .. } => ("W-G70-START", "finish-starts-elsewhere", Warning, None),
             Self::FinishWithoutRoughing { .. } => {
                 ("W-G70-NO-ROUGH", "finish-without-roughing", Warning, None)

@@ -68,8 +68,14 @@ impl Interpreter {
                 return None;
             }
         }
+        if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
+            let message = Message::CycleWord { code, word: words.quote(text, address) };
+            self.tell(Diagnostic::new(message, words.span(address)));
+            return None;
+        }
         if self.state.plane != Plane::Zx {
-            self.tell(Diagnostic::new(Message::CyclePlane { code }, block.words_span()));
+            let message = Message::CyclePlane { code, alarm: "PS0327" };
+            self.tell(Diagnostic::new(message, block.words_span()));
             return None;
         }
         let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);

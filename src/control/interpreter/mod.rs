@@ -466,7 +466,7 @@ impl Interpreter {
             return;
         }
         const OTHER_AXES: u32 = letters(b"YVCH");
-        if words.has_any(OTHER_AXES) {
+        if words.has_any(OTHER_AXES) && !matches!(self.state.motion, MotionMode::Cycle(_)) {
             self.other_axes(text, words);
         }
         match self.state.motion {

@@ -91,6 +91,12 @@ impl Interpreter {
             request.drop = true;
             return;
         };
+        if let Some(angle) = angle.as_ref().filter(|_| self.state.plane != Plane::Zx) {
+            let message = Message::CyclePlane { code: ",A", alarm: "PS0212" };
+            self.tell(Diagnostic::new(message, angle.span));
+            request.drop = true;
+            return;
+        }
         let from = self.state.position;
         let named = |target: Target, from: f64| match target {
             Target::Stay => None,

@@ -94,7 +94,7 @@ impl Interpreter {
         let second = piece(&next.motion);
         let fault = match next.motion.kind {
             MotionKind::Rapid | MotionKind::Thread | MotionKind::Dwell => Some(Fault::SecondNotPerpendicular),
-            _ => joint.signed.and_then(|signed| signed_fault(&first, &second, signed)),
+            _ => joint.signed.and_then(|signed| signed_fault(&first, &second, signed, &self.dialect)),
         };
         let joined = match fault {
             Some(fault) => Err(fault),
@@ -413,8 +413,13 @@ fn piece(motion: &Motion) -> Piece {
 }
 
 /// What is wrong with a corner word without comma. I and K are always held to their sign and axis; C and R, which
-/// many controls take as the comma forms, only where they are negative.
-fn signed_fault(first: &Piece, second: &Piece, (letter, value): (corners::Letter, f64)) -> Option<Fault> {
-    let strict = matches!(letter, corners::Letter::I | corners::Letter::K) || value < 0.0;
-    corners::check_signed(first, second, letter, value).err().filter(|_| strict)
+/// many controls take as the comma forms, only where they are negative or the control is strict.
+fn signed_fault(
+    first: &Piece,
+    second: &Piece,
+    (letter, value): (corners::Letter, f64),
+    dialect: &Dialect,
+) -> Option<Fault> {
+    let held = dialect.strict || matches!(letter, corners::Letter::I | corners::Letter::K) || value < 0.0;
+    corners::check_signed(first, second, letter, value).err().filter(|_| held)
 }

@@ -28,6 +28,13 @@ impl Interpreter {
         if !words.has_any(AXES) {
             return;
         }
+        let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.get(address).is_some());
+        if let Some(address) = other {
+            let message = Message::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
+            self.tell(Diagnostic::new(message, words.span(address)));
+            request.drop = true;
+            return;
+        }
         match self.axis(text, words, b'X', b'U', 0.5) {
             Target::Stay => {}
             target => self.state.memory.x = target,

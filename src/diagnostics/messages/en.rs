@@ -270,7 +270,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("`{word}` stands where compensation begins or ends."))
                 .help("Put G40, G41 and G42 into a block without a corner.")
         }
-        Message::CyclePlane { code } => Sentence::new(format!("{code} works only in the plane G18."))
+        Message::CycleWord { code, word } => Sentence::new(format!("`{word}` may not stand in a block with {code}."))
+            .help("The end of the contour is in its blocks P to Q; the cycle takes P, Q, U, W and F, S, T."),
+        Message::CycleAxis { code, word } => Sentence::new(format!("`{word}`: {code} moves only X and Z.")),
+        Message::CyclePlane { code, .. } => Sentence::new(format!("{code} works only in the plane G18."))
             .help("Write G18 before it."),
         Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(
             "G70 does not start where the contour was roughed from, X{} Z{}.",

@@ -326,7 +326,12 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("`{word}` стоит в кадре, где коррекция включается или отменяется."))
                 .help("Запишите G40, G41 и G42 в кадре без фаски и скругления.")
         }
-        Message::CyclePlane { code } => {
+        Message::CycleWord { code, word } => {
+            Sentence::new(format!("`{word}` не может стоять в кадре с {code}."))
+                .help("Контур задают кадры от P до Q; в кадре цикла пишут P, Q, U, W и F, S, T.")
+        }
+        Message::CycleAxis { code, word } => Sentence::new(format!("`{word}`: в {code} есть только оси X и Z.")),
+        Message::CyclePlane { code, .. } => {
             Sentence::new(format!("{code} работает только в плоскости G18.")).help("Запишите перед ним G18.")
         }
         Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(

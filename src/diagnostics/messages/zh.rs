@@ -286,7 +286,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("`{word}` 写在刀尖半径补偿建立或取消的程序段中。"))
                 .help("请把 G40、G41、G42 写在没有倒角的程序段中。")
         }
-        Message::CyclePlane { code } => {
+        Message::CycleWord { code, word } => Sentence::new(format!("`{word}` 不能写在 {code} 程序段中。"))
+            .help("轮廓由 P 到 Q 的程序段给出；循环程序段只写 P、Q、U、W 和 F、S、T。"),
+        Message::CycleAxis { code, word } => Sentence::new(format!("`{word}`：{code} 只能使用 X、Z 轴。")),
+        Message::CyclePlane { code, .. } => {
             Sentence::new(format!("{code} 只能在 G18 平面内使用。")).help("请先写 G18。")
         }
         Message::FinishStart { roughed_x, roughed_z } => Sentence::new(format!(
