@@ -10,16 +10,18 @@ use std::ops::Range;
 use crate::control::setup::Setup;
 use crate::diagnostics::Message;
 use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
-use crate::run::{Analysis, Run};
+use crate::run::Analysis;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
 use crate::text::source::Span;
 
 /// Writes out a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
-    let mut run = Run::new(text.to_vec(), setup.clone());
-    while !run.advance(usize::MAX) {}
-    let analysis = run.into_analysis();
+    write_out(text, &crate::analyze(text, setup))
+}
+
+/// Writes out a program that was run already.
+pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
     let mut writer = Writer {
         out: String::new(),
         motions: &analysis.motions,
@@ -29,7 +31,7 @@ pub fn expand(text: &[u8], setup: &Setup) -> String {
         moved_start: false,
         any_failed: false,
     };
-    let blocks = motions_by_block(&analysis);
+    let blocks = motions_by_block(analysis);
     let own_of =
         |start: u32| blocks.binary_search_by_key(&start, |entry| entry.0).ok().map(|at| blocks[at].1.clone());
     // A contour is left out where its cycle was written out; a cycle that could not run keeps it.

@@ -15,7 +15,7 @@ use crate::api::{self, Places};
 use crate::control::dialect::Control;
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
-use crate::run::{Analysis, Run};
+use crate::run::Analysis;
 use crate::scene::outline::Outline;
 use crate::scene::{self, Scene};
 use crate::text::source::LineIndex;
@@ -137,7 +137,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
         }
         Command::Expand { file, with, output } => {
             let program = program(&file, &with)?;
-            let expanded = crate::expand::expand(&program.text, &program.setup);
+            let expanded = crate::expand::write_out(&program.text, &program.analysis);
             save(output.as_deref(), &expanded)?;
             Ok(status(&program.analysis))
         }
@@ -199,9 +199,8 @@ fn program(file: &Path, with: &With) -> Result<Program, String> {
         };
     }
     let (name, text) = read(file)?;
-    let mut run = Run::new(text.clone(), setup.clone());
-    while !run.advance(usize::MAX) {}
-    Ok(Program { name, text, setup, analysis: run.into_analysis() })
+    let analysis = crate::analyze(&text, &setup);
+    Ok(Program { name, text, setup, analysis })
 }
 
 fn read(file: &Path) -> Result<(String, Vec<u8>), String> {

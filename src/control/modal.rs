@@ -96,8 +96,6 @@ pub struct CycleParameters {
     pub angle: f64,
     /// Q of the first block of G76; its unit is known only with the second.
     pub least_amount: Option<Amount>,
-    /// Least depth of G76, mm.
-    pub least_depth: f64,
     /// Finishing allowance of G76, mm.
     pub thread_allowance: f64,
 }
@@ -113,7 +111,6 @@ impl CycleParameters {
         finishing: 1,
         angle: 0.0,
         least_amount: None,
-        least_depth: 0.0,
         thread_allowance: 0.0,
     };
 }

@@ -169,17 +169,7 @@ fn given(length: Option<f64>, negative: Fault) -> Result<Option<f64>, Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cycles::listing::check;
-
-    /// A mirror or turn of the plane.
-    type Map = fn(Point) -> Point;
-
-    const MANY: usize = 4_000_000;
-
-    /// A point as programs give it: X a diameter.
-    fn at(x: f64, z: f64) -> Point {
-        Point::new(x / 2.0, z)
-    }
+    use crate::cycles::listing::{MANY, Map, at, check};
 
     /// The groove of seed 003, example 5.
     fn groove() -> Pecking {

@@ -7,6 +7,17 @@ use super::Move;
 use crate::geometry::Point;
 use crate::motion::MotionKind;
 
+/// A mirror or turn of the plane.
+pub type Map = fn(Point) -> Point;
+
+/// More moves than any example makes.
+pub const MANY: usize = 4_000_000;
+
+/// A point as programs give it: X a diameter.
+pub fn at(x: f64, z: f64) -> Point {
+    Point::new(x / 2.0, z)
+}
+
 /// The moves that begin at `start`.
 pub fn listing(start: Point, moves: &[Move]) -> String {
     let mut out = String::new();

@@ -234,17 +234,7 @@ pub fn thread(start: Point, thread: &MultiThread, most_moves: usize) -> Result<V
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cycles::listing::check;
-
-    /// A mirror or turn of the plane.
-    type Map = fn(Point) -> Point;
-
-    const MANY: usize = 4_000_000;
-
-    /// A point as programs give it: X a diameter.
-    fn at(x: f64, z: f64) -> Point {
-        Point::new(x / 2.0, z)
-    }
+    use crate::cycles::listing::{MANY, Map, at, check};
 
     fn same_way(length: f64) -> Option<PullOut> {
         Some(PullOut { along: length, out: length })

@@ -509,11 +509,6 @@ impl Resume {
     pub fn inside(byte: u32, line: u32) -> Self {
         Self { byte, line, begun: false, after_semicolon: false, ended: false }
     }
-
-    /// Whether the program ended before the text did (`%`).
-    pub fn is_ended(self) -> bool {
-        self.ended
-    }
 }
 
 /// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters

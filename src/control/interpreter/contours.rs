@@ -56,15 +56,8 @@ impl Interpreter {
         code: &'static str,
         purpose: Purpose,
     ) -> Option<Shape> {
-        for address in [b'P', b'Q'] {
-            if let Some(word) = words.get(address)
-                && let Value::Number { number, .. } = word.value
-                && number.has_point()
-            {
-                self.tell(Diagnostic::new(
-                    Message::PointNotAllowed { word: quote(text, word.span) },
-                    word.span,
-                ));
+        for word in [b'P', b'Q'].into_iter().filter_map(|address| words.get(address)) {
+            if !self.is_whole(text, word) {
                 return None;
             }
         }

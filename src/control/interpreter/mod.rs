@@ -94,9 +94,8 @@ struct Request {
     end: bool,
     /// The motion of the block is not carried out.
     drop: bool,
-    /// Groups met so far, as bits, and the word of group 01.
-    groups: u32,
-    group_words: [Span; 2],
+    /// The word of group 01 met so far.
+    motion_word: Option<Span>,
     /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
     comma: [Option<usize>; 3],
     /// The block made a move of the path.
@@ -338,7 +337,9 @@ impl Interpreter {
             request.drop = true;
             return;
         };
-        self.note_group(text, request, group, word.span);
+        if group == 1 {
+            self.note_motion_word(text, request, word.span);
+        }
         let state = &mut self.state;
         match code {
             G::Rapid => request.motion = Some(MotionMode::Rapid),
@@ -397,21 +398,13 @@ impl Interpreter {
         }
     }
 
-    /// Two different codes of one group in a block: the last is valid.
-    fn note_group(&mut self, text: &[u8], request: &mut Request, group: u8, span: Span) {
-        if group == 0 {
-            return;
-        }
-        let bit = 1 << group;
-        // Only the group of motions keeps its word to compare; the others are rarely met twice.
-        if request.groups & bit != 0 && group == 1 && quote(text, request.group_words[1]) != quote(text, span)
+    /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
+    fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
+        if let Some(before) = request.motion_word.replace(span)
+            && quote(text, before) != quote(text, span)
         {
-            let (dropped, used) = (quote(text, request.group_words[1]), quote(text, span));
+            let (dropped, used) = (quote(text, before), quote(text, span));
             self.tell(Diagnostic::new(Message::SameGroup { dropped, used }, span));
-        }
-        request.groups |= bit;
-        if group == 1 {
-            request.group_words[1] = span;
         }
     }
 

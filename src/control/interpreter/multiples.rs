@@ -295,7 +295,7 @@ impl Interpreter {
         let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
             (length(b'I'), length(b'K'), words.get(b'D').and_then(|word| self.one_block_depth(word)))
         } else {
-            let (p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q))?;
+            let (_, p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q))?;
             (p, q, length(b'R'))
         };
         let (peck, stepover) = match direction {
@@ -346,13 +346,13 @@ impl Interpreter {
         None
     }
 
-    /// P and Q as lengths, mm (semantics §7.6).
+    /// What P and Q count (semantics §7.6), and both as lengths, mm.
     fn amounts(
         &mut self,
         text: &[u8],
         words: &Words,
         by_size: impl FnOnce(Option<Amount>, Option<Amount>) -> units::Reading,
-    ) -> Option<(Option<f64>, Option<f64>)> {
+    ) -> Option<(units::Reading, Option<f64>, Option<f64>)> {
         let (p, q) = (self.amount(words, b'P'), self.amount(words, b'Q'));
         let reading = match self.dialect.pq_unit {
             PqUnit::Auto => by_size(p, q),
@@ -363,6 +363,7 @@ impl Interpreter {
             return None;
         }
         Some((
+            reading,
             p.map(|amount| self.amount_in(amount, reading)),
             q.map(|amount| self.amount_in(amount, reading)),
         ))
@@ -423,22 +424,14 @@ impl Interpreter {
         let end = self.target(text, words);
         let lead = self.lead(block, words, "G76")?;
         self.watch_thread_spindle(block, "G76");
-        let (height, first_depth, method) = if one_block {
+        let (height, first_depth, least_depth, method) = if one_block {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
-            (length(b'K'), depth, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
+            (length(b'K'), depth, 0.0, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
         } else {
+            // Q of the first block is read in the unit of this pair.
             let least = self.state.parameters.least_amount;
-            let (p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q))?;
-            let millimetres = matches!(self.thread_reading(words), units::Reading::Millimetres(_));
-            if let Some(least) = least {
-                let reading = if millimetres {
-                    units::Reading::Millimetres(units::Because::Point)
-                } else {
-                    units::Reading::Micrometres
-                };
-                self.state.parameters.least_depth = self.amount_in(least, reading);
-            }
-            (p, q, 1)
+            let (unit, p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q))?;
+            (p, q, least.map_or(0.0, |least| self.amount_in(least, unit)), 1)
         };
         let angle = if one_block {
             words.get(b'A').and_then(plain).unwrap_or(0.0)
@@ -458,7 +451,7 @@ impl Interpreter {
             taper,
             height: height.unwrap_or(0.0),
             first_depth: first_depth.unwrap_or(0.0),
-            least_depth: if one_block { 0.0 } else { parameters.least_depth },
+            least_depth,
             allowance: if one_block { 0.0 } else { parameters.thread_allowance },
             finishing: parameters.finishing,
             pull_out: (self.state.thread_chamfer_on && pull_out > 0.0)
@@ -494,31 +487,15 @@ impl Interpreter {
         None
     }
 
-    /// The unit of P and Q of the second block of G76, together with Q of the first.
-    fn thread_reading(&self, words: &Words) -> units::Reading {
-        match self.dialect.pq_unit {
-            PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
-            PqUnit::Um => units::Reading::Micrometres,
-            PqUnit::Auto => units::threading(
-                self.state.parameters.least_amount,
-                self.amount(words, b'P'),
-                self.amount(words, b'Q'),
-            ),
-        }
-    }
-
     /// The first block of G76: `P(m)(r)(a) Q R`.
     fn threading_parameters(&mut self, text: &[u8], words: &Words) -> Option<()> {
         let reading = self.reading();
         if let Some(word) = words.get(b'P') {
             let Value::Number { number, .. } = word.value else { return None };
-            let Some(packed) = number.integer() else {
-                self.tell(Diagnostic::new(
-                    Message::PointNotAllowed { word: quote(text, word.span) },
-                    word.span,
-                ));
+            if !self.is_whole(text, word) {
                 return None;
-            };
+            }
+            let packed = number.mantissa;
             self.state.parameters.finishing = (packed / 10_000 % 100).max(1) as u32;
             self.state.thread_chamfer = (packed / 100 % 100) as u8;
             self.state.parameters.angle = (packed % 100) as f64;

@@ -74,12 +74,8 @@ impl Interpreter {
     pub(super) fn dwell(&mut self, text: &[u8], block: &Block, words: &Words, request: &mut Request) {
         let reading = self.reading();
         let by_seconds = words.get(b'X').or(words.get(b'U')).and_then(|word| reading.seconds(word));
-        if let Some(word) = words.get(b'P')
-            && let Value::Number { number, .. } = word.value
-            && number.has_point()
-            && self.dialect.control != Control::Forum
-        {
-            self.tell(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span));
+        let any_number = self.dialect.control == Control::Forum;
+        if !any_number && !words.get(b'P').is_none_or(|word| self.is_whole(text, word)) {
             request.drop = true;
             return;
         }

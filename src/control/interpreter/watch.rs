@@ -58,16 +58,17 @@ impl Interpreter {
         code: &'static str,
     ) -> bool {
         self.watch_thread_spindle(block, code);
-        if let Some(word) = words.get(b'Q')
-            && let Value::Number { number, .. } = word.value
-            && number.has_point()
-            && self.dialect.control != Control::Forum
-        {
-            let message = Message::PointNotAllowed { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span));
-            return false;
+        let any_number = self.dialect.control == Control::Forum;
+        any_number || words.get(b'Q').is_none_or(|word| self.is_whole(text, word))
+    }
+
+    /// Whether a word is written without a point, as its address demands here (PS0007). False: told.
+    pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
+        let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
+        if !whole {
+            self.tell(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span));
         }
-        true
+        whole
     }
 
     /// G90 and G94 are compensated, but only with a nose radius (semantics §4.4).
