@@ -12,20 +12,8 @@ use crate::motion::{Cycle, SpindleTurn};
 /// What a G code asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum G {
-    /// G00.
-    Rapid,
-    /// G01.
-    Line,
-    /// G02, G03.
-    Arc(Turn),
-    /// G32.
-    Thread,
-    /// G34: a thread whose lead changes.
-    VariableThread,
-    /// G33 on GSK: tapping, in and out again.
-    Tapping,
-    /// G90, G92, G94.
-    Cycle(Single),
+    /// G00 to G03, G32 to G34, G90, G92, G94, and the codes of group 01 that are not done yet.
+    Motion(MotionMode),
     /// G04.
     Dwell,
     /// G17, G18, G19.
@@ -54,8 +42,6 @@ pub enum G {
     Idle,
     /// Recognised, not done yet; the block's axis words are not carried out either.
     NotYet,
-    /// Recognised, not done yet, and modal in group 01: later axis words are not carried out.
-    MotionNotYet,
 }
 
 /// The multiple cycles.
@@ -92,6 +78,27 @@ impl Multiple {
     }
 }
 
+/// Group 01: what axis words do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionMode {
+    /// G00.
+    Rapid,
+    /// G01.
+    Line,
+    /// G02, G03.
+    Arc(Turn),
+    /// G32.
+    Thread,
+    /// G34.
+    VariableThread,
+    /// G33 on GSK.
+    Tapping,
+    /// G90, G92, G94.
+    Cycle(Single),
+    /// A code of the group that is not done yet: axis words move nothing.
+    NotYet,
+}
+
 /// Working plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plane {
@@ -120,10 +127,10 @@ pub type Group = u8;
 /// The G code of a word: `key` is ten times the number, so that G12.1 is 121.
 pub fn g_code(key: u64) -> Option<(G, Group)> {
     Some(match key {
-        0 => (G::Rapid, 1),
-        10 => (G::Line, 1),
-        20 => (G::Arc(Turn::Clockwise), 1),
-        30 => (G::Arc(Turn::Counterclockwise), 1),
+        0 => (G::Motion(MotionMode::Rapid), 1),
+        10 => (G::Motion(MotionMode::Line), 1),
+        20 => (G::Motion(MotionMode::Arc(Turn::Clockwise)), 1),
+        30 => (G::Motion(MotionMode::Arc(Turn::Counterclockwise)), 1),
         40 => (G::Dwell, 0),
         170 => (G::Plane(Plane::Xy), 16),
         180 => (G::Plane(Plane::Zx), 16),
@@ -132,9 +139,9 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         210 => (G::Unit(Unit::Millimetre), 6),
         220 | 230 => (G::Idle, 9),
         280 => (G::Home, 0),
-        320 => (G::Thread, 1),
-        330 => (G::Tapping, 1),
-        340 => (G::VariableThread, 1),
+        320 => (G::Motion(MotionMode::Thread), 1),
+        330 => (G::Motion(MotionMode::Tapping), 1),
+        340 => (G::Motion(MotionMode::VariableThread), 1),
         400 => (G::Compensation(Compensation::Off), 7),
         410 => (G::Compensation(Compensation::Left), 7),
         420 => (G::Compensation(Compensation::Right), 7),
@@ -153,9 +160,9 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         740 => (G::Multiple(Multiple::FacePecking), 0),
         750 => (G::Multiple(Multiple::Grooving), 0),
         760 => (G::Multiple(Multiple::Threading), 0),
-        900 => (G::Cycle(Single::Turning), 1),
-        920 => (G::Cycle(Single::Threading), 1),
-        940 => (G::Cycle(Single::Facing), 1),
+        900 => (G::Motion(MotionMode::Cycle(Single::Turning)), 1),
+        920 => (G::Motion(MotionMode::Cycle(Single::Threading)), 1),
+        940 => (G::Motion(MotionMode::Cycle(Single::Facing)), 1),
         960 => (G::SurfaceSpeed, 2),
         970 => (G::ConstantSpeed, 2),
         980 => (G::Feed(FeedMode::PerMinute), 5),
@@ -163,7 +170,7 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         // Off states of functions this project does not have switched on: headers are full of them.
         80 | 90 | 110 | 250 | 260 | 490 | 502 | 610 | 640 | 670 | 690 | 800 | 131 | 1130 => (G::Idle, 0),
         // Hole cycles stay modal until G80.
-        830 | 840 | 850 | 870 | 880 | 890 => (G::MotionNotYet, 1),
+        830 | 840 | 850 | 870 | 880 | 890 => (G::Motion(MotionMode::NotYet), 1),
         // Data input, reference points, machine coordinates, macros, polar interpolation.
         50 | 51 | 71 | 1070 | 100 | 121 | 1120 | 270 | 290 | 300 | 310 | 360 | 370 | 512 | 530 => {
             (G::NotYet, 0)

@@ -3,38 +3,16 @@
 //! It can be cloned and compared, so that after an edit a run can go on from a stored state and stop where
 //! the new state meets the old one.
 
-use super::codes::{Compensation, Plane};
+use super::codes::{Compensation, MotionMode, Plane};
 use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::dialect::{Dialect, FeedMode};
 use super::setup::Setup;
 use super::words::Unit;
-use crate::cycles::single::Single;
 use crate::cycles::units::Amount;
-use crate::geometry::{Point, Turn};
+use crate::geometry::Point;
 use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn};
 use crate::text::source::Span;
-
-/// Group 01: what axis words do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MotionMode {
-    /// G00.
-    Rapid,
-    /// G01.
-    Line,
-    /// G02, G03.
-    Arc(Turn),
-    /// G32.
-    Thread,
-    /// G34.
-    VariableThread,
-    /// G33 on GSK.
-    Tapping,
-    /// G90, G92, G94.
-    Cycle(Single),
-    /// A code of the group that is not done yet: axis words move nothing.
-    NotYet,
-}
 
 /// Where an axis of a cycle ends.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -83,14 +83,9 @@ pub fn pattern(contour: &Contour, pattern: &Pattern, most_moves: usize) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cycles::listing::check;
+    use crate::cycles::listing::{at, check};
     use crate::cycles::{Approach, Piece};
     use crate::geometry::Turn;
-
-    /// A point as programs give it: X a diameter.
-    fn at(x: f64, z: f64) -> Point {
-        Point::new(x / 2.0, z)
-    }
 
     fn line(from: Point, to: Point) -> Piece {
         Piece { from, to, arc: None }

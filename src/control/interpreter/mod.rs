@@ -15,12 +15,12 @@ mod singles;
 mod watch;
 
 use super::arcs::{self, CenterWords};
-use super::codes::{self, Compensation, G, M, Multiple, Plane, Switch};
+use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
     Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, IInG92, NegativeArcR,
     PqUnit, XuConflict,
 };
-use super::modal::{CycleMemory, MotionMode, Once, Routed, State, Target};
+use super::modal::{CycleMemory, Once, Routed, State, Target};
 use super::program::Labels;
 use super::setup::{Setup, Tool};
 use super::words::{self, Reading, Words, letters, plain, quote};
@@ -342,18 +342,17 @@ impl Interpreter {
         }
         let state = &mut self.state;
         match code {
-            G::Rapid => request.motion = Some(MotionMode::Rapid),
-            G::Line => request.motion = Some(MotionMode::Line),
-            G::Arc(turn) => request.motion = Some(MotionMode::Arc(turn)),
-            G::Thread => request.motion = Some(MotionMode::Thread),
-            G::VariableThread => request.motion = Some(MotionMode::VariableThread),
-            G::Tapping if self.dialect.control != Control::Gsk => {
+            G::Motion(MotionMode::Tapping) if self.dialect.control != Control::Gsk => {
                 // System A of FANUC has no G33.
                 self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
                 request.drop = true;
             }
-            G::Tapping => request.motion = Some(MotionMode::Tapping),
-            G::Cycle(cycle) => request.motion = Some(MotionMode::Cycle(cycle)),
+            G::Motion(mode) => {
+                request.motion = Some(mode);
+                if mode == MotionMode::NotYet {
+                    self.not_yet(text, word.span);
+                }
+            }
             G::Dwell => request.one_shot = Some(OneShot::Dwell),
             G::Home => request.one_shot = Some(OneShot::Home),
             G::Setting => request.one_shot = Some(OneShot::Setting),
@@ -389,10 +388,6 @@ impl Interpreter {
                 // Under polar interpolation C is an axis, not a chamfer.
                 self.state.c_axis |= matches!(key, 121 | 1120);
                 request.one_shot = Some(OneShot::NotYet);
-                self.not_yet(text, word.span);
-            }
-            G::MotionNotYet => {
-                request.motion = Some(MotionMode::NotYet);
                 self.not_yet(text, word.span);
             }
         }

@@ -1,15 +1,10 @@
 //! Roughing: the worked examples, the quadrants, faults and bounds; random contours in `properties`.
 
 use super::*;
-use crate::cycles::listing::{self, listing};
+use crate::cycles::listing::{self, at, listing};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod properties;
-
-/// A place by diameter and length.
-fn at(x: f64, z: f64) -> Point {
-    Point::new(0.5 * x, z)
-}
 
 fn line(from: Point, to: Point) -> Piece {
     Piece { from, to, arc: None }
