@@ -13,6 +13,12 @@ pub struct Limits {
     /// Most steps spent on what leaves no motion: each block of a contour read again, each move of a cycle that
     /// is refused or leads nowhere. Keeps many cheap calls of a dear cycle from adding up.
     pub cycle_work: usize,
+    /// Most blocks that are carried out through jumps, loops and calls; those run straight through do not count.
+    pub repeated_blocks: usize,
+    /// Most subprograms called one within the other (0i-D and later).
+    pub call_depth: usize,
+    /// Most macros (G65, G66) called one within the other, among them.
+    pub macro_depth: usize,
     /// Most messages that are kept.
     pub messages: usize,
 }
@@ -24,6 +30,9 @@ impl Default for Limits {
             motions: 4_000_000,
             moves_per_cycle: 200_000,
             cycle_work: 2_000_000,
+            repeated_blocks: 1_000_000,
+            call_depth: 10,
+            macro_depth: 5,
             messages: 500,
         }
     }

@@ -3,10 +3,11 @@
 //! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, nothing of
 //! what they do.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
-use crate::control::interpreter::{Flow, Interpreter, Landmarks};
+use crate::control::interpreter::{Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
+use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
 use crate::limits::Limits;
@@ -45,10 +46,11 @@ pub struct Run {
     at: Resume,
     blocks: usize,
     skipped: Vec<Skipped>,
-    programs: BTreeSet<u32>,
+    /// First byte of each O program met, by number.
+    programs: BTreeMap<u32, u32>,
     /// Something of the main program was carried out.
     begun: bool,
-    /// The main program ended; what follows is only read, for its mistakes.
+    /// The main program ended; what is left is only read, for its mistakes.
     ended: bool,
     finished: bool,
 }
@@ -61,13 +63,14 @@ impl Run {
 
     /// Begins a run within other bounds.
     pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
+        let chosen = setup.program;
         let mut run = Self {
             interpreter: Interpreter::new(setup, limits),
             block: Block::default(),
             at: Resume::default(),
             blocks: 0,
             skipped: Vec::new(),
-            programs: BTreeSet::new(),
+            programs: BTreeMap::new(),
             begun: false,
             ended: false,
             finished: false,
@@ -77,6 +80,15 @@ impl Run {
             let message = Message::TextTooLong { bytes: run.text.len(), most: limits.text };
             run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
             run.finish();
+        } else if let Some(number) = chosen {
+            match Labels::new(&run.text).program(number) {
+                Some(head) => run.begin_at(head),
+                None => {
+                    let message = Message::ProgramNotFound { word: format!("O{number:04}") };
+                    run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
+                    run.ended = true;
+                }
+            }
         }
         run
     }
@@ -91,24 +103,46 @@ impl Run {
         let mut left = blocks;
         let mut more = true;
         while left > 0 {
+            let at = parser.position();
             more = parser.next_block(&mut self.block);
-            if !more {
-                break;
-            }
             left -= 1;
-            self.blocks += 1;
-            if let Flow::Jump(at) = self.step(&text) {
-                let from = parser.position().byte;
-                let cycle = self.block.span.start;
-                let span = Span { start: from, end: at.byte.max(from) };
-                self.skipped.extend((at.byte > from).then_some(Skipped { cycle, span }));
-                parser = Parser::resume(&text, at);
+            let here = Here { at, next: parser.position() };
+            let flow = if more {
+                self.blocks += 1;
+                self.step(&text, here)
+            } else {
+                self.end_of_text(&text)
+            };
+            match flow {
+                Flow::Next if more => continue,
+                Flow::Next => break,
+                Flow::Jump(to) => {
+                    let from = here.next.byte;
+                    let cycle = self.block.span.start;
+                    let span = Span { start: from, end: to.byte.max(from) };
+                    let skips = to.byte > from && !self.interpreter.has_wandered();
+                    self.skipped.extend(skips.then_some(Skipped { cycle, span }));
+                    parser = Parser::resume(&text, to);
+                }
+                Flow::Restart(main) => {
+                    self.restart(main);
+                    parser = Parser::resume(&text, main);
+                }
+                Flow::End if !self.ended => {
+                    self.ended = true;
+                    // What was jumped over is read for its mistakes as well.
+                    if self.interpreter.has_wandered() {
+                        parser = Parser::new(&text);
+                    }
+                }
+                Flow::End => {}
             }
+            more = true;
         }
         self.at = parser.position();
         self.text = text;
         if !more {
-            self.end_of_text();
+            self.finish_text();
         }
         self.finished
     }
@@ -179,42 +213,92 @@ impl Run {
         Analysis { motions, diagnostics, blocks: self.blocks, skipped: self.skipped }
     }
 
+    /// Begins with another program than the first of the text.
+    fn begin_at(&mut self, head: Resume) {
+        self.at = head;
+        self.interpreter.begin_elsewhere(head);
+    }
+
+    /// Begins again, with another program of the text.
+    fn restart(&mut self, main: Resume) {
+        let (setup, limits) = (self.interpreter.setup().clone(), self.interpreter.limits());
+        self.interpreter = Interpreter::new(setup, limits);
+        self.skipped.clear();
+        self.begun = false;
+        self.begin_at(main);
+    }
+
     /// Carries out the block just read.
     #[inline]
-    fn step(&mut self, text: &[u8]) -> Flow {
-        if let Some((number, span)) = self.block.program {
-            self.program(number, span);
+    fn step(&mut self, text: &[u8], here: Here) -> Flow {
+        if let Some((number, span)) = self.block.program
+            && let Some(flow) = self.program(text, number, span, here)
+        {
+            return flow;
         }
         if self.ended {
             self.interpreter.tell_faults(&self.block);
-            return Flow::End;
+            return Flow::Next;
         }
         self.begun |= !self.block.words.is_empty();
-        let flow = self.interpreter.run(text, &self.block);
-        self.ended = flow == Flow::End;
-        flow
+        self.interpreter.run(text, &self.block, here)
     }
 
-    /// An O number: the head of the main program, or of one that follows it.
-    fn program(&mut self, number: u32, span: Span) {
+    /// An O number: the head of the main program, of one that is called, or of one that stands behind them.
+    fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
             self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
-        } else if !self.programs.insert(number) {
+        } else if *self.programs.entry(number).or_insert(span.start) != span.start {
             self.interpreter.tell(Diagnostic::new(Message::DuplicateProgram { number }, span));
+        } else if self.ended
+            && !self.interpreter.was_run(here.at)
+            && !self.interpreter.is_called(text, number)
+        {
+            self.interpreter.tell(Diagnostic::new(Message::NotRun { number }, span));
         }
-        if self.begun && !self.ended {
-            self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
-            self.ended = true;
+        if self.ended || self.interpreter.is_head(here.at) {
+            return None;
         }
+        if !self.begun {
+            self.interpreter.begin_at(here.at);
+            return None;
+        }
+        Some(self.run_out(span, here))
     }
 
-    fn end_of_text(&mut self) {
+    /// The program in force ends without M99 or M30.
+    fn run_out(&mut self, span: Span, here: Here) -> Flow {
+        if let Some(back) = self.interpreter.run_out(span) {
+            return Flow::Jump(back);
+        }
+        self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
+        if self.interpreter.has_wandered() {
+            return Flow::End;
+        }
+        // The block is read once more, as one that is not carried out.
+        self.ended = true;
+        Flow::Jump(here.at)
+    }
+
+    /// The text ends; [`Flow::Next`] when there is nothing left to do.
+    fn end_of_text(&mut self, text: &[u8]) -> Flow {
+        if self.ended || !self.begun {
+            return Flow::Next;
+        }
+        let last = text.trim_ascii_end().len();
+        let span = Span::new(last.saturating_sub(1), last);
+        if let Some(back) = self.interpreter.run_out(span) {
+            return Flow::Jump(back);
+        }
+        self.interpreter.finish();
+        self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
+        if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
+    }
+
+    fn finish_text(&mut self) {
         let end = self.text.len();
         self.interpreter.finish();
-        if self.begun && !self.ended {
-            let last = self.text.trim_ascii_end().len();
-            self.interpreter.tell(Diagnostic::new(Message::NoEnd, Span::new(last.saturating_sub(1), last)));
-        } else if !self.begun && self.diagnostics().is_empty() {
+        if !self.begun && self.diagnostics().is_empty() {
             self.interpreter.tell(Diagnostic::new(Message::EmptyProgram, Span::new(0, 0)));
         }
         let hidden = self.interpreter.hidden();

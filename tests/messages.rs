@@ -124,7 +124,14 @@ fn tapers() {
 fn programs() {
     check("   O0\n// ^^ E-PROGRAM-ZERO");
     check("O5\nG0 X1\nM30\n   O5\n// ^^ W-DUP-O");
-    check_with("{}", "   M98 P8001\n// ^^^ N-NOT-YET");
+    check("   M98\n// ^^^ PS0076");
+    check("M98 P8001\n//  ^^^^^ PS0076\nG0 X1");
+    check("   M98 P2\nM30\n   O2\nG0 X1\n   M98 P2\n// ^^^^^^ PS0077\nM99");
+    check("G0 X1\n   M99\n// ^^^ W-ENDLESS");
+    check("G0 X1\n   M99 P5\n//     ^^ PS0128");
+    check("G0 X1\nN1 X2\n   M99 P1\n// ^^^^^^ W-ENDLESS");
+    check("O1\nG0 X1\nM30\n   O2\n// ^^ I-NOT-RUN\nG0 X1\nM99");
+    check("O1\nM98 P2\nM30\nO2\nG0 X1\n   O3\n// ^^ W-NO-RETURN\nM99");
 }
 
 #[test]

@@ -197,8 +197,12 @@ pub enum M {
     ThreadPullOut(Switch),
     /// Accepted; the tool path does not depend on it.
     Idle,
-    /// M98, M99.
-    NotYet,
+    /// M98, and M198 of programs on a card.
+    Call,
+    /// M97: a part of the same program, from a sequence number on (Haas).
+    LocalCall,
+    /// M99.
+    Return,
 }
 
 /// On or off.
@@ -223,7 +227,9 @@ pub fn m_code(number: u64) -> Option<M> {
         24 => M::ThreadPullOut(Switch::Off),
         45 => M::CAxis(Switch::On),
         46 => M::CAxis(Switch::Off),
-        98 | 99 => M::NotYet,
+        97 => M::LocalCall,
+        98 | 198 => M::Call,
+        99 => M::Return,
         7..=12 | 19 | 20 | 25 | 26 | 29 | 40..=44 | 68 | 69 | 90 | 91 | 200 | 201 | 712 | 713 => M::Idle,
         _ => return None,
     })

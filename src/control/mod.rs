@@ -4,6 +4,7 @@ pub mod arcs;
 pub mod codes;
 pub mod compensation;
 pub mod corners;
+pub mod course;
 pub mod dialect;
 pub mod interpreter;
 pub mod modal;

@@ -6,6 +6,7 @@
 use super::codes::{Compensation, MotionMode, Plane};
 use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
+use super::course::Course;
 use super::dialect::{Dialect, FeedMode};
 use super::setup::Setup;
 use super::words::Unit;
@@ -286,6 +287,8 @@ pub struct State {
     pub thread_chamfer: u8,
     /// Whether it is switched on (M23, M24).
     pub thread_chamfer_on: bool,
+    /// Calls and loops under way.
+    pub course: Course,
     /// A block was not carried out: what follows may be wrong.
     pub uncertain: bool,
     /// What was already said.
@@ -325,6 +328,7 @@ impl State {
             parameters: CycleParameters::INITIAL,
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
+            course: Course::default(),
             uncertain: false,
             told: Told::default(),
         }

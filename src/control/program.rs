@@ -1,9 +1,9 @@
-//! Where things stand in the program text: sequence numbers within their O program.
+//! Where things stand in the program text: O programs and the sequence numbers within each of them.
 //!
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
-//! ask. Knows nothing of what a block means.
+//! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
-use crate::text::block::Block;
+use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 
 /// A sequence number and the block it stands before.
@@ -22,21 +22,33 @@ impl Label {
     }
 }
 
-/// All sequence numbers of a text.
+/// An O program of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Program {
+    /// Its number, if it has one: a text may begin without.
+    number: Option<u32>,
+    /// Its first block.
+    head: Resume,
+    /// Numbers of the programs it calls.
+    calls: Vec<u32>,
+}
+
+/// All programs and sequence numbers of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
     /// In order of program, number and place.
     labels: Vec<Label>,
-    /// First bytes of the O programs behind the first.
-    programs: Vec<u32>,
+    /// In order of the text; the first begins with the text.
+    programs: Vec<Program>,
 }
 
 impl Labels {
-    /// Reads the sequence numbers of a text.
+    /// Reads the program and sequence numbers of a text.
     pub fn new(text: &[u8]) -> Self {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
-        let mut labels = Self::default();
+        let first = Program { number: None, head: Resume::default(), calls: Vec::new() };
+        let mut labels = Self { labels: Vec::new(), programs: vec![first] };
         let mut begun = false;
         loop {
             let at = parser.position();
@@ -44,12 +56,20 @@ impl Labels {
                 labels.labels.sort_unstable_by_key(Label::key);
                 return labels;
             }
-            if block.program.is_some() && begun {
-                labels.programs.push(at.byte);
+            if let Some((number, _)) = block.program {
+                match labels.programs.last_mut().filter(|_| !begun) {
+                    Some(first) => (first.number, first.head) = (Some(number), at),
+                    None => {
+                        labels.programs.push(Program { number: Some(number), head: at, calls: Vec::new() })
+                    }
+                }
             }
             begun |= !block.is_empty();
             if let Some(sequence) = block.sequence {
-                labels.labels.push(Label { sequence, program: labels.programs.len() as u32, at });
+                labels.labels.push(Label { sequence, program: labels.programs.len() as u32 - 1, at });
+            }
+            if let (Some(called), Some(program)) = (called(&block), labels.programs.last_mut()) {
+                program.calls.push(called);
             }
         }
     }
@@ -66,12 +86,68 @@ impl Labels {
         self.first_from(sequence, from, from).is_some()
     }
 
+    /// The first block of the O program of a number.
+    pub fn program(&self, number: u32) -> Option<Resume> {
+        self.programs.iter().find(|program| program.number == Some(number)).map(|program| program.head)
+    }
+
+    /// The O program that byte `at` belongs to.
+    pub fn number_at(&self, at: u32) -> Option<u32> {
+        self.programs.get(self.index_at(at)).and_then(|program| program.number)
+    }
+
+    /// Where the O program that byte `at` belongs to begins.
+    pub fn head_at(&self, at: u32) -> Resume {
+        self.programs.get(self.index_at(at)).map_or(Resume::default(), |program| program.head)
+    }
+
+    /// Whether a program of the text calls the program of a number.
+    pub fn is_called(&self, number: u32) -> bool {
+        self.programs.iter().any(|program| program.calls.contains(&number))
+    }
+
+    /// The first program that calls the one of a number and is called by none itself.
+    pub fn caller_of(&self, number: u32) -> Option<Resume> {
+        let calls = |program: &&Program| {
+            program.calls.contains(&number) && program.number.is_none_or(|own| !self.is_called(own))
+        };
+        self.programs.iter().find(calls).map(|program| program.head)
+    }
+
+    fn index_at(&self, at: u32) -> usize {
+        self.programs.partition_point(|program| program.head.byte <= at).saturating_sub(1)
+    }
+
     /// The first block of a number from byte `byte` on, in the O program around byte `around`.
     fn first_from(&self, sequence: u32, around: u32, byte: u32) -> Option<Resume> {
-        let program = self.programs.partition_point(|&start| start <= around) as u32;
+        let program = self.index_at(around) as u32;
         let at = self.labels.partition_point(|label| label.key() < (program, sequence, byte));
         let label = self.labels.get(at)?;
         ((label.program, label.sequence) == (program, sequence)).then_some(label.at)
+    }
+}
+
+/// The number of the program that a block calls by M98, G65 or G66.
+fn called(block: &Block) -> Option<u32> {
+    let code = |word: &Word| matches!((word.address, whole(word)), (b'M', Some(98)) | (b'G', Some(65 | 66)));
+    block.words.iter().find(|word| code(word))?;
+    let word = block.words.iter().find(|word| word.address == b'P')?;
+    whole(word).map(|value| program_and_repeats(value).0)
+}
+
+fn whole(word: &Word) -> Option<u64> {
+    match word.value {
+        Value::Number { number, negative: false } => number.integer(),
+        _ => None,
+    }
+}
+
+/// What P of M98 names: up to four digits are the program, more hold the repeats in front of the last four
+/// (`P51002` is five times O1002; semantics §8.3).
+pub fn program_and_repeats(value: u64) -> (u32, u32) {
+    match value {
+        0..=9999 => (value as u32, 1),
+        _ => ((value % 10_000) as u32, (value / 10_000).clamp(1, 9_999) as u32),
     }
 }
 
@@ -88,5 +164,24 @@ mod tests {
         assert_eq!(at(10, 30), Some(&b"N10 G0"[..]));
         assert_eq!(at(30, 15), None);
         assert_eq!(at(30, 50), Some(&b"N30 X3"[..]));
+    }
+
+    #[test]
+    fn programs_know_who_calls_whom() {
+        let text = b"O1000\nG0 X1\nM99\nO2\nM98 P31000\nG65 P3 A1\nM30\nO3\nM99\n";
+        let labels = Labels::new(text);
+        assert_eq!(labels.program(2).map(|at| at.byte), Some(16));
+        assert_eq!(labels.program(4), None);
+        assert!(labels.is_called(1000) && labels.is_called(3) && !labels.is_called(2));
+        assert_eq!(labels.caller_of(1000), labels.program(2));
+        assert_eq!(labels.number_at(20), Some(2));
+    }
+
+    #[test]
+    fn long_numbers_hold_the_repeats() {
+        let cases = [(1002, (1002, 1)), (51_002, (1002, 5)), (30_010, (10, 3)), (100_005, (5, 10))];
+        for (written, meant) in cases {
+            assert_eq!(program_and_repeats(written), meant);
+        }
     }
 }

@@ -21,6 +21,10 @@ pub struct Setup {
     pub tools: BTreeMap<String, Tool>,
     /// The blank.
     pub stock: Option<Stock>,
+    /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are passed over.
+    pub block_skip: Vec<u8>,
+    /// Number of the O program to run; the first of the text when nothing is said.
+    pub program: Option<u32>,
 }
 
 impl Setup {

@@ -105,6 +105,24 @@ pub enum Message {
     /// The run was stopped from outside.
     Stopped { seconds: f64 },
 
+    // Programs and calls
+    /// M98, M97 or G65 without the program it calls.
+    CallNoNumber { code: &'static str },
+    /// No program of that number stands in the text.
+    ProgramNotFound { word: String },
+    /// No block of that number stands in the program.
+    SequenceNotFound { sequence: u32 },
+    /// Too many calls, one within the other.
+    CallTooDeep { most: usize, alarm: &'static str },
+    /// A subprogram ends without M99.
+    NoReturn,
+    /// M99 in the main program.
+    EndlessMain,
+    /// Too many blocks through jumps, loops and calls.
+    TooManyRepeats { most: usize },
+    /// A program that nothing calls.
+    NotRun { number: u32 },
+
     // Codes and words
     /// No such G code.
     UnknownG { word: String },
@@ -284,9 +302,14 @@ impl Message {
             Self::NotYet { .. }
             | Self::TooManyMotions { .. }
             | Self::TooMuchWork { .. }
+            | Self::TooManyRepeats { .. }
             | Self::TextTooLong { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
-            Self::UnknownM { .. } | Self::ShortTool { .. } | Self::LetterIInG92 { .. } => Kind::Machine,
+            // The control's own memory may hold the program.
+            Self::UnknownM { .. }
+            | Self::ShortTool { .. }
+            | Self::LetterIInG92 { .. }
+            | Self::ProgramNotFound { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
     }
@@ -318,6 +341,14 @@ impl Message {
             Self::TooManyMotions { .. } => ("E-TOO-MANY-MOTIONS", "too-many-motions", Error, None),
             Self::TooMuchWork { .. } => ("E-TOO-MUCH-WORK", "too-much-work", Error, None),
             Self::Stopped { .. } => ("E-STOPPED", "run-stopped", Error, None),
+            Self::CallNoNumber { .. } => ("PS0076", "call-without-number", Error, Some("PS0076")),
+            Self::ProgramNotFound { .. } => ("PS0076", "program-not-found", Warning, Some("PS0076")),
+            Self::SequenceNotFound { .. } => ("PS0128", "sequence-number-not-found", Error, Some("PS0128")),
+            Self::CallTooDeep { alarm, .. } => (alarm, "calls-too-deep", Error, Some(alarm)),
+            Self::NoReturn => ("W-NO-RETURN", "subprogram-without-return", Warning, Some("PS5010")),
+            Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
+            Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
+            Self::NotRun { .. } => ("I-NOT-RUN", "program-not-run", Info, None),
             Self::UnknownG { .. } => ("PS0010", "unknown-g-code", Error, Some("PS0010")),
             Self::UnknownM { .. } => ("W-M-UNKNOWN", "unknown-m-code", Info, None),
             Self::NotYet { .. } => ("N-NOT-YET", "not-supported-yet", Warning, None),

@@ -55,6 +55,8 @@ pub struct Block {
     pub kind: BlockKind,
     /// Level of block delete: `/` and `/1` are 1.
     pub delete: Option<u8>,
+    /// A slash within the block: the words from that index on stand under block delete of that level.
+    pub optional: Option<(usize, u8)>,
     /// Program number (`O1234`) at its head.
     pub program: Option<(u32, Span)>,
     /// Sequence number (`N10`) at its head.
@@ -65,6 +67,8 @@ pub struct Block {
     pub comments: Vec<Span>,
     /// What is wrong with the way it is written.
     pub faults: Vec<Diagnostic>,
+    /// Some words hold macro expressions.
+    pub has_expressions: bool,
     /// It has more words than are kept.
     overlong: bool,
 }
@@ -108,6 +112,8 @@ impl Block {
         self.overlong = false;
         self.kind = BlockKind::Words;
         self.delete = None;
+        self.optional = None;
+        self.has_expressions = false;
         self.program = None;
         self.sequence = None;
         self.words.clear();

@@ -183,6 +183,7 @@ impl<'a> Parser<'a> {
                 Some(TokenKind::Macro(b'#' | b'[')) => {
                     let end = self.skip_expression(token.map_or(first, |token| token.span));
                     let span = Span { start: start.start, end };
+                    block.has_expressions = true;
                     block.word(Word {
                         address: letter,
                         comma: comma.is_some(),
@@ -388,6 +389,8 @@ impl<'a> Parser<'a> {
         }
         if block.words.is_empty() {
             block.delete.get_or_insert(level);
+        } else {
+            block.optional.get_or_insert((block.words.len(), level));
         }
     }
 

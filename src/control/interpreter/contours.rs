@@ -156,7 +156,12 @@ impl Interpreter {
         let mut block = Block::default();
         let mut first = None;
         let mut sound = true;
-        while parser.next_block(&mut block) {
+        loop {
+            let at = parser.position();
+            if !parser.next_block(&mut block) {
+                break;
+            }
+            let here = Here { at, next: parser.position() };
             if !self.spend(1, cycle) {
                 break;
             }
@@ -165,7 +170,7 @@ impl Interpreter {
             sound &= self.may_stand_in_contour(text, &block) && !block.is_broken();
             let moves = self.recorded.as_ref().map_or(0, Vec::len);
             let uncertain = std::mem::replace(&mut self.state.uncertain, false);
-            self.run(text, &block);
+            self.run(text, &block, here);
             sound &= !self.state.uncertain;
             self.state.uncertain |= uncertain;
             if is_first {
@@ -214,7 +219,7 @@ impl Interpreter {
         }
     }
 
-    fn labels(&mut self, text: &[u8]) -> &Labels {
+    pub(super) fn labels(&mut self, text: &[u8]) -> &Labels {
         self.labels.get_or_insert_with(|| Labels::new(text))
     }
 

@@ -6,6 +6,7 @@
 //! Order within a block (semantics §1.3): plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
+mod calls;
 mod contours;
 mod motions;
 mod multiples;
@@ -13,6 +14,8 @@ mod path;
 mod settings;
 mod singles;
 mod watch;
+
+use std::collections::BTreeSet;
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
@@ -33,6 +36,9 @@ use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn, 
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 use crate::text::source::Span;
+use calls::Passage;
+
+pub use calls::Here;
 
 /// Motions of a chunk before the next one is begun.
 const CHUNK: usize = 4096;
@@ -47,6 +53,8 @@ pub enum Flow {
     Next,
     /// With the block at another place.
     Jump(Resume),
+    /// Everything from the start, with the program that begins there: what ran is only its subprogram.
+    Restart(Resume),
     /// It has ended.
     End,
 }
@@ -92,6 +100,8 @@ struct Request {
     stop_spindle: bool,
     /// M02, M30.
     end: bool,
+    /// M97, M98, M99.
+    passage: Option<Passage>,
     /// The motion of the block is not carried out.
     drop: bool,
     /// The word of group 01 met so far.
@@ -129,6 +139,18 @@ pub struct Interpreter {
     landmarks: Vec<Landmarks>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
+    /// First byte of the last block of the main program that was run straight through.
+    furthest: u32,
+    /// Blocks carried out through jumps, loops and calls.
+    repeated: usize,
+    /// The block that jumped or called last.
+    jumped_by: Option<Span>,
+    /// The program has left the straight way through its text.
+    wandered: bool,
+    /// First bytes of the programs that were run.
+    heads: BTreeSet<u32>,
+    /// Messages told, by place and name: what runs again is not told again.
+    told: BTreeSet<(u32, &'static str)>,
 }
 
 impl Interpreter {
@@ -153,6 +175,12 @@ impl Interpreter {
             labels: None,
             landmarks: Vec::new(),
             jump: None,
+            furthest: 0,
+            repeated: 0,
+            jumped_by: None,
+            wandered: false,
+            heads: BTreeSet::new(),
+            told: BTreeSet::new(),
         }
     }
 
@@ -204,13 +232,52 @@ impl Interpreter {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Tells the user something.
+    /// Tells the user something, unless it was told of the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() < self.limits.messages {
+        if self.diagnostics.len() >= self.limits.messages {
+            // Which of them were told before is not kept any more.
+            self.hidden += usize::from(!self.wandered);
+        } else if self.told.insert((diagnostic.span.start, diagnostic.message.slug())) {
             self.diagnostics.push(diagnostic);
-        } else {
-            self.hidden += 1;
         }
+    }
+
+    /// The program to run begins here.
+    pub fn begin_at(&mut self, head: Resume) {
+        self.state.course.head = head;
+        self.furthest = head.byte;
+        self.heads.insert(head.byte);
+    }
+
+    /// The program to run begins here, and is not the first of the text.
+    pub fn begin_elsewhere(&mut self, head: Resume) {
+        self.begin_at(head);
+        self.wandered = true;
+    }
+
+    /// Whether the program in force begins here.
+    pub fn is_head(&self, at: Resume) -> bool {
+        self.state.course.program_head().byte == at.byte
+    }
+
+    /// Whether the program that begins here was run.
+    pub fn was_run(&self, at: Resume) -> bool {
+        self.heads.contains(&at.byte)
+    }
+
+    /// Whether a program of the text calls the one of a number.
+    pub fn is_called(&mut self, text: &[u8], number: u32) -> bool {
+        self.labels(text).is_called(number)
+    }
+
+    /// The bounds of the run.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Whether the program has left the straight way through its text.
+    pub fn has_wandered(&self) -> bool {
+        self.wandered
     }
 
     /// Tells what is wrong with the writing of a block that is not run.
@@ -221,7 +288,17 @@ impl Interpreter {
     }
 
     /// Carries out one block.
-    pub fn run(&mut self, text: &[u8], block: &Block) -> Flow {
+    pub fn run(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if self.recorded.is_none() && !self.may_go_on(block) {
+            return Flow::End;
+        }
+        if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
+            self.tell_faults(block);
+            return Flow::Next;
+        }
+        if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
+            return self.run(text, &without_optional(block), here);
+        }
         let broken = !block.faults.is_empty() && {
             self.tell_faults(block);
             block.is_broken()
@@ -272,10 +349,12 @@ impl Interpreter {
             self.state.spindle.live_tool = false;
             self.state.told.forget(Once::SpindleStopped);
         }
-        match self.jump.take() {
+        match (self.jump.take(), request.passage) {
             _ if request.end || self.full => Flow::End,
-            Some(at) => Flow::Jump(at),
-            None => Flow::Next,
+            // A call in a contour was told already.
+            (None, Some(passage)) if self.recorded.is_none() => self.pass(text, block, &words, passage, here),
+            (Some(at), _) => Flow::Jump(at),
+            (None, _) => Flow::Next,
         }
     }
 
@@ -413,12 +492,9 @@ impl Interpreter {
             Some(M::End) => request.end = true,
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
             Some(M::Pause | M::Idle) => {}
-            Some(M::NotYet) => {
-                self.not_yet(text, word.span);
-                self.state.uncertain = true;
-                // M99 goes back to the caller or to the head of the program: either way this run is over.
-                request.end |= number == 99;
-            }
+            Some(M::Call) => request.passage = Some(Passage::Call),
+            Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
+            Some(M::Return) => request.passage = Some(Passage::Return),
             None => self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span)),
         }
     }
@@ -595,6 +671,15 @@ impl Interpreter {
         }
         self.chunk.push(&routed.motion, routed.span, routed.line);
     }
+}
+
+/// The block as it is when the slash within it counts.
+fn without_optional(block: &Block) -> Block {
+    let mut rest = block.clone();
+    if let Some((first, _)) = rest.optional.take() {
+        rest.words.truncate(first);
+    }
+    rest
 }
 
 fn is_prose(fault: &Diagnostic) -> bool {

@@ -69,6 +69,30 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::Stopped { seconds } => {
             Sentence::new(format!("The run was stopped after {} s; what follows is not shown.", number(*seconds)))
         }
+        Message::CallNoNumber { code } => Sentence::new(format!("{code} does not say what it calls."))
+            .help("P gives the number of the program: M98 P1000 calls O1000, M98 P1000 L3 calls it three times."),
+        Message::ProgramNotFound { word } => {
+            Sentence::new(format!("No program of the number in `{word}` stands in this text, so the call is passed over."))
+                .help("Put the subprogram behind the main program: O and its number, its blocks, M99. Without L, digits in front of the last four are the repeats: P51002 is five times O1002.")
+        }
+        Message::SequenceNotFound { sequence } => {
+            Sentence::new(format!("No block N{sequence} stands in this program, so the jump is passed over."))
+                .help("The search stays within the O program it starts in.")
+        }
+        Message::CallTooDeep { most, .. } => {
+            Sentence::new(format!("More than {most} calls stand one within the other; the run ends here."))
+                .help("A program that calls itself, or two that call each other, never end.")
+        }
+        Message::NoReturn => Sentence::new("This subprogram ends without M99.")
+            .help("A control stops here with an alarm. The picture goes on behind the call."),
+        Message::EndlessMain => Sentence::new("M99 in a main program goes back to its head, for ever; one round is drawn.")
+            .help("That is usual with a bar feeder. As a subprogram, called by M98 from another, it would return to its caller. Write M30 to end the program."),
+        Message::TooManyRepeats { most } => {
+            Sentence::new(format!("From here more than {most} blocks were run by jumps, loops and calls; the run ends."))
+                .help("The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call.")
+        }
+        Message::NotRun { number } => Sentence::new(format!("O{number:04} is not run: no program calls it."))
+            .help("A text with several programs runs the first. Choose another one to see it."),
         Message::UnknownG { word } => Sentence::new(format!("`{word}` is not a G code of this control."))
             .help("The whole block is not carried out. Check the number."),
         Message::UnknownM { word } => Sentence::new(format!("`{word}` is known only to some machines; it is passed over."))

@@ -70,6 +70,26 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::Stopped { seconds } => {
             Sentence::new(format!("运行 {} 秒后被中止，后面的内容没有显示。", number(*seconds)))
         }
+        Message::CallNoNumber { code } => Sentence::new(format!("{code} 没有指明调用哪个程序。"))
+            .help("P 为程序号：M98 P1000 调用 O1000，M98 P1000 L3 调用三次。"),
+        Message::ProgramNotFound { word } => {
+            Sentence::new(format!("文本中没有 `{word}` 所指的程序，该调用被跳过。"))
+                .help("子程序写在主程序之后：O 加程序号、程序段、M99。没有 L 时，最后四位之前的数字为重复次数：P51002 即 O1002 调用五次。")
+        }
+        Message::SequenceNotFound { sequence } => {
+            Sentence::new(format!("本程序中没有顺序号 N{sequence}，该跳转被跳过。")).help("只在所在的 O 程序内检索。")
+        }
+        Message::CallTooDeep { most, .. } => Sentence::new(format!("调用嵌套超过 {most} 层，运行在此结束。"))
+            .help("程序调用自身，或两个程序互相调用，永远不会结束。"),
+        Message::NoReturn => Sentence::new("该子程序结尾没有 M99。").help("系统在此报警停止；图形从调用处之后继续。"),
+        Message::EndlessMain => Sentence::new("主程序中的 M99 返回程序开头，无限循环；图中只画一遍。")
+            .help("自动送料加工常这样写。作为子程序由 M98 调用时，则返回调用它的程序。结束程序请写 M30。"),
+        Message::TooManyRepeats { most } => {
+            Sentence::new(format!("从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。"))
+                .help("循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。")
+        }
+        Message::NotRun { number } => Sentence::new(format!("O{number:04} 没有运行：没有程序调用它。"))
+            .help("文本中有多个程序时运行第一个。可选择另一个程序查看。"),
         Message::UnknownG { word } => {
             Sentence::new(format!("`{word}` 不是本系统的 G 代码。")).help("整个程序段都不执行，请核对代码。")
         }

@@ -1,0 +1,211 @@
+//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them (semantics §8.3).
+//!
+//! In: the words of a block and where it stands. Out: the place of the next block.
+
+use super::*;
+use crate::control::course::{Call, CallKind};
+use crate::control::program::program_and_repeats;
+
+/// Where a block stands in the text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Here {
+    /// Its own beginning.
+    pub at: Resume,
+    /// The beginning of the block behind it.
+    pub next: Resume,
+}
+
+/// What M97, M98 or M99 asks for, once everything else of its block is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passage {
+    /// M98.
+    Call,
+    /// M97.
+    LocalCall,
+    /// M99.
+    Return,
+}
+
+impl Interpreter {
+    /// Counts blocks that are carried out through jumps, loops and calls. False: they were too many, and the run
+    /// ends here.
+    #[inline]
+    pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
+        if self.state.course.calls.is_empty() && block.span.start >= self.furthest {
+            self.furthest = block.span.start;
+            return true;
+        }
+        self.repeated += 1;
+        if self.repeated > self.limits.repeated_blocks {
+            let most = self.limits.repeated_blocks;
+            let span = self.jumped_by.unwrap_or_else(|| block.words_span());
+            self.tell_always(Diagnostic::new(Message::TooManyRepeats { most }, span));
+            self.full = true;
+        }
+        !self.full
+    }
+
+    /// M97, M98, M99.
+    pub(super) fn pass(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        passage: Passage,
+        here: Here,
+    ) -> Flow {
+        match passage {
+            Passage::Return => self.go_back(text, block, words),
+            Passage::Call | Passage::LocalCall => {
+                let named = words.get(b'P').and_then(plain).filter(|&number| number >= 1.0);
+                let Some(named) = named.map(|number| number as u64) else {
+                    let code = if passage == Passage::Call { "M98" } else { "M97" };
+                    self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+                    self.state.uncertain = true;
+                    return Flow::Next;
+                };
+                let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
+                let (head, packed) = match passage {
+                    Passage::LocalCall => (self.sequence(text, block, named as u32), 1),
+                    _ => self.subprogram(text, named, words.get(b'Q').and_then(plain)),
+                };
+                let Some(head) = head else {
+                    let word = words.quote(text, b'P');
+                    self.tell(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
+                    self.state.uncertain = true;
+                    return Flow::Next;
+                };
+                match repeats.unwrap_or(packed) {
+                    0 => Flow::Next,
+                    rounds => self.call(block, CallKind::Subprogram, head, here.next, rounds),
+                }
+            }
+        }
+    }
+
+    /// The head of a subprogram, or its block of sequence number `begin`; and the repeats packed into the number.
+    fn subprogram(&mut self, text: &[u8], named: u64, begin: Option<f64>) -> (Option<Resume>, u32) {
+        let labels = self.labels(text);
+        let whole = u32::try_from(named).ok().and_then(|number| labels.program(number));
+        let (number, repeats) = program_and_repeats(named);
+        let (head, repeats) = match whole {
+            Some(head) => (Some(head), 1),
+            None => (labels.program(number), repeats),
+        };
+        let begin = begin.map(|sequence| sequence as u32);
+        match (head, begin) {
+            (Some(head), Some(sequence)) => (labels.find(sequence, head.byte), repeats),
+            (head, _) => (head, repeats),
+        }
+    }
+
+    /// The block of a sequence number in the program of `block`.
+    pub(super) fn sequence(&mut self, text: &[u8], block: &Block, sequence: u32) -> Option<Resume> {
+        self.labels(text).find(sequence, block.span.start)
+    }
+
+    /// Goes into a subprogram or macro, unless too many are under way (PS0077, PS0122).
+    pub(super) fn call(
+        &mut self,
+        block: &Block,
+        kind: CallKind,
+        head: Resume,
+        back: Resume,
+        rounds: u32,
+    ) -> Flow {
+        let macros = self.state.course.macros();
+        let (depth, most) = match kind {
+            CallKind::Macro => (macros, self.limits.macro_depth),
+            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.limits.call_depth),
+        };
+        if depth >= most {
+            let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
+            self.tell(Diagnostic::new(Message::CallTooDeep { most, alarm }, block.words_span()));
+            // The control stops here; going on would only call again.
+            self.full = true;
+            return Flow::End;
+        }
+        self.wandered = true;
+        self.heads.insert(head.byte);
+        let caller = block.span.start;
+        let call = Call { kind, head, back, caller, rounds, loops: Vec::new() };
+        self.state.course.calls.push(call);
+        self.jumped_by = Some(block.words_span());
+        Flow::Jump(head)
+    }
+
+    /// M99: back to the caller, or to the head of the main program.
+    fn go_back(&mut self, text: &[u8], block: &Block, words: &Words) -> Flow {
+        let named = words.get(b'P').and_then(plain).map(|number| number as u32);
+        let Some(call) = self.state.course.calls.last_mut() else {
+            return match named {
+                Some(sequence) => self.go_to(text, block, sequence, words.span(b'P')),
+                None => self.main_again(text, block),
+            };
+        };
+        if named.is_none() && call.rounds > 1 {
+            call.rounds -= 1;
+            call.loops.clear();
+            return Flow::Jump(call.head);
+        }
+        let (caller, back) = (call.caller, call.back);
+        self.leave_call();
+        let Some(sequence) = named else { return Flow::Jump(back) };
+        match self.labels(text).find(sequence, caller) {
+            Some(at) => Flow::Jump(at),
+            None => {
+                self.sequence_not_found(sequence, words.span(b'P'));
+                Flow::Jump(back)
+            }
+        }
+    }
+
+    /// The innermost call ends.
+    fn leave_call(&mut self) {
+        self.state.course.calls.pop();
+    }
+
+    /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
+    pub fn run_out(&mut self, span: Span) -> Option<Resume> {
+        let back = self.state.course.calls.last()?.back;
+        self.tell(Diagnostic::new(Message::NoReturn, span));
+        self.leave_call();
+        Some(back)
+    }
+
+    /// Goes on at a sequence number of the same program (M99 P in the main program, GOTO).
+    pub(super) fn go_to(&mut self, text: &[u8], block: &Block, sequence: u32, span: Span) -> Flow {
+        match self.sequence(text, block, sequence) {
+            Some(at) => {
+                self.wandered = true;
+                self.jumped_by = Some(block.words_span());
+                Flow::Jump(at)
+            }
+            None => {
+                self.sequence_not_found(sequence, span);
+                Flow::Next
+            }
+        }
+    }
+
+    fn sequence_not_found(&mut self, sequence: u32, span: Span) {
+        self.tell(Diagnostic::new(Message::SequenceNotFound { sequence }, span));
+        self.state.uncertain = true;
+    }
+
+    /// M99 of the main program: from its head once more, for ever.
+    fn main_again(&mut self, text: &[u8], block: &Block) -> Flow {
+        let chosen = self.setup.program.is_some();
+        let labels = self.labels(text);
+        let own = labels.number_at(block.span.start);
+        if let Some(main) = own.and_then(|own| labels.caller_of(own)).filter(|_| !chosen) {
+            // A subprogram that stands before the program that calls it.
+            return Flow::Restart(main);
+        }
+        let called = own.is_some_and(|own| labels.is_called(own));
+        if !called {
+            self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
+        }
+        Flow::End
+    }
+}
