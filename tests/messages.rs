@@ -131,7 +131,7 @@ fn programs() {
     check("G0 X1\n   M99 P5\n//     ^^ PS0128");
     check("G0 X1\nN1 X2\n   M99 P1\n// ^^^^^^ W-ENDLESS");
     check("O1\nG0 X1\nM30\n   O2\n// ^^ I-NOT-RUN\nG0 X1\nM99");
-    check("O1\nM98 P2\nM30\nO2\nG0 X1\n   O3\n// ^^ W-NO-RETURN\nM99");
+    check("O1\nM98 P2\nM98 P3\nM30\nO2\nG0 X1\n   O3\n// ^^ W-NO-RETURN\nM99");
 }
 
 #[test]
