@@ -256,11 +256,11 @@ impl Run {
         {
             self.interpreter.tell(Diagnostic::new(Message::NotRun { number }, span));
         }
-        if self.ended || self.interpreter.is_head(here.at) {
+        if self.ended {
             return None;
         }
-        if !self.begun {
-            self.interpreter.begin_at(here.at);
+        if !self.begun || self.interpreter.is_head(here.at) {
+            self.interpreter.enter_program(here.at);
             return None;
         }
         Some(self.run_out(span, here))

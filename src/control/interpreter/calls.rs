@@ -126,7 +126,6 @@ impl Interpreter {
             return Flow::End;
         }
         self.wandered = true;
-        self.heads.insert(head.byte);
         let caller = block.span.start;
         let call = Call { kind, head, back, caller, rounds, loops: Vec::new() };
         self.state.course.calls.push(call);

@@ -242,16 +242,18 @@ impl Interpreter {
         }
     }
 
-    /// The program to run begins here.
-    pub fn begin_at(&mut self, head: Resume) {
-        self.state.course.head = head;
-        self.furthest = head.byte;
+    /// An O program begins here and is run: the main program, unless a call is under way.
+    pub fn enter_program(&mut self, head: Resume) {
+        if self.state.course.calls.is_empty() {
+            self.state.course.head = head;
+        }
         self.heads.insert(head.byte);
     }
 
     /// The program to run begins here, and is not the first of the text.
     pub fn begin_elsewhere(&mut self, head: Resume) {
-        self.begin_at(head);
+        self.enter_program(head);
+        self.furthest = head.byte;
         self.wandered = true;
     }
 
