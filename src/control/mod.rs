@@ -7,6 +7,7 @@ pub mod corners;
 pub mod course;
 pub mod dialect;
 pub mod interpreter;
+pub mod macros;
 pub mod modal;
 pub mod program;
 pub mod setup;

@@ -1,0 +1,330 @@
+//! Expressions and conditions, evaluated as they are read.
+//!
+//! ```text
+//! address   = { sign } ( number | variable | function | "[" sum "]" )
+//! variable  = "#" ( number | "[" sum "]" )
+//! joined    = all { ( "OR" | "XOR" ) all }                           only conditions are joined
+//! all       = comparison { "AND" comparison }
+//! comparison = sum [ ( "EQ" | "NE" | "GT" | "GE" | "LT" | "LE" ) sum ]
+//! sum       = product { ( "+" | "-" | "OR" | "XOR" ) product }       OR, XOR, AND of numbers: bit by bit
+//! product   = factor { ( "*" | "/" | "MOD" | "AND" ) factor }
+//! factor    = { sign } ( number | variable | function | "[" joined "]" )
+//! function  = name "[" sum [ "," sum ] "]" [ "/" "[" sum "]" ]       two numbers for ATAN and POW only
+//! ```
+//!
+//! In: text and the memory of the variables. Out: a value, or the [`Fault`]. The text is read once, but for a
+//! look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion (semantics §8.4).
+
+use std::ops::Range;
+
+use super::cursor::{Arithmetic, Cursor, Operator};
+use super::functions::{self, Function};
+use super::{Fault, FaultKind, Memory};
+
+/// Most brackets inside each other, those of functions and of `#[…]` among them.
+const MOST_BRACKETS: u8 = 5;
+
+/// The value behind an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
+/// the least increment of the address, in its own unit, to which ROUND rounds here.
+pub fn address_value(text: &[u8], increment: f64, memory: &mut impl Memory) -> Result<Option<f64>, Fault> {
+    let mut evaluator = Evaluator::new(text, memory);
+    evaluator.rounding = Rounding::Increment(increment);
+    let negative = evaluator.signs().unwrap_or(false);
+    let value = evaluator.term()?;
+    let value = value.number()?.map(|value| if negative { 0.0 - value } else { value });
+    match evaluator.cursor.peek() {
+        Some(_) => Err(FaultKind::Expression.at(evaluator.cursor.here())),
+        None => Ok(value),
+    }
+}
+
+/// What a part of an expression comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Outcome {
+    /// A number, or a vacant variable.
+    Number(Option<f64>),
+    /// A condition.
+    Truth(bool),
+}
+
+/// What a part of an expression comes to, and where it stands.
+#[derive(Clone, Debug)]
+pub(super) struct Value {
+    pub outcome: Outcome,
+    pub at: Range<usize>,
+}
+
+impl Value {
+    /// The number; `None` for a vacant variable.
+    pub fn number(&self) -> Result<Option<f64>, Fault> {
+        match self.outcome {
+            Outcome::Number(number) => Ok(number),
+            Outcome::Truth(_) => Err(FaultKind::NumberOrCondition.at(self.at.clone())),
+        }
+    }
+
+    /// The number for arithmetic, where a vacant variable is zero.
+    pub fn or_zero(&self) -> Result<f64, Fault> {
+        self.number().map(|number| number.unwrap_or(0.0))
+    }
+
+    /// Whether the condition holds.
+    pub fn truth(&self) -> Result<bool, Fault> {
+        match self.outcome {
+            Outcome::Truth(truth) => Ok(truth),
+            Outcome::Number(_) => Err(FaultKind::NumberOrCondition.at(self.at.clone())),
+        }
+    }
+}
+
+/// What ROUND rounds to.
+#[derive(Clone, Copy, Debug)]
+enum Rounding {
+    Integer,
+    /// The least increment of an address.
+    Increment(f64),
+}
+
+/// Whether a sum stands behind a comparison, so that AND, OR and XOR may begin the next condition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Behind {
+    Nothing,
+    Comparison,
+}
+
+/// What binds tighter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Priority {
+    /// `* / MOD AND`.
+    Product,
+    /// `+ - OR XOR`.
+    Sum,
+}
+
+/// Reads expressions from a text.
+pub(super) struct Evaluator<'a> {
+    pub cursor: Cursor<'a>,
+    memory: &'a mut dyn Memory,
+    rounding: Rounding,
+    /// Brackets that are open.
+    depth: u8,
+}
+
+impl<'a> Evaluator<'a> {
+    pub fn new(text: &'a [u8], memory: &'a mut impl Memory) -> Self {
+        Self { cursor: Cursor::new(text), memory, rounding: Rounding::Integer, depth: 0 }
+    }
+
+    /// Writes the variable whose name stands at `at`.
+    pub fn write(&mut self, variable: u32, value: Option<f64>, at: Range<usize>) -> Result<(), Fault> {
+        self.memory.write(variable, value).map_err(|kind| kind.at(at))
+    }
+
+    /// A condition, which begins with a bracket.
+    pub fn condition(&mut self) -> Result<bool, Fault> {
+        match self.cursor.peek() {
+            Some(b'[') => self.joined()?.truth(),
+            _ => Err(FaultKind::Format.at(self.cursor.here())),
+        }
+    }
+
+    /// A number, as it stands behind `=`.
+    pub fn sum(&mut self) -> Result<Value, Fault> {
+        self.sum_behind(Behind::Nothing)
+    }
+
+    /// A number, variable, function or bracket, without a sign.
+    pub fn term(&mut self) -> Result<Value, Fault> {
+        let start = self.cursor.start();
+        let outcome = match self.cursor.peek() {
+            Some(b'#') => {
+                let variable = self.variable()?;
+                let read = self.memory.read(variable);
+                Outcome::Number(read.map_err(|kind| kind.at(self.cursor.since(start)))?)
+            }
+            Some(b'[') => self.bracket(Self::joined)?.outcome,
+            Some(b'A'..=b'Z') => Outcome::Number(Some(self.function()?)),
+            _ => match self.cursor.number() {
+                Some(number) => {
+                    let number = functions::bounded(number);
+                    Outcome::Number(Some(number.map_err(|kind| kind.at(self.cursor.since(start)))?))
+                }
+                None => return Err(FaultKind::Expression.at(self.cursor.here())),
+            },
+        };
+        Ok(Value { outcome, at: self.cursor.since(start) })
+    }
+
+    /// Takes a variable and answers its number.
+    pub fn variable(&mut self) -> Result<u32, Fault> {
+        let start = self.cursor.start();
+        self.cursor.take(1);
+        let number = if self.cursor.peek() == Some(b'[') {
+            let rounding = std::mem::replace(&mut self.rounding, Rounding::Integer);
+            let number = self.bracket(Self::sum)?.or_zero()?;
+            self.rounding = rounding;
+            number
+        } else {
+            self.cursor.number().ok_or_else(|| FaultKind::Expression.at(self.cursor.here()))?
+        };
+        functions::count(number).ok_or_else(|| FaultKind::VariableNumber.at(self.cursor.since(start)))
+    }
+
+    /// Conditions, any of which may hold.
+    fn joined(&mut self) -> Result<Value, Fault> {
+        let mut left = self.all()?;
+        while let Some((Operator::Arithmetic(operator @ (Arithmetic::Or | Arithmetic::Xor)), length)) =
+            self.cursor.operator()
+        {
+            self.cursor.take(length);
+            let right = self.all()?;
+            let (first, second) = (left.truth()?, right.truth()?);
+            let truth = if operator == Arithmetic::Or { first | second } else { first ^ second };
+            left = Value { outcome: Outcome::Truth(truth), at: left.at.start..right.at.end };
+        }
+        Ok(left)
+    }
+
+    /// Conditions, all of which must hold.
+    fn all(&mut self) -> Result<Value, Fault> {
+        let mut left = self.comparison()?;
+        while let Some((Operator::Arithmetic(Arithmetic::And), length)) = self.cursor.operator() {
+            self.cursor.take(length);
+            let right = self.comparison()?;
+            let truth = left.truth()? & right.truth()?;
+            left = Value { outcome: Outcome::Truth(truth), at: left.at.start..right.at.end };
+        }
+        Ok(left)
+    }
+
+    fn comparison(&mut self) -> Result<Value, Fault> {
+        let left = self.sum()?;
+        let Some((Operator::Comparison(comparison), length)) = self.cursor.operator() else {
+            return Ok(left);
+        };
+        self.cursor.take(length);
+        let right = self.sum_behind(Behind::Comparison)?;
+        let truth = functions::compare(comparison, left.number()?, right.number()?);
+        Ok(Value { outcome: Outcome::Truth(truth), at: left.at.start..right.at.end })
+    }
+
+    fn sum_behind(&mut self, behind: Behind) -> Result<Value, Fault> {
+        let mut left = self.product(behind)?;
+        while let Some(operator) = self.arithmetic(Priority::Sum, &left, behind) {
+            let right = self.product(behind)?;
+            left = combined(operator, &left, &right)?;
+        }
+        Ok(left)
+    }
+
+    fn product(&mut self, behind: Behind) -> Result<Value, Fault> {
+        let mut left = self.factor()?;
+        while let Some(operator) = self.arithmetic(Priority::Product, &left, behind) {
+            let right = self.factor()?;
+            left = combined(operator, &left, &right)?;
+        }
+        Ok(left)
+    }
+
+    /// Takes the operator behind a value if it is one of this priority and does not join conditions.
+    fn arithmetic(&mut self, priority: Priority, left: &Value, behind: Behind) -> Option<Arithmetic> {
+        let (Operator::Arithmetic(operator), length) = self.cursor.operator()? else { return None };
+        let (of, may_join) = match operator {
+            Arithmetic::Multiply | Arithmetic::Divide | Arithmetic::Modulo => (Priority::Product, false),
+            Arithmetic::And => (Priority::Product, true),
+            Arithmetic::Add | Arithmetic::Subtract => (Priority::Sum, false),
+            Arithmetic::Or | Arithmetic::Xor => (Priority::Sum, true),
+        };
+        let joins = || {
+            matches!(left.outcome, Outcome::Truth(_))
+                || (behind == Behind::Comparison && self.cursor.joins_conditions())
+        };
+        if of != priority || (may_join && joins()) {
+            return None;
+        }
+        self.cursor.take(length);
+        Some(operator)
+    }
+
+    fn factor(&mut self) -> Result<Value, Fault> {
+        let start = self.cursor.start();
+        let Some(negative) = self.signs() else { return self.term() };
+        let value = self.term()?.or_zero()?;
+        let value = if negative { 0.0 - value } else { value };
+        Ok(Value { outcome: Outcome::Number(Some(value)), at: self.cursor.since(start) })
+    }
+
+    /// Takes the signs before a value: whether they make it negative; `None` when there are none.
+    fn signs(&mut self) -> Option<bool> {
+        let mut negative = None;
+        loop {
+            match self.cursor.peek() {
+                Some(b'-') => negative = Some(negative != Some(true)),
+                Some(b'+') => negative = Some(negative == Some(true)),
+                _ => return negative,
+            }
+            self.cursor.take(1);
+        }
+    }
+
+    /// What stands between brackets.
+    fn bracket(&mut self, inside: impl FnOnce(&mut Self) -> Result<Value, Fault>) -> Result<Value, Fault> {
+        let open = self.cursor.here();
+        if !self.cursor.eat(b'[') {
+            return Err(FaultKind::Expression.at(open));
+        }
+        if self.depth == MOST_BRACKETS {
+            return Err(FaultKind::BracketsTooDeep.at(open));
+        }
+        self.depth += 1;
+        let value = inside(self)?;
+        if !self.cursor.eat(b']') {
+            return Err(match self.cursor.peek() {
+                None => FaultKind::BracketOpen.at(open),
+                Some(_) => FaultKind::Expression.at(self.cursor.here()),
+            });
+        }
+        self.depth -= 1;
+        Ok(value)
+    }
+
+    fn function(&mut self) -> Result<f64, Fault> {
+        let start = self.cursor.start();
+        let name = self.cursor.name();
+        let unknown = FaultKind::UnknownFunction.at(self.cursor.since(start));
+        let function = Function::named(name).ok_or(unknown)?;
+        let mut second = None;
+        let first = self.bracket(|evaluator| {
+            let first = evaluator.sum()?;
+            if function.takes_two() && evaluator.cursor.eat(b',') {
+                second = Some(evaluator.sum()?.or_zero()?);
+            }
+            Ok(first)
+        })?;
+        let first = first.or_zero()?;
+        if function == Function::Atan && second.is_none() {
+            let mut ahead = self.cursor;
+            if ahead.eat(b'/') && ahead.peek() == Some(b'[') {
+                self.cursor = ahead;
+                second = Some(self.bracket(Self::sum)?.or_zero()?);
+            }
+        }
+        let result = match (second, self.rounding) {
+            (Some(second), _) => function.of_two(first, second),
+            (None, Rounding::Increment(increment)) if function == Function::Round => {
+                functions::round_to(first, increment)
+            }
+            (None, _) => function.of(first),
+        };
+        result.map_err(|kind| kind.at(self.cursor.since(start)))
+    }
+}
+
+fn combined(operator: Arithmetic, left: &Value, right: &Value) -> Result<Value, Fault> {
+    let at = left.at.start..right.at.end;
+    match functions::combine(operator, left.or_zero()?, right.or_zero()?) {
+        Ok(value) => Ok(Value { outcome: Outcome::Number(Some(value)), at }),
+        Err(FaultKind::DivisionByZero) => Err(FaultKind::DivisionByZero.at(right.at.clone())),
+        Err(kind) => Err(kind.at(at)),
+    }
+}

@@ -1,0 +1,113 @@
+//! Custom macro B: variables, expressions and statements.
+//!
+//! In: the text of an address value or of a macro statement, and the [`Memory`] its variables are in. Out: a
+//! number, or the [`Action`] the statement asks for; else the [`Fault`]. Evaluated straight from the text: no
+//! tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions, messages
+//! or the meaning of system variables (semantics §8.4, §8.5).
+
+mod arguments;
+mod cursor;
+mod expression;
+mod functions;
+mod statement;
+#[cfg(test)]
+mod tests;
+mod variables;
+
+use std::ops::Range;
+
+pub use arguments::{ArgumentFault, arguments};
+pub use expression::address_value;
+pub use statement::{Action, statement};
+pub use variables::{Found, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
+
+/// Where variables are read and written.
+pub trait Memory {
+    /// The value of a variable; `None` when it is vacant.
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind>;
+
+    /// Gives a variable a value, or makes it vacant.
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind>;
+}
+
+/// What is wrong with a macro, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// What is wrong.
+    pub kind: FaultKind,
+    /// Bytes of the text that was given; empty only where that text is.
+    pub at: Range<usize>,
+}
+
+impl Fault {
+    /// The alarm of the control, as in `PS0112`.
+    pub fn alarm(&self) -> &'static str {
+        self.kind.alarm()
+    }
+}
+
+/// What can be wrong with a macro.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaultKind {
+    /// A value beyond ±10^47, or none at all: PS0111.
+    Overflow,
+    /// Division, or MOD, by zero: PS0112.
+    DivisionByZero,
+    /// A function that does not exist: PS0113.
+    UnknownFunction,
+    /// An expression that cannot be read: PS0114.
+    Expression,
+    /// A `[` without its `]`: PS0114.
+    BracketOpen,
+    /// A condition where a number belongs, or a number where a condition belongs: PS0114.
+    NumberOrCondition,
+    /// A variable that does not exist: PS0115.
+    VariableNumber,
+    /// A variable that can only be read: PS0116.
+    ReadOnly,
+    /// More than five brackets inside each other: PS0118.
+    BracketsTooDeep,
+    /// A value the function has no result for: PS0119.
+    FunctionArgument,
+    /// Too many macro calls inside each other: PS0122.
+    CallsTooDeep,
+    /// DO without its END; told by the caller, who sees the blocks: PS0124.
+    EndMissing,
+    /// A statement that cannot be read: PS0125.
+    Format,
+    /// A loop number that is not 1, 2 or 3: PS0126.
+    LoopNumber,
+    /// Words of an ordinary block behind a macro statement: PS0127.
+    WordsBehind,
+    /// A number that no block can have, or, told by the caller, that none has: PS0128.
+    JumpTarget,
+    /// A letter that cannot hand over an argument: PS0129.
+    ArgumentLetter,
+}
+
+impl FaultKind {
+    /// The alarm of the control, as in `PS0112`.
+    pub fn alarm(self) -> &'static str {
+        match self {
+            Self::Overflow => "PS0111",
+            Self::DivisionByZero => "PS0112",
+            Self::UnknownFunction => "PS0113",
+            Self::Expression | Self::BracketOpen | Self::NumberOrCondition => "PS0114",
+            Self::VariableNumber => "PS0115",
+            Self::ReadOnly => "PS0116",
+            Self::BracketsTooDeep => "PS0118",
+            Self::FunctionArgument => "PS0119",
+            Self::CallsTooDeep => "PS0122",
+            Self::EndMissing => "PS0124",
+            Self::Format => "PS0125",
+            Self::LoopNumber => "PS0126",
+            Self::WordsBehind => "PS0127",
+            Self::JumpTarget => "PS0128",
+            Self::ArgumentLetter => "PS0129",
+        }
+    }
+
+    fn at(self, at: Range<usize>) -> Fault {
+        Fault { kind: self, at }
+    }
+}

@@ -1,0 +1,185 @@
+//! Macro statements.
+//!
+//! ```text
+//! statement  = assignment | jump | loop | "IF" condition ( assignment | jump | "THEN" then ) | print
+//! then       = assignment | jump | words of an ordinary block
+//! assignment = variable "=" sum [ comment ]
+//! jump       = "GOTO" ( number | variable | "[" sum "]" | function )
+//! loop       = [ "WHILE" condition ] "DO" number | "END" number
+//! print      = ( "POPEN" | "PCLOS" | "BPRNT" | "DPRNT" | "SETVN" ) …
+//! ```
+//!
+//! In: the text of a block without its `/` and its sequence number, and the memory of the variables. Out: what
+//! the caller has to do. Knows the grammar of one block only: loops and jump targets are the caller's.
+
+use std::ops::Range;
+
+use super::expression::Evaluator;
+use super::functions::count;
+use super::{Fault, FaultKind, Memory};
+
+/// What the caller has to do after a statement. Texts are given as bytes of the statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Nothing: the statement is carried out, or its condition does not hold.
+    Done,
+    /// Go on at the block of this sequence number, 1 to 99 999 999.
+    Goto(u32),
+    /// WHILE … DO: with `enter`, go on behind it and come back at END; else go on behind the END.
+    While {
+        /// Which END, 1 to 3.
+        number: u32,
+        /// The condition holds.
+        enter: bool,
+    },
+    /// DO without WHILE: go on behind it and come back at END.
+    Do {
+        /// Which END, 1 to 3.
+        number: u32,
+    },
+    /// The end of a loop: go back to its beginning.
+    End {
+        /// Of which DO, 1 to 3.
+        number: u32,
+    },
+    /// Run these bytes as an ordinary block: the condition of IF … THEN holds.
+    Words(Range<usize>),
+    /// `#3000=n(…)`: the program stops with an alarm.
+    Alarm {
+        /// The number as it is written; a control shows 3000 more.
+        number: i64,
+        /// What stands between the brackets.
+        message: Range<usize>,
+    },
+    /// `#3006=n(…)`: the program stops until the operator starts it again.
+    Pause {
+        /// What stands between the brackets.
+        message: Range<usize>,
+    },
+    /// Something is written to a device; no motion depends on it, and it is not looked at.
+    Print,
+}
+
+/// Setting this variable is an alarm.
+const ALARM: u32 = 3000;
+
+/// Setting this variable is a stop with a message.
+const PAUSE: u32 = 3006;
+
+/// Largest sequence number.
+const LARGEST_SEQUENCE: u32 = 99_999_999;
+
+/// Carries out the macro statement of a block. What stands behind a condition that does not hold is not looked
+/// at.
+pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault> {
+    let mut reader = Evaluator::new(text, memory);
+    match reader.cursor.peek() {
+        Some(b'#') => assignment(&mut reader),
+        Some(b'I') if reader.cursor.eat_word(b"IF") => conditional(&mut reader),
+        Some(b'W') if reader.cursor.eat_word(b"WHILE") => {
+            let enter = reader.condition()?;
+            if !reader.cursor.eat_word(b"DO") {
+                return Err(FaultKind::Format.at(reader.cursor.here()));
+            }
+            let number = loop_number(&mut reader)?;
+            ended(&mut reader, Action::While { number, enter })
+        }
+        Some(b'G') if reader.cursor.eat_word(b"GOTO") => jump(&mut reader),
+        Some(b'D') if reader.cursor.eat_word(b"DO") => {
+            let number = loop_number(&mut reader)?;
+            ended(&mut reader, Action::Do { number })
+        }
+        Some(b'E') if reader.cursor.eat_word(b"END") => {
+            let number = loop_number(&mut reader)?;
+            ended(&mut reader, Action::End { number })
+        }
+        Some(b'P' | b'B' | b'D' | b'S')
+            if [b"POPEN", b"PCLOS", b"BPRNT", b"DPRNT", b"SETVN"]
+                .into_iter()
+                .any(|word| reader.cursor.eat_word(word)) =>
+        {
+            Ok(Action::Print)
+        }
+        _ => Err(FaultKind::Format.at(reader.cursor.here())),
+    }
+}
+
+/// What stands behind IF.
+fn conditional(reader: &mut Evaluator) -> Result<Action, Fault> {
+    let holds = reader.condition()?;
+    let then = reader.cursor.eat_word(b"THEN");
+    let start = reader.cursor.start();
+    match reader.cursor.peek() {
+        None => Err(FaultKind::Format.at(reader.cursor.here())),
+        Some(b'#') if holds => assignment(reader),
+        Some(b'G') if reader.cursor.eat_word(b"GOTO") => {
+            if holds {
+                jump(reader)
+            } else {
+                Ok(Action::Done)
+            }
+        }
+        Some(b'#') => Ok(Action::Done),
+        Some(_) if !then => Err(FaultKind::Format.at(reader.cursor.here())),
+        Some(_)
+            if ["IF", "WHILE", "DO", "END", "THEN"]
+                .into_iter()
+                .any(|word| reader.cursor.eat_word(word.as_bytes())) =>
+        {
+            Err(FaultKind::Format.at(reader.cursor.since(start)))
+        }
+        Some(_) if holds => Ok(Action::Words(reader.cursor.rest())),
+        Some(_) => Ok(Action::Done),
+    }
+}
+
+fn assignment(reader: &mut Evaluator) -> Result<Action, Fault> {
+    let start = reader.cursor.start();
+    let variable = reader.variable()?;
+    let at = reader.cursor.since(start);
+    if !reader.cursor.eat(b'=') {
+        return Err(FaultKind::Format.at(reader.cursor.here()));
+    }
+    let value = reader.sum()?.number()?;
+    let message = reader.cursor.comment();
+    let action = match variable {
+        ALARM => Action::Alarm { number: value.unwrap_or(0.0).round() as i64, message },
+        PAUSE => Action::Pause { message },
+        _ => Action::Done,
+    };
+    // Before anything is written, so that a block that is wrong does nothing.
+    let action = ended(reader, action)?;
+    if action == Action::Done {
+        reader.write(variable, value, at)?;
+    }
+    Ok(action)
+}
+
+fn jump(reader: &mut Evaluator) -> Result<Action, Fault> {
+    let value = reader.term()?;
+    let target = count(value.or_zero()?).filter(|target| (1..=LARGEST_SEQUENCE).contains(target));
+    let target = target.ok_or_else(|| FaultKind::JumpTarget.at(value.at.clone()))?;
+    ended(reader, Action::Goto(target))
+}
+
+/// The number of a loop, which is written out.
+fn loop_number(reader: &mut Evaluator) -> Result<u32, Fault> {
+    let start = reader.cursor.start();
+    let Some(number) = reader.cursor.number() else {
+        return Err(FaultKind::LoopNumber.at(reader.cursor.here()));
+    };
+    let number = count(number).filter(|number| (1..=3).contains(number));
+    number.ok_or_else(|| FaultKind::LoopNumber.at(reader.cursor.since(start)))
+}
+
+/// The action of a statement behind which nothing else stands.
+fn ended(reader: &mut Evaluator, action: Action) -> Result<Action, Fault> {
+    let kind = match reader.cursor.peek() {
+        None => return Ok(action),
+        Some(_) if reader.cursor.operator().is_some() => FaultKind::Expression,
+        Some(b']' | b'0'..=b'9' | b'.') => FaultKind::Expression,
+        Some(byte) if byte.is_ascii_alphabetic() => FaultKind::WordsBehind,
+        Some(_) => FaultKind::Format,
+    };
+    Err(kind.at(reader.cursor.here()))
+}

@@ -1,0 +1,169 @@
+//! The variables of a control as plain values: local to each call level, and common.
+//!
+//! In and out: variable numbers and values. System variables (#1000 and up) are not kept here: they stand for
+//! something else, which only the caller knows. Cloning is cheap, since what is cloned is shared until one of
+//! the two is written to.
+
+use std::sync::Arc;
+
+use super::{FaultKind, Memory};
+
+/// Local variables of one level: #1 to #33.
+pub const LOCALS: usize = 33;
+
+/// The local variables of one level; #1 stands first.
+pub type Locals = [Option<f64>; LOCALS];
+
+/// Most levels: the main program and five calls inside each other (semantics §8.5).
+pub const MOST_LEVELS: usize = 6;
+
+/// Common variables lost at power off: #100 to #199.
+const PASSING: usize = 100;
+
+/// Common variables kept at power off: #500 to #999.
+const KEPT: usize = 500;
+
+/// What reading a variable found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Found {
+    /// Its value; `None` when it is vacant.
+    Value(Option<f64>),
+    /// A system variable: the caller knows its value.
+    System,
+}
+
+/// What became of writing a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stored {
+    /// It has the value.
+    Done,
+    /// A system variable: the caller knows what it means.
+    System,
+}
+
+/// All variables but those of the system.
+#[derive(Clone, Debug)]
+pub struct Variables {
+    /// One for each level, the main program first; never empty.
+    levels: Arc<Vec<Locals>>,
+    /// #100 to #199.
+    passing: Arc<[Option<f64>; PASSING]>,
+    /// #500 to #999.
+    kept: Arc<[Option<f64>; KEPT]>,
+}
+
+impl Default for Variables {
+    /// At the level of the main program, everything vacant.
+    fn default() -> Self {
+        Self {
+            levels: Arc::new(vec![[None; LOCALS]]),
+            passing: Arc::new([None; PASSING]),
+            kept: Arc::new([None; KEPT]),
+        }
+    }
+}
+
+impl PartialEq for Variables {
+    /// Shared values are the same without being looked at.
+    fn eq(&self, other: &Self) -> bool {
+        (Arc::ptr_eq(&self.levels, &other.levels) || self.levels == other.levels)
+            && (Arc::ptr_eq(&self.passing, &other.passing) || self.passing == other.passing)
+            && (Arc::ptr_eq(&self.kept, &other.kept) || self.kept == other.kept)
+    }
+}
+
+/// Where a variable is kept.
+enum Place {
+    /// #0.
+    Vacant,
+    /// Index among the local variables of the level.
+    Local(usize),
+    /// Index from #100.
+    Passing(usize),
+    /// Index from #500.
+    Kept(usize),
+    /// #1000 and up.
+    System,
+}
+
+impl Place {
+    fn of(variable: u32) -> Result<Self, FaultKind> {
+        let number = variable as usize;
+        Ok(match variable {
+            0 => Self::Vacant,
+            1..=33 => Self::Local(number - 1),
+            100..=199 => Self::Passing(number - 100),
+            500..=999 => Self::Kept(number - 500),
+            1000.. => Self::System,
+            34..=99 | 200..=499 => return Err(FaultKind::VariableNumber),
+        })
+    }
+}
+
+impl Variables {
+    /// The value of a variable.
+    pub fn read(&self, variable: u32) -> Result<Found, FaultKind> {
+        Ok(Found::Value(match Place::of(variable)? {
+            Place::Vacant => None,
+            Place::Local(index) => self.levels.last().and_then(|locals| locals[index]),
+            Place::Passing(index) => self.passing[index],
+            Place::Kept(index) => self.kept[index],
+            Place::System => return Ok(Found::System),
+        }))
+    }
+
+    /// Gives a variable a value, or makes it vacant.
+    pub fn write(&mut self, variable: u32, value: Option<f64>) -> Result<Stored, FaultKind> {
+        match Place::of(variable)? {
+            Place::Vacant => return Err(FaultKind::ReadOnly),
+            Place::Local(index) => {
+                if let Some(locals) = Arc::make_mut(&mut self.levels).last_mut() {
+                    locals[index] = value;
+                }
+            }
+            Place::Passing(index) => Arc::make_mut(&mut self.passing)[index] = value,
+            Place::Kept(index) => Arc::make_mut(&mut self.kept)[index] = value,
+            Place::System => return Ok(Stored::System),
+        }
+        Ok(Stored::Done)
+    }
+
+    /// Enters a macro, whose local variables are these.
+    pub fn push_level(&mut self, arguments: Locals) -> Result<(), FaultKind> {
+        if self.levels.len() >= MOST_LEVELS {
+            return Err(FaultKind::CallsTooDeep);
+        }
+        Arc::make_mut(&mut self.levels).push(arguments);
+        Ok(())
+    }
+
+    /// Leaves a macro: the local variables of the program that called it are back. In the main program nothing
+    /// happens.
+    pub fn pop_level(&mut self) {
+        if self.levels.len() > 1 {
+            Arc::make_mut(&mut self.levels).pop();
+        }
+    }
+
+    /// Calls inside each other: 0 in the main program.
+    pub fn level(&self) -> usize {
+        self.levels.len() - 1
+    }
+}
+
+impl Memory for Variables {
+    /// Without system variables: they do not exist here.
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
+        match Variables::read(self, variable)? {
+            Found::Value(value) => Ok(value),
+            Found::System => Err(FaultKind::VariableNumber),
+        }
+    }
+
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
+        match Variables::write(self, variable, value)? {
+            Stored::Done => Ok(()),
+            Stored::System => Err(FaultKind::VariableNumber),
+        }
+    }
+}
