@@ -1,0 +1,169 @@
+//! Where a program text comes from: another control or machine, or another G-code system of FANUC's lathes.
+//!
+//! In: the text; only its head is looked at. Out: the origin and the place that shows it, or nothing. A program for
+//! a FANUC, GSK or Haas lathe must never be called foreign, so one doubtful sign decides nothing: signs add up, each
+//! counting once, and what only such a lathe writes counts against. Ask [`foreign`] first: [`g_system`] takes the
+//! text for a FANUC lathe's.
+
+mod finder;
+mod signs;
+mod statement;
+mod system;
+
+use self::finder::Finder;
+use self::signs::{Sign, Weight};
+use self::statement::{Statement, Statements};
+use self::system::Scales;
+use super::dialect::GSystem;
+use crate::text::source::Span;
+
+/// Most bytes of a text that are looked at.
+const HEAD: usize = 64 << 10;
+
+/// A control or machine whose programs are not read here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Huazhong HNC, turning.
+    Hnc,
+    /// Siemens SINUMERIK.
+    Siemens,
+    /// LinuxCNC.
+    LinuxCnc,
+    /// Fagor.
+    Fagor,
+    /// Heidenhain, plain text.
+    Heidenhain,
+    /// Okuma OSP.
+    Okuma,
+    /// GSK 928.
+    Gsk928,
+    /// A milling machine.
+    Mill,
+    /// A 3D printer.
+    Printer,
+}
+
+impl Origin {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Origin; 9] = [
+        Self::Hnc,
+        Self::Siemens,
+        Self::LinuxCnc,
+        Self::Fagor,
+        Self::Heidenhain,
+        Self::Okuma,
+        Self::Gsk928,
+        Self::Mill,
+        Self::Printer,
+    ];
+
+    /// Least weight of its signs. Milling has no word of its own: even a lathe with a Y axis writes most of them.
+    fn enough(self) -> i32 {
+        match self {
+            Self::Mill => 7,
+            Self::Printer => 5,
+            _ => 4,
+        }
+    }
+}
+
+/// Where a program comes from that is not for a FANUC, GSK or Haas lathe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Foreign {
+    /// The control or machine.
+    pub origin: Origin,
+    /// The sign that says most, the first of its weight.
+    pub evidence: Span,
+}
+
+/// Another control or machine, where the text is beyond doubt written for one.
+pub fn foreign(text: &[u8]) -> Option<Foreign> {
+    let text = head(text);
+    let mut tally = Tally::default();
+    let mut finder = Finder::default();
+    let mut statement = Statement::default();
+    let mut statements = Statements::new(text);
+    while statements.read(&mut statement) {
+        finder.look(text, &statement, |sign, span| tally.add(sign, span));
+    }
+    tally.verdict()
+}
+
+/// System B or C, where the text of a FANUC lathe is beyond doubt written in it; `None` is no reason to leave A.
+pub fn g_system(text: &[u8]) -> Option<(GSystem, Span)> {
+    let mut scales = Scales::default();
+    let mut statement = Statement::default();
+    let mut statements = Statements::new(head(text));
+    while statements.read(&mut statement) {
+        scales.take(&statement);
+    }
+    scales.verdict()
+}
+
+fn head(text: &[u8]) -> &[u8] {
+    &text[..text.len().min(HEAD)]
+}
+
+/// What the signs so far weigh.
+#[derive(Clone, Debug, Default)]
+struct Tally {
+    /// Bits of the signs seen.
+    seen: u128,
+    /// For each origin.
+    totals: [i32; Origin::ALL.len()],
+    /// The heaviest sign of each origin, the first of its weight.
+    heaviest: [Option<(u8, Span)>; Origin::ALL.len()],
+    /// Against a mill or a printer.
+    lathe: i32,
+    /// Against another lathe control with words like FANUC's.
+    fanuc: i32,
+}
+
+impl Tally {
+    fn add(&mut self, sign: Sign, span: Span) {
+        if self.seen & sign.bit() != 0 {
+            return;
+        }
+        self.seen |= sign.bit();
+        match sign.weight() {
+            Weight::For(origin, weight) => {
+                let at = origin as usize;
+                self.totals[at] += i32::from(weight);
+                if self.heaviest[at].is_none_or(|(most, _)| weight > most) {
+                    self.heaviest[at] = Some((weight, span));
+                }
+            }
+            Weight::Lathe(weight) => self.lathe += i32::from(weight),
+            Weight::Fanuc(weight) => self.fanuc += i32::from(weight),
+            Weight::FanucLathe(weight) => {
+                self.lathe += i32::from(weight);
+                self.fanuc += i32::from(weight);
+            }
+        }
+    }
+
+    fn verdict(&self) -> Option<Foreign> {
+        let surplus = |origin: Origin| self.totals[origin as usize] - self.against(origin) - origin.enough();
+        let origin = Origin::ALL.into_iter().rev().max_by_key(|&origin| surplus(origin))?;
+        let (_, evidence) = self.heaviest[origin as usize]?;
+        (surplus(origin) >= 0 && self.is_possible(origin)).then_some(Foreign { origin, evidence })
+    }
+
+    fn against(&self, origin: Origin) -> i32 {
+        match origin {
+            Origin::Mill | Origin::Printer => self.lathe,
+            Origin::Hnc | Origin::LinuxCnc | Origin::Fagor | Origin::Gsk928 => self.fanuc,
+            // Their languages have names no FANUC program has.
+            Origin::Siemens | Origin::Heidenhain | Origin::Okuma => 0,
+        }
+    }
+
+    /// A mill moves in Y, as a lathe may too; but it changes its tools by M6 or takes up their length.
+    fn is_possible(&self, origin: Origin) -> bool {
+        let tools = self.seen & (Sign::ToolLength.bit() | Sign::ToolChange.bit()) != 0;
+        origin != Origin::Mill || tools && self.seen & Sign::MoveY.bit() != 0
+    }
+}
+
+#[cfg(test)]
+mod tests;

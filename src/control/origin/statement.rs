@@ -1,0 +1,232 @@
+//! Program text as any control might have written it: statements of words, names and remarks.
+//!
+//! In: the head of a text. Out: one [`Statement`] at a time, its storage reused. Looser than `text::parser`, which
+//! reads FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no faults. Knows no code's meaning.
+
+use crate::text::lexer::{Lexer, Number, Token, TokenKind};
+use crate::text::source::Span;
+
+/// Most words of a statement that are kept.
+const MOST_WORDS: usize = 16;
+/// Most names of a statement that are kept.
+const MOST_NAMES: usize = 4;
+
+/// A letter and the number behind it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Word {
+    /// The letter, upper-case.
+    pub letter: u8,
+    /// Its number; absent in `X#1`, `T="…"`, `L X+10`.
+    pub number: Option<Number>,
+    /// Whether `+` or `-` stands before the number.
+    pub signed: bool,
+    /// Whether `=` follows: `R1=`, `X=`.
+    pub assigned: bool,
+    /// Letter, sign and number, and the `=`.
+    pub span: Span,
+}
+
+/// Two or more letters in a row, with the digits behind them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Name {
+    /// Letters and digits.
+    pub span: Span,
+    /// Whether `=` follows.
+    pub assigned: bool,
+    /// Whether `(` follows.
+    pub called: bool,
+}
+
+/// One line, or the part of it up to or behind a `;`.
+#[derive(Clone, Debug, Default)]
+pub struct Statement {
+    /// All its bytes, blanks around it left out.
+    pub span: Span,
+    /// It stands behind a `;` on its line: a remark on many controls, the next block on FANUC's.
+    pub behind_semicolon: bool,
+    /// `(…)`, the first of the statement.
+    pub remark: Option<Span>,
+    /// `#<`, where a variable is called by a name.
+    pub named_variable: Option<Span>,
+    words: [Word; MOST_WORDS],
+    word_count: usize,
+    names: [Name; MOST_NAMES],
+    name_count: usize,
+}
+
+impl Statement {
+    /// The words kept.
+    pub fn words(&self) -> &[Word] {
+        &self.words[..self.word_count]
+    }
+
+    /// The names kept.
+    pub fn names(&self) -> &[Name] {
+        &self.names[..self.name_count]
+    }
+
+    /// The first word of a letter.
+    pub fn word(&self, letter: u8) -> Option<&Word> {
+        self.words().iter().find(|word| word.letter == letter)
+    }
+
+    /// Whether there is a word of that letter.
+    pub fn has(&self, letter: u8) -> bool {
+        self.word(letter).is_some()
+    }
+
+    /// Whether there is a word of each of these letters.
+    pub fn has_all(&self, letters: &[u8]) -> bool {
+        letters.iter().all(|&letter| self.has(letter))
+    }
+
+    /// Whether there is a word of any of these letters.
+    pub fn has_any(&self, letters: &[u8]) -> bool {
+        letters.iter().any(|&letter| self.has(letter))
+    }
+
+    /// The numbers of all words of a letter, in tenths (`G33.1` is 331), with their places.
+    pub fn codes(&self, letter: u8) -> impl Iterator<Item = (u32, Span)> {
+        self.words().iter().filter(move |word| word.letter == letter).filter_map(|word| {
+            let number = word.number?;
+            let tenths = match number.decimals {
+                0 => number.mantissa.checked_mul(10)?,
+                1 => number.mantissa,
+                _ => return None,
+            };
+            Some((u32::try_from(tenths).ok()?, word.span))
+        })
+    }
+
+    fn clear(&mut self, start: usize) {
+        *self = Self { span: Span::new(start, start), ..Self::default() };
+    }
+
+    fn push_word(&mut self, word: Word) {
+        if self.word_count < MOST_WORDS {
+            self.words[self.word_count] = word;
+            self.word_count += 1;
+        }
+    }
+
+    fn push_name(&mut self, name: Name) {
+        if self.name_count < MOST_NAMES {
+            self.names[self.name_count] = name;
+            self.name_count += 1;
+        }
+    }
+}
+
+/// Reads a text statement by statement.
+pub struct Statements<'a> {
+    lexer: Lexer<'a>,
+    behind_semicolon: bool,
+}
+
+impl<'a> Statements<'a> {
+    /// Starts at the head of `text`.
+    pub fn new(text: &'a [u8]) -> Self {
+        Self { lexer: Lexer::new(text, 0), behind_semicolon: false }
+    }
+
+    /// Reads the next statement into `statement`; false at the end of the text.
+    pub fn read(&mut self, statement: &mut Statement) -> bool {
+        statement.clear(self.lexer.position());
+        statement.behind_semicolon = self.behind_semicolon;
+        if self.lexer.peek_byte().is_none() {
+            return false;
+        }
+        let mut begun = false;
+        while let Some(token) = self.lexer.next_token() {
+            match token.kind {
+                TokenKind::LineEnd | TokenKind::Semicolon => {
+                    self.behind_semicolon = token.kind == TokenKind::Semicolon;
+                    return true;
+                }
+                TokenKind::Blank => continue,
+                TokenKind::Letter(_) if self.letter_follows() => {
+                    let name = self.name(token);
+                    statement.push_name(name);
+                }
+                TokenKind::Letter(letter) => {
+                    let word = self.word(letter, token);
+                    statement.push_word(word);
+                }
+                TokenKind::Comment | TokenKind::NestedComment | TokenKind::OpenComment => {
+                    statement.remark.get_or_insert(token.span);
+                }
+                TokenKind::Macro(b'#') if self.lexer.peek_byte() == Some(b'<') => {
+                    let end = self.lexer.position() + 1;
+                    statement.named_variable.get_or_insert(Span::new(token.span.start as usize, end));
+                }
+                _ => {}
+            }
+            if !begun {
+                begun = true;
+                statement.span.start = token.span.start;
+            }
+            statement.span.end = self.lexer.position() as u32;
+        }
+        true
+    }
+
+    fn letter_follows(&self) -> bool {
+        self.lexer.peek_byte().is_some_and(|byte| byte.is_ascii_alphabetic())
+    }
+
+    /// Takes the rest of a name whose first letter is taken.
+    fn name(&mut self, first: Token) -> Name {
+        let mut end = self.lexer.position();
+        let text = self.lexer.text();
+        while text.get(end).is_some_and(u8::is_ascii_alphanumeric) {
+            end += 1;
+        }
+        self.lexer.seek(end);
+        let called = text.get(end) == Some(&b'(');
+        let span = Span::new(first.span.start as usize, end);
+        Name { span, assigned: self.behind_equals().is_some(), called }
+    }
+
+    /// Takes the sign and number behind a letter.
+    fn word(&mut self, letter: u8, first: Token) -> Word {
+        let mut word = Word { letter, span: first.span, ..Word::default() };
+        self.skip_blanks();
+        let before_sign = self.lexer.position();
+        if matches!(self.lexer.peek_byte(), Some(b'+' | b'-')) {
+            word.signed = true;
+            self.lexer.seek(before_sign + 1);
+            self.skip_blanks();
+        }
+        if matches!(self.lexer.peek_byte(), Some(b'0'..=b'9' | b'.')) {
+            if let Some(Token { kind: TokenKind::Number(number), span }) = self.lexer.next_token() {
+                word.number = Some(number);
+                word.span.end = span.end;
+            }
+        } else {
+            word.signed = false;
+            self.lexer.seek(before_sign);
+        }
+        if let Some(end) = self.behind_equals() {
+            word.assigned = true;
+            word.span.end = end as u32;
+            self.lexer.seek(end);
+        }
+        word
+    }
+
+    fn skip_blanks(&mut self) {
+        while matches!(self.lexer.peek_byte(), Some(b' ' | b'\t')) {
+            self.lexer.seek(self.lexer.position() + 1);
+        }
+    }
+
+    /// Where the `=` ends that follows.
+    fn behind_equals(&self) -> Option<usize> {
+        let at = self.lexer.position();
+        match self.lexer.text().get(at..)? {
+            [b'=', ..] => Some(at + 1),
+            [b' ', b'=', ..] => Some(at + 2),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! In which G-code system a FANUC lathe program is written.
+//!
+//! In: statements. Out: system B or C and the place that shows it, or nothing: then it is A, as most are.
+
+use super::statement::Statement;
+use crate::control::dialect::GSystem;
+use crate::text::source::Span;
+
+/// Least weight of what speaks for B or C.
+const ENOUGH: u8 = 3;
+
+/// Things that are written in one system only. Each counts once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    /// `G95`: feed by turns in B and C.
+    G95,
+    /// `G92 S` without X and Z: speed clamp in B and C.
+    G92S,
+    /// `G77 X Z`: turning cycle of B.
+    G77,
+    /// `G78 X Z`: threading cycle of B.
+    G78,
+    /// `G79 X Z`: facing cycle of B.
+    G79,
+    /// `G91`: incremental.
+    G91,
+    /// `G94 F` without X and Z: feed a minute.
+    G94F,
+    /// `G33 Z F`: threading in B and C.
+    G33,
+    /// `G24 X Z`: facing cycle of C.
+    G24,
+    /// `G21 X Z F` alone: threading cycle of C.
+    G21Cycle,
+    /// `G20 X Z F` alone: turning cycle of C.
+    G20Cycle,
+    /// `G98`, `G99` without a hole cycle: the feed units of A.
+    FeedUnit,
+    /// `G50 S`: speed clamp of A.
+    G50S,
+    /// `G92 X Z F`: threading cycle of A.
+    G92Cycle,
+    /// `G94 X Z`: facing cycle of A.
+    G94Cycle,
+    /// `G90 X Z R`: turning cycle of A.
+    G90Taper,
+    /// `G90 X Z F` alone.
+    G90Cycle,
+    /// `G32 Z F`: threading in A.
+    G32,
+    /// U or W in a move: increments in A.
+    Increments,
+}
+
+impl Sign {
+    /// What it weighs for A, B and C.
+    fn weights(self) -> [u8; 3] {
+        match self {
+            Self::G95 | Self::G92S => [0, 3, 1],
+            Self::G77 | Self::G78 | Self::G79 => [0, 3, 0],
+            Self::G91 | Self::G94F | Self::G33 => [0, 2, 0],
+            Self::G24 | Self::G21Cycle => [0, 0, 2],
+            Self::G20Cycle => [0, 0, 1],
+            Self::FeedUnit | Self::G50S | Self::G92Cycle | Self::G94Cycle | Self::G90Taper => [3, 0, 0],
+            Self::G32 => [2, 0, 0],
+            Self::G90Cycle | Self::Increments => [1, 0, 0],
+        }
+    }
+}
+
+/// Weighs up the statements of a program.
+#[derive(Clone, Debug, Default)]
+pub struct Scales {
+    seen: u32,
+    totals: [u8; 3],
+    /// The heaviest sign for B and for C, the first of its weight.
+    heaviest: [Option<(u8, Span)>; 3],
+    /// A hole cycle is in force: G98 and G99 may be its return levels.
+    hole_cycle: bool,
+}
+
+impl Scales {
+    /// Takes in one more statement.
+    pub fn take(&mut self, statement: &Statement) {
+        if !statement.names().is_empty() {
+            return;
+        }
+        let axes = statement.has_any(b"XZUW");
+        let cycle = statement.has_any(b"XU") && statement.has_any(b"ZW") && !statement.has_any(b"PQ");
+        let alone = statement.codes(b'G').count() == 1;
+        let hole = |(code, _): (u32, Span)| (810..=890).contains(&code);
+        self.hole_cycle |= statement.codes(b'G').any(hole);
+        let mut plain = true;
+        for (code, span) in statement.codes(b'G') {
+            plain &= matches!(code, 0 | 10);
+            let sign = match code {
+                950 => Sign::G95,
+                920 if !axes && statement.has(b'S') => Sign::G92S,
+                920 if cycle && statement.has(b'F') => Sign::G92Cycle,
+                770 if cycle => Sign::G77,
+                780 if cycle => Sign::G78,
+                790 if cycle => Sign::G79,
+                910 => Sign::G91,
+                940 if axes => Sign::G94Cycle,
+                940 if statement.has(b'F') => Sign::G94F,
+                330 if axes && statement.has(b'F') => Sign::G33,
+                320 if axes && statement.has(b'F') => Sign::G32,
+                240 if cycle => Sign::G24,
+                210 if cycle && alone && statement.has(b'F') => Sign::G21Cycle,
+                200 if cycle && alone && statement.has(b'F') => Sign::G20Cycle,
+                980 | 990 if !self.hole_cycle => Sign::FeedUnit,
+                500 if statement.has(b'S') => Sign::G50S,
+                900 if cycle && statement.has(b'R') => Sign::G90Taper,
+                900 if cycle && alone => Sign::G90Cycle,
+                0..=30 | 800 => {
+                    self.hole_cycle = false;
+                    continue;
+                }
+                _ => continue,
+            };
+            self.add(sign, span);
+        }
+        let increment = statement.words().iter().find(|word| matches!(word.letter, b'U' | b'W'));
+        if let Some(word) = increment
+            && plain
+            && statement.words().iter().any(|word| matches!(word.letter, b'G' | b'X' | b'Z'))
+        {
+            self.add(Sign::Increments, word.span);
+        }
+    }
+
+    fn add(&mut self, sign: Sign, span: Span) {
+        let bit = 1 << (sign as u8);
+        if self.seen & bit != 0 {
+            return;
+        }
+        self.seen |= bit;
+        for (system, weight) in sign.weights().into_iter().enumerate() {
+            self.totals[system] += weight;
+            if weight > 0 && self.heaviest[system].is_none_or(|(most, _)| weight > most) {
+                self.heaviest[system] = Some((weight, span));
+            }
+        }
+    }
+
+    /// The system, when it is another than A beyond doubt: enough for it and little for A.
+    pub fn verdict(&self) -> Option<(GSystem, Span)> {
+        let [a, b, c] = self.totals;
+        let (system, at) = if c > b { (GSystem::C, 2) } else { (GSystem::B, 1) };
+        let total = self.totals[at];
+        let (_, span) = self.heaviest[at]?;
+        (total >= ENOUGH + 2 * a).then_some((system, span))
+    }
+}
