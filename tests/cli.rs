@@ -137,6 +137,69 @@ fn svg_goes_to_a_file_or_to_standard_output() {
     assert!(std::fs::read_to_string(path).expect("out.svg").contains("</svg>"));
 }
 
+/// A program of `tests/encodings.json`: the page is held to the same ones.
+struct Encoded {
+    encoding: String,
+    text: String,
+    bytes: Vec<u8>,
+}
+
+fn encoded() -> Vec<Encoded> {
+    let cases: Vec<Value> = serde_json::from_str(include_str!("encodings.json")).expect("encodings.json");
+    let text = |case: &Value, key: &str| case[key].as_str().expect("a text").to_owned();
+    let byte = |hex: &[u8]| u8::from_str_radix(std::str::from_utf8(hex).unwrap(), 16).expect("hex");
+    cases
+        .iter()
+        .map(|case| Encoded {
+            encoding: text(case, "encoding"),
+            text: text(case, "text"),
+            bytes: text(case, "bytes").as_bytes().chunks(2).map(byte).collect(),
+        })
+        .collect()
+}
+
+#[test]
+fn messages_quote_a_program_in_any_encoding() {
+    for (input, shown, column) in [
+        (&b"(\xb4\xd6\xb3\xb5) G777"[..], "(粗车) G777", 6),
+        (b"(\xd0\xe5\xe7\xe5\xf6) G777", "(Резец) G777", 9),
+        (b"(Gr\xf6\xdfe) G777", "(Größe) G777", 9),
+        (b"\xff\xfe(\0\xd6\0)\0 \0G\x007\x007\x007\0", "(Ö) G777", 5),
+    ] {
+        let text = run(&["check", "-"], input).stdout;
+        let text = std::str::from_utf8(&text).expect("UTF-8");
+        assert!(text.contains(shown), "{shown}: {text}");
+        let rows = rows(&run(&["check", "--format", "json", "-"], input));
+        assert_eq!(rows[0]["column"], json!(column), "{shown}");
+    }
+}
+
+#[test]
+fn expand_keeps_the_encoding_and_every_comment() {
+    for Encoded { encoding, text, bytes } in encoded() {
+        let output = run(&["expand", "-"], &bytes);
+        assert_eq!(output.stdout, bytes, "{encoding} {text}");
+        assert!(output.stderr.is_empty());
+    }
+    // A cycle is written out; the comment of its block is not harmed. (粗车) in GB18030.
+    let cycle = b"M3 S1\r\nG0 X50 Z2 (\xb4\xd6\xb3\xb5)\r\nG90 X40 Z-9 F0.2 (\xb4\xd6\xb3\xb5)\r\nM30\r\n";
+    let expanded = run(&["expand", "-"], cycle).stdout;
+    let comments = expanded.windows(6).filter(|six| six == b"(\xb4\xd6\xb3\xb5)").count();
+    assert_eq!((comments, String::from_utf8_lossy(&expanded).contains("G01")), (2, true));
+}
+
+#[test]
+fn expand_keeps_bytes_that_are_no_text() {
+    let all: Vec<u8> = (0..=255).collect();
+    for input in
+        [all, b"(\xb4\xd6\xb3".to_vec(), b"\xff\xfeG\x00\x00\xd8".to_vec(), b"(\x80 \xff)\n".to_vec()]
+    {
+        let output = run(&["expand", "-"], &input);
+        assert!(matches!(output.status.code(), Some(0 | 1)));
+        assert_eq!(output.stdout, input);
+    }
+}
+
 #[test]
 fn bytes_of_any_kind_are_read() {
     for input in [&b""[..], b"\xff\xfe\x00G0 X1", b"((((", b"G0 X1 (\xd0\xcf)\nM30"] {

@@ -2,8 +2,10 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
+mod encoding;
 mod terminal;
 
+use std::borrow::Cow;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -19,6 +21,8 @@ use crate::run::Analysis;
 use crate::scene::outline::Outline;
 use crate::scene::{self, Scene};
 use crate::text::source::LineIndex;
+
+use encoding::Encoding;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
 #[derive(Parser)]
@@ -106,7 +110,10 @@ enum Format {
 /// A program that was read and run.
 struct Program {
     name: String,
+    /// As UTF-8: places in messages are counted in it.
     text: Vec<u8>,
+    /// Of the file.
+    encoding: Encoding,
     setup: Setup,
     analysis: Analysis,
 }
@@ -138,7 +145,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Expand { file, with, output } => {
             let program = program(&file, &with)?;
             let expanded = crate::expand::write_out(&program.text, &program.analysis);
-            save(output.as_deref(), &expanded)?;
+            save(output.as_deref(), &encoded(&program, &expanded))?;
             Ok(status(&program.analysis))
         }
         Command::Svg { file, with, output } => {
@@ -146,7 +153,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
             let outline = Outline::of(&program.analysis.motions);
             let scene = Scene::new(&program.analysis.motions, &outline, program.setup.stock);
             let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
-            save(output.as_deref(), &svg)?;
+            save(output.as_deref(), svg.as_bytes())?;
             Ok(status(&program.analysis))
         }
     }
@@ -199,8 +206,20 @@ fn program(file: &Path, with: &With) -> Result<Program, String> {
         };
     }
     let (name, text) = read(file)?;
+    let (text, encoding) = encoding::decode(text);
     let analysis = crate::analyze(&text, &setup);
-    Ok(Program { name, text, setup, analysis })
+    Ok(Program { name, text, encoding, setup, analysis })
+}
+
+/// A text made from a program, in the encoding of the program's file.
+fn encoded<'a>(program: &Program, text: &'a str) -> Cow<'a, [u8]> {
+    program.encoding.encode(text).unwrap_or_else(|| {
+        let (name, encoding) = (&program.name, program.encoding.name());
+        eprintln!(
+            "gcode-playground: {name}: not every character has a place in {encoding}: written as UTF-8"
+        );
+        Cow::Borrowed(text.as_bytes())
+    })
 }
 
 fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
@@ -215,9 +234,9 @@ fn read(file: &Path) -> Result<(String, Vec<u8>), String> {
 }
 
 /// Writes to a file, or to standard output.
-fn save(path: Option<&Path>, content: &str) -> Result<(), String> {
+fn save(path: Option<&Path>, content: &[u8]) -> Result<(), String> {
     match path {
-        None => print(|out| out.write_all(content.as_bytes())),
+        None => print(|out| out.write_all(content)),
         Some(path) => std::fs::write(path, content).map_err(|error| format!("{}: {error}", path.display())),
     }
 }

@@ -1,0 +1,293 @@
+//! The encodings of program files: bytes to UTF-8 and back, without loss.
+//!
+//! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte order mark
+//! and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as Chinese, Russian and
+//! Western text, and the reading that surprises least is taken. `www/src/encoding-guess.ts` does the same on the page, with
+//! the same table; `tests/encodings.json` holds both to it. Must not know: what stands in a program.
+
+use std::borrow::Cow;
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
+use encoding_rs::{GB18030, WINDOWS_1251, WINDOWS_1252};
+use serde::Deserialize;
+
+/// How a file is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// With or without a byte order mark, which stays in the text.
+    Utf8,
+    /// With a byte order mark, which is no part of the text.
+    Utf16(Endian),
+    /// One that can only be guessed.
+    Legacy(&'static encoding_rs::Encoding),
+}
+
+/// The order of the bytes in UTF-16.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Endian {
+    /// Low byte first.
+    Little,
+    /// High byte first.
+    Big,
+}
+
+/// More bytes beyond ASCII than these change no guess.
+const LOOKED_AT: usize = 100_000;
+
+/// The text of a file as UTF-8, and what it was written in; encoding it again gives the very same bytes.
+pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
+    if std::str::from_utf8(&bytes).is_ok() && !is_rather_chinese(&bytes) {
+        return (bytes, Encoding::Utf8);
+    }
+    let utf16 = [Encoding::Utf16(Endian::Little), Encoding::Utf16(Endian::Big)];
+    let guessed = by_likelihood(&bytes).map(Encoding::Legacy);
+    for encoding in utf16.into_iter().chain(guessed) {
+        if let Some(text) = encoding.decode(&bytes) {
+            return (text.into_bytes(), encoding);
+        }
+    }
+    // Not reached: every byte is a character of Windows-1252.
+    (bytes, Encoding::Utf8)
+}
+
+impl Encoding {
+    /// The name people know it by.
+    pub fn name(self) -> &'static str {
+        match self {
+            Encoding::Utf8 => "UTF-8",
+            Encoding::Utf16(Endian::Little) => "UTF-16LE",
+            Encoding::Utf16(Endian::Big) => "UTF-16BE",
+            Encoding::Legacy(encoding) => encoding.name(),
+        }
+    }
+
+    /// The text of some bytes; `None` when it would not become the same bytes again.
+    fn decode(self, bytes: &[u8]) -> Option<String> {
+        let text = match self {
+            Encoding::Utf8 => String::from_utf8(bytes.to_vec()).ok()?,
+            Encoding::Utf16(endian) => {
+                let (pairs, rest) = bytes.strip_prefix(&endian.mark())?.as_chunks::<2>();
+                let units: Vec<u16> = pairs.iter().map(|&pair| endian.unit(pair)).collect();
+                String::from_utf16(&units).ok().filter(|_| rest.is_empty())?
+            }
+            Encoding::Legacy(encoding) => {
+                encoding.decode_without_bom_handling_and_without_replacement(bytes)?.into_owned()
+            }
+        };
+        (self.encode(&text).as_deref() == Some(bytes)).then_some(text)
+    }
+
+    /// The bytes of a text; `None` when a character has no place in this encoding.
+    pub fn encode(self, text: &str) -> Option<Cow<'_, [u8]>> {
+        match self {
+            Encoding::Utf8 => Some(Cow::Borrowed(text.as_bytes())),
+            Encoding::Utf16(endian) => {
+                let mut bytes = endian.mark().to_vec();
+                bytes.extend(text.encode_utf16().flat_map(|unit| endian.bytes(unit)));
+                Some(Cow::Owned(bytes))
+            }
+            Encoding::Legacy(encoding) => {
+                let (bytes, _, no_place) = encoding.encode(text);
+                (!no_place).then_some(bytes)
+            }
+        }
+    }
+}
+
+impl Endian {
+    fn mark(self) -> [u8; 2] {
+        self.bytes(0xFEFF)
+    }
+
+    fn bytes(self, unit: u16) -> [u8; 2] {
+        match self {
+            Endian::Little => unit.to_le_bytes(),
+            Endian::Big => unit.to_be_bytes(),
+        }
+    }
+
+    fn unit(self, bytes: [u8; 2]) -> u16 {
+        match self {
+            Endian::Little => u16::from_le_bytes(bytes),
+            Endian::Big => u16::from_be_bytes(bytes),
+        }
+    }
+}
+
+/// Characters of program comments.
+#[derive(Deserialize)]
+struct Plausible {
+    /// Those of a Chinese workshop.
+    hanzi: String,
+    /// Russian letters, the frequent ones first.
+    cyrillic: String,
+    /// Letters of Western languages beyond ASCII.
+    western: String,
+    /// Signs of any language.
+    signs: String,
+}
+
+static PLAUSIBLE: LazyLock<Plausible> = LazyLock::new(|| {
+    serde_json::from_str(include_str!("plausible.json")).expect("plausible.json is well formed")
+});
+
+/// Whether what is valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody has in a
+/// program, in UTF-8, that are common characters in GB18030.
+fn is_rather_chinese(bytes: &[u8]) -> bool {
+    let of_far_alphabet = |&byte: &u8| matches!(byte, 0xC6..=0xCD | 0xD2..=0xDF);
+    let pairs = bytes.iter().filter(|byte| !byte.is_ascii()).count() / 2;
+    !bytes.iter().any(|&byte| byte >= 0xE0)
+        && bytes.iter().any(of_far_alphabet)
+        && chinese(bytes) <= COMMON * pairs as f64
+}
+
+fn by_likelihood(bytes: &[u8]) -> impl Iterator<Item = &'static encoding_rs::Encoding> {
+    let mut beyond_ascii = bytes.iter().enumerate().filter(|(_, byte)| !byte.is_ascii());
+    let end = beyond_ascii.nth(LOOKED_AT - 1).map_or(bytes.len(), |(at, _)| at + 1);
+    let looked = &bytes[..end];
+    let mut surprises =
+        [(GB18030, chinese(looked)), (WINDOWS_1252, western(looked)), (WINDOWS_1251, russian(looked))];
+    surprises.sort_by(|a, b| a.1.total_cmp(&b.1));
+    surprises.into_iter().map(|(encoding, _)| encoding)
+}
+
+/// The most that characters of the first level of GB 2312 surprise.
+const COMMON: f64 = 9.8;
+
+// How much each reading surprises: natural logarithms of one over a rough probability, added up.
+
+/// Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and Latin neighbours are not.
+fn russian(bytes: &[u8]) -> f64 {
+    let table = byte_table(WINDOWS_1251, |ch| {
+        let small = ch.to_lowercase().next();
+        match PLAUSIBLE.cyrillic.chars().position(|letter| Some(letter) == small) {
+            Some(rank) => 2.2 + 0.12 * rank as f64,
+            None if PLAUSIBLE.signs.contains(ch) => 5.0,
+            None if ch.is_alphabetic() => 8.0,
+            None => 9.0,
+        }
+    });
+    let mut total = 0.0;
+    for (at, &byte) in bytes.iter().enumerate().filter(|(_, byte)| !byte.is_ascii()) {
+        let (character, surprise) = table[usize::from(byte)];
+        let (before, after) = neighbours(bytes, at);
+        total += surprise;
+        if character.is_uppercase() && table[usize::from(before)].0.is_lowercase() {
+            total += 4.0;
+        }
+        if is_letter(character) {
+            let latin = [before, after].iter().filter(|byte| byte.is_ascii_alphabetic()).count();
+            total += 3.0 * latin as f64;
+        }
+    }
+    total
+}
+
+/// Single accented letters among Latin ones, and signs beside numbers.
+fn western(bytes: &[u8]) -> f64 {
+    let table = byte_table(WINDOWS_1252, |ch| {
+        if PLAUSIBLE.western.contains(ch) {
+            3.4
+        } else if PLAUSIBLE.signs.contains(ch) {
+            4.5
+        } else if ch.is_alphabetic() {
+            6.5
+        } else {
+            9.0
+        }
+    });
+    let mut total = 0.0;
+    let mut run = 0;
+    for (at, &byte) in bytes.iter().enumerate() {
+        if byte.is_ascii() {
+            run = 0;
+            continue;
+        }
+        let (character, surprise) = table[usize::from(byte)];
+        total += surprise + [0.0, 3.0, 5.0][run.min(2)];
+        run += 1;
+        let (before, after) = neighbours(bytes, at);
+        if is_letter(character) && !before.is_ascii_alphabetic() && !after.is_ascii_alphabetic() {
+            total += 1.0;
+        }
+    }
+    total
+}
+
+/// Pairs of bytes, those of the characters of a workshop most likely; one that is no pair at all rules it out.
+fn chinese(bytes: &[u8]) -> f64 {
+    let (common, _, _) = GB18030.encode(&PLAUSIBLE.hanzi);
+    let common: HashSet<&[u8]> = common.chunks(2).collect();
+    let mut total = 0.0;
+    let mut at = 0;
+    while at < bytes.len() {
+        let lead = bytes[at];
+        if lead.is_ascii() {
+            at += 1;
+            continue;
+        }
+        if matches!(lead, 0x80 | 0xFF) {
+            return f64::INFINITY;
+        }
+        let Some(&trail) = bytes.get(at + 1) else { return total };
+        total += match (lead, trail) {
+            (_, b'0'..=b'9') => 20.0,
+            (_, 0x00..=0x3F | 0x7F | 0xFF) => return f64::INFINITY,
+            (_, 0x40..=0xA0) | (0x81..=0xA0, _) => 15.0,
+            (0xA1..=0xA3, _) => 7.6,
+            _ if common.contains(&bytes[at..at + 2]) => 6.0,
+            (0xB0..=0xD7, _) => COMMON,
+            _ => 12.8,
+        };
+        at += if trail.is_ascii_digit() { 4 } else { 2 };
+    }
+    total
+}
+
+/// The character of each byte and how much it surprises.
+fn byte_table(encoding: &'static encoding_rs::Encoding, surprise: impl Fn(char) -> f64) -> Vec<(char, f64)> {
+    let entry = |byte: u8| {
+        let (text, _) = encoding.decode_without_bom_handling(std::slice::from_ref(&byte));
+        let character = text.chars().next().unwrap_or('\0');
+        (character, if byte.is_ascii() { 0.0 } else { surprise(character) })
+    };
+    (0..=255).map(entry).collect()
+}
+
+/// The bytes before and after one; 0 at the ends.
+fn neighbours(bytes: &[u8], at: usize) -> (u8, u8) {
+    (at.checked_sub(1).map_or(0, |at| bytes[at]), bytes.get(at + 1).copied().unwrap_or(0))
+}
+
+fn is_letter(character: char) -> bool {
+    character.is_uppercase() || character.is_lowercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn programs_are_read_as_what_they_are() {
+        #[derive(Deserialize)]
+        struct Case {
+            encoding: String,
+            text: String,
+            bytes: String,
+        }
+        let cases: Vec<Case> = serde_json::from_str(include_str!("../../tests/encodings.json")).unwrap();
+        for case in cases {
+            let byte = |hex: &[u8]| u8::from_str_radix(std::str::from_utf8(hex).unwrap(), 16).unwrap();
+            let bytes: Vec<u8> = case.bytes.as_bytes().chunks(2).map(byte).collect();
+            let (text, encoding) = decode(bytes.clone());
+            let text = String::from_utf8(text).unwrap();
+            assert_eq!(text.trim_start_matches('\u{feff}'), case.text);
+            assert_eq!(
+                encoding.name().to_lowercase().replace('-', ""),
+                case.encoding.replace("-bom", "").replace('-', "")
+            );
+            assert_eq!(encoding.encode(&text).as_deref(), Some(bytes.as_slice()));
+        }
+    }
+}
