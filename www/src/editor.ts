@@ -1,7 +1,8 @@
 // The program editor: CodeMirror 6 with the core's own highlighting and messages.
 //
 // In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did it
-// (what the program does to the editor fires nothing), and `viewMoved` when other lines came into sight.
+// (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and `fileChanged`
+// when the text is another file's, be it by undo.
 // Must not know: the language it edits. Offsets count every line end as one unit, as everywhere in this page.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
@@ -15,6 +16,7 @@ import {
 } from '@codemirror/view';
 import { applyFix, lintDiagnostics } from './editor-lint';
 import { marks, showHovered, showRunning, showTokens, type Span } from './editor-marks';
+import { fileOf, fileOfText, origin, renamed, textWithLineEnds, type ProgramFile } from './editor-file';
 import { editorPhrases } from './editor-phrases';
 import { editorTheme } from './editor-theme';
 import { strings, type Language } from './i18n';
@@ -29,6 +31,7 @@ export interface EditorEvents {
   changed(): void;
   cursorMoved(): void;
   viewMoved(): void;
+  fileChanged(): void;
 }
 
 /** Marks a change that the page made, not the reader. */
@@ -55,7 +58,7 @@ export class Editor {
       state: EditorState.create({
         extensions: [
           lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
-          history(), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
+          history(), fileOfText, drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'fixed' }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -71,6 +74,21 @@ export class Editor {
 
   get text(): string {
     return this.#view.state.doc.toString();
+  }
+
+  /** With the line ends of the file. */
+  get textWithLineEnds(): string {
+    return textWithLineEnds(this.#view.state);
+  }
+
+  /** The file the text came from. */
+  get file(): ProgramFile | undefined {
+    return fileOf(this.#view.state);
+  }
+
+  /** The same text is saved as this file from now on. */
+  set file(file: ProgramFile) {
+    this.#view.dispatch({ effects: renamed(file), annotations: [byProgram.of(true), Transaction.addToHistory.of(false)] });
   }
 
   get length(): number {
@@ -91,9 +109,19 @@ export class Editor {
     this.diagnostics = this.#diagnostics;
   }
 
-  /** The text from outside; `undoable` when it takes the place of something the reader may want back. */
-  setText(text: string, undoable: 'undoable' | 'final'): void {
+  /** Another text from outside; `undoable` when it takes the place of something the reader may want back. */
+  setText(text: string, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
+    this.#replace(text, [origin(text, file)], undoable);
+  }
+
+  /** The same program written differently. */
+  rewrite(text: string): void {
+    this.#replace(text, [], 'undoable');
+  }
+
+  #replace(text: string, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
     this.#view.dispatch({
+      effects,
       changes: { from: 0, to: this.length, insert: text },
       selection: { anchor: 0 },
       annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
@@ -192,6 +220,7 @@ export class Editor {
       if (update.docChanged) this.#events.changed();
       else if (update.selectionSet) this.#events.cursorMoved();
     }
+    if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
     if (update.viewportChanged) this.#events.viewMoved();
   }
 }

@@ -11,15 +11,15 @@
 //   setup     JSON: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
 //   theme     auto | light | dark
-// Property: value (the program). Setting it, or an attribute, fires no event.
-// Methods: play(), pause(), openFile(file), focus(), and for automation
+// Properties: value (the program), opened (its file, with the text as it is in it). Setting one, or an attribute, fires
+// no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for automation
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
-// the colours of colours.css. Parts: frame intro editor problems drawing canvas legend tooltip playback play readout
-// doing status notice written-out help.
+// the colours of colours.css. Parts: frame intro bar file editor problems drawing canvas legend tooltip
+// playback play readout doing status notice written-out help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -27,7 +27,10 @@ import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
 import { Drawing } from './drawing';
 import { Editor } from './editor';
-import { readProgram } from './files';
+import type { ProgramFile } from './editor-file';
+import { ENCODING_NAMES, ENCODINGS, type Encoding } from './encodings';
+import { FileBar } from './file-bar';
+import { bytesToSave, download, readProgram, reread } from './files';
 import { Help } from './help';
 import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
@@ -53,6 +56,11 @@ interface Line {
   readonly tool: Newest<'playhead'>;
 }
 
+export interface OpenedProgram {
+  readonly text: string;
+  readonly file: ProgramFile | undefined;
+}
+
 export class GcodePlayground extends HTMLElement {
   static readonly observedAttributes = ['control', 'setup', 'language', 'theme'];
 
@@ -64,6 +72,7 @@ export class GcodePlayground extends HTMLElement {
   #problems!: Problems;
   #status!: StatusLine;
   #notice!: Notice;
+  #fileBar!: FileBar;
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
@@ -73,7 +82,7 @@ export class GcodePlayground extends HTMLElement {
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   readonly #showPalette = (): void => this.#line?.client.send({ kind: 'palette', palette: this.#drawing.palette });
   /** The value set before the element was in a document. */
-  #early: string | undefined;
+  #early: OpenedProgram | undefined;
 
   connectedCallback(): void {
     if (this.#editor === undefined) this.#build();
@@ -97,15 +106,33 @@ export class GcodePlayground extends HTMLElement {
   }
 
   get value(): string {
-    return this.#editor?.text ?? this.#early ?? '';
+    return this.#editor?.text ?? this.#early?.text ?? '';
   }
 
   set value(text: string) {
+    this.opened = { text, file: undefined };
+  }
+
+  /** The file the program came from. */
+  get file(): ProgramFile | undefined {
+    return this.#editor?.file ?? this.#early?.file;
+  }
+
+  /** The program and the file it came from; the text has the file's own line ends. */
+  get opened(): OpenedProgram {
+    const editor = this.#editor;
+    if (editor === undefined) return this.#early ?? { text: '', file: undefined };
+    return { text: editor.textWithLineEnds, file: editor.file };
+  }
+
+  set opened(opened: OpenedProgram) {
+    const { text, file } = opened;
     if (this.#editor === undefined) {
-      this.#early = text;
+      this.#early = opened;
       return;
     }
-    this.#editor.setText(text, this.#editor.length > 0 ? 'undoable' : 'final');
+    const known = file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined;
+    this.#editor.setText(text, known, this.#editor.length > 0 ? 'undoable' : 'final');
     this.#cursorKnown = false;
     this.#line?.client.send({ kind: 'fit' });
     this.#sendText();
@@ -166,14 +193,28 @@ export class GcodePlayground extends HTMLElement {
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async openFile(file: File): Promise<void> {
     const opened = await readProgram(file);
-    if (opened.kind === 'too-large') this.#notice.show(this.#strings.fileTooLarge(opened.name));
-    else if (opened.kind === 'unreadable') this.#notice.show(this.#strings.fileUnreadable(opened.name));
+    const texts = this.#strings;
+    if (opened.kind === 'too-large') this.#notice.show(texts.fileTooLarge(opened.name));
+    else if (opened.kind === 'unreadable') this.#notice.show(texts.fileUnreadable(opened.name));
     else {
-      this.value = opened.text;
-      const { opened: plain, openedDamaged } = this.#strings;
-      this.#notice.show(opened.damaged === 0 ? plain(opened.name) : openedDamaged(opened.name, opened.damaged));
+      const { name, encoding } = opened.file;
+      this.opened = opened;
+      if (opened.binary) this.#notice.show(texts.openedBinary(name));
+      else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
+      else this.#notice.show(texts.openedAs(name, ENCODING_NAMES[encoding]));
       this.#changed();
     }
+  }
+
+  /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
+  saveFile(): void {
+    const { text, file: before } = this.opened;
+    const { bytes, file, noPlaceFor } = bytesToSave(text, before);
+    download(file.name, bytes);
+    if (noPlaceFor === undefined || before === undefined) return;
+    if (this.#editor !== undefined) this.#editor.file = file;
+    this.#notice.show(this.#strings.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], noPlaceFor));
+    this.#changed();
   }
 
   // ---- building -----------------------------------------------------------------------------------
@@ -193,6 +234,7 @@ export class GcodePlayground extends HTMLElement {
         if (this.#sending === undefined) this.#line?.client.send({ kind: 'cursor', offset: editor.cursor });
       },
       viewMoved: () => void this.#askTokens(),
+      fileChanged: () => (this.#fileBar.file = this.#editor?.file),
     }));
     this.#drawing = new Drawing(texts, {
       resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
@@ -218,16 +260,18 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#status = new StatusLine(texts);
     this.#notice = new Notice(texts);
+    this.#fileBar = new FileBar(texts, { chosen: (encoding) => this.#chooseEncoding(encoding) });
     this.#help = new Help(texts);
     this.#writtenOut = new WrittenOutDialog(root, texts, {
       wanted: () => void this.#writeOut(),
       taken: (text) => this.#takeOver(text),
     });
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
+    const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },
-      make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, editor.element, this.#problems.element),
+      make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
       make('div', { className: 'foot' }, this.#status.element, this.#writtenOut.button, this.#help.button),
       this.#help.element,
@@ -236,7 +280,8 @@ export class GcodePlayground extends HTMLElement {
     root.append(frame);
     this.#acceptFiles(editor.element);
     this.addEventListener('keydown', (event) => this.#key(event), { capture: true });
-    editor.setText(this.#early ?? initialProgram(this), 'final');
+    const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
+    editor.setText(text, file, 'final');
   }
 
   #acceptFiles(target: HTMLElement): void {
@@ -271,6 +316,7 @@ export class GcodePlayground extends HTMLElement {
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
+    else if (event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey) this.saveFile();
     else if (event.key === 'F9') this.#playback.step(event.shiftKey ? 'previous' : 'next');
     else if (event.key === 'F8') this.#editor?.nextProblem(event.shiftKey ? 'previous' : 'next');
     else if (event.key === '?' && !typing) this.#help.toggle();
@@ -409,11 +455,39 @@ export class GcodePlayground extends HTMLElement {
 
   /** The written out program takes the place of the one in the editor, which undo brings back. */
   #takeOver(text: string): void {
-    this.#editor?.setText(text, 'undoable');
+    this.#editor?.rewrite(text);
     this.#cursorKnown = false;
     this.#sendText();
     this.#notice.show(this.#strings.tookOver, 'program');
     this.#editor?.focus();
+    this.#changed();
+  }
+
+  // ---- the file -----------------------------------------------------------------------------------
+
+  #chooseEncoding(encoding: Encoding): void {
+    const editor = this.#editor;
+    const file = editor?.file;
+    if (editor === undefined || file === undefined) return;
+    const texts = this.#strings;
+    const [chosen, present] = [ENCODING_NAMES[encoding], ENCODING_NAMES[file.encoding]];
+    const answer = reread(editor.textWithLineEnds, file.encoding, encoding);
+    switch (answer.kind) {
+      case 'text':
+        this.opened = { text: answer.text, file: { ...file, encoding } };
+        this.#notice.show(texts.rereadAs(chosen));
+        break;
+      case 'kept':
+        editor.file = { ...file, encoding };
+        this.#notice.show(texts.savedFromNowAs(chosen));
+        break;
+      case 'not-this-encoding':
+        this.#notice.show(texts.notThisEncoding(file.name, chosen, present));
+        return;
+      case 'no-place':
+        this.#notice.show(texts.noPlace(answer.character, chosen, present));
+        return;
+    }
     this.#changed();
   }
 
@@ -450,7 +524,7 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#help, this.#writtenOut]) {
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#help, this.#writtenOut]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;

@@ -53,10 +53,19 @@ export interface Strings {
   readonly crashed: string;
   readonly setupRejected: (reason: string) => string;
   readonly opened: (name: string) => string;
-  readonly openedDamaged: (name: string, count: number) => string;
+  readonly openedAs: (name: string, encoding: string) => string;
+  readonly openedBinary: (name: string) => string;
   readonly fileTooLarge: (name: string) => string;
   readonly fileUnreadable: (name: string) => string;
   readonly dropHere: string;
+  // the file
+  readonly encoding: string;
+  readonly encodingHint: string;
+  readonly rereadAs: (encoding: string) => string;
+  readonly savedFromNowAs: (encoding: string) => string;
+  readonly notThisEncoding: (name: string, chosen: string, present: string) => string;
+  readonly noPlace: (character: string, chosen: string, present: string) => string;
+  readonly savedAsUtf8: (name: string, encoding: string, character: string) => string;
   // the program written out
   readonly writeOut: string;
   readonly writeOutHint: string;
@@ -86,6 +95,7 @@ export interface Strings {
     readonly theme: string;
     readonly themes: { readonly auto: string; readonly light: string; readonly dark: string };
     readonly openFile: string;
+    readonly saveFile: string;
     readonly settings: string;
     readonly restored: string;
     readonly startAfresh: string;
@@ -145,10 +155,18 @@ const en: Strings = {
   crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
   setupRejected: (reason) => `The setup was not accepted: ${reason}`,
   opened: (name) => `Opened ${name}`,
-  openedDamaged: (name, count) => `Opened ${name}. It is not plain UTF-8 text: ${count} unreadable places are shown as �.`,
+  openedAs: (name, encoding) => `Opened ${name} as ${encoding}. If it reads wrong, choose another encoding beside its name.`,
+  openedBinary: (name) => `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
   fileTooLarge: (name) => `${name} is larger than 64 MB and was not opened.`,
   fileUnreadable: (name) => `${name} could not be read.`,
   dropHere: 'Drop the program here',
+  encoding: 'Encoding',
+  encodingHint: 'The encoding the file is read in and saved in',
+  rereadAs: (encoding) => `Read again as ${encoding}.`,
+  savedFromNowAs: (encoding) => `The text stays as it is and will be saved as ${encoding}.`,
+  notThisEncoding: (name, chosen, present) => `${name} is no ${chosen} text; it stays ${present}.`,
+  noPlace: (character, chosen, present) => `${chosen} has no place for “${character}”; the file stays ${present}.`,
+  savedAsUtf8: (name, encoding, character) => `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
   writeOut: 'Write out',
   writeOutHint: 'Show the program with every cycle written out as plain moves',
   writtenOut: 'The program, written out',
@@ -166,6 +184,7 @@ const en: Strings = {
     ['F9  Shift F9', 'next or previous motion'],
     ['F8  Shift F8', 'next or previous problem'],
     ['Ctrl F', 'search in the program'],
+    ['Ctrl S', 'save the program as a file'],
     ['Ctrl Z  Ctrl Y', 'undo, redo'],
     ['Tab', 'leave the editor'],
     ['Arrow keys', 'move the drawing (when it has the focus)'],
@@ -186,6 +205,7 @@ const en: Strings = {
     theme: 'Theme',
     themes: { auto: 'As the system', light: 'Light', dark: 'Dark' },
     openFile: 'Open file',
+    saveFile: 'Save file',
     settings: 'Settings',
     restored: 'Restored your last program',
     startAfresh: 'Start afresh',
@@ -235,10 +255,18 @@ const zh: Strings = {
   crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
   setupRejected: (reason) => `设置未被接受：${reason}`,
   opened: (name) => `已打开 ${name}`,
-  openedDamaged: (name, count) => `已打开 ${name}。它不是纯 UTF-8 文本：${count} 处无法识别，显示为 �。`,
+  openedAs: (name, encoding) => `已按 ${encoding} 打开 ${name}。如果显示为乱码，请在文件名旁选择其他编码。`,
+  openedBinary: (name) => `已打开 ${name}。它不像文本文件；不作修改保存时，字节保持不变。`,
   fileTooLarge: (name) => `${name} 超过 64 MB，未打开。`,
   fileUnreadable: (name) => `无法读取 ${name}。`,
   dropHere: '将程序文件拖放到此处',
+  encoding: '编码',
+  encodingHint: '读取和保存此文件所用的编码',
+  rereadAs: (encoding) => `已按 ${encoding} 重新读取。`,
+  savedFromNowAs: (encoding) => `文本不变，将以 ${encoding} 保存。`,
+  notThisEncoding: (name, chosen, present) => `${name} 不是 ${chosen} 文本，仍为 ${present}。`,
+  noPlace: (character, chosen, present) => `${chosen} 中没有“${character}”，文件仍为 ${present}。`,
+  savedAsUtf8: (name, encoding, character) => `${encoding} 中没有“${character}”：${name} 已改用 UTF-8 保存。`,
   writeOut: '展开循环',
   writeOutHint: '显示将所有循环展开为普通移动指令后的程序',
   writtenOut: '展开后的程序',
@@ -256,6 +284,7 @@ const zh: Strings = {
     ['F9  Shift F9', '下一段或上一段运动'],
     ['F8  Shift F8', '下一个或上一个问题'],
     ['Ctrl F', '在程序中查找'],
+    ['Ctrl S', '将程序保存为文件'],
     ['Ctrl Z  Ctrl Y', '撤销、重做'],
     ['Tab', '离开编辑器'],
     ['方向键', '移动图形（图形获得焦点时）'],
@@ -276,6 +305,7 @@ const zh: Strings = {
     theme: '主题',
     themes: { auto: '跟随系统', light: '浅色', dark: '深色' },
     openFile: '打开文件',
+    saveFile: '保存文件',
     settings: '设置',
     restored: '已恢复您上次的程序',
     startAfresh: '重新开始',
@@ -326,10 +356,18 @@ const ru: Strings = {
   crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
   setupRejected: (reason) => `Настройка не принята: ${reason}`,
   opened: (name) => `Открыт файл ${name}`,
-  openedDamaged: (name, count) => `Открыт файл ${name}. Это не чистый текст UTF-8: нечитаемых мест — ${count}, они показаны как �.`,
+  openedAs: (name, encoding) => `Файл ${name} открыт в кодировке ${encoding}. Если текст нечитаем, выберите другую рядом с именем.`,
+  openedBinary: (name) => `Открыт файл ${name}. Он не похож на текст; без правок его байты сохранятся без изменений.`,
   fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
   fileUnreadable: (name) => `Файл ${name} не читается.`,
   dropHere: 'Отпустите файл с программой здесь',
+  encoding: 'Кодировка',
+  encodingHint: 'Кодировка, в которой файл читается и сохраняется',
+  rereadAs: (encoding) => `Прочитано заново в кодировке ${encoding}.`,
+  savedFromNowAs: (encoding) => `Текст остаётся как есть и будет сохранён в кодировке ${encoding}.`,
+  notThisEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
+  noPlace: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
+  savedAsUtf8: (name, encoding, character) => `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
   writeOut: 'Расписать',
   writeOutHint: 'Показать программу, в которой каждый цикл расписан простыми перемещениями',
   writtenOut: 'Расписанная программа',
@@ -347,6 +385,7 @@ const ru: Strings = {
     ['F9  Shift F9', 'следующее или предыдущее перемещение'],
     ['F8  Shift F8', 'следующее или предыдущее замечание'],
     ['Ctrl F', 'поиск в программе'],
+    ['Ctrl S', 'сохранить программу в файл'],
     ['Ctrl Z  Ctrl Y', 'отменить, вернуть'],
     ['Tab', 'выйти из редактора'],
     ['Стрелки', 'сдвинуть чертёж (когда он в фокусе)'],
@@ -367,6 +406,7 @@ const ru: Strings = {
     theme: 'Тема',
     themes: { auto: 'Как в системе', light: 'Светлая', dark: 'Тёмная' },
     openFile: 'Открыть файл',
+    saveFile: 'Сохранить',
     settings: 'Настройки',
     restored: 'Ваша последняя программа восстановлена',
     startAfresh: 'Начать заново',

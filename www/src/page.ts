@@ -8,6 +8,7 @@ import './element';
 import './page.css';
 import { make } from './dom';
 import type { GcodePlayground } from './element';
+import type { ProgramFile } from './editor-file';
 import { exampleOf, examples, type Example } from './gallery';
 import { LANGUAGES, languageOf, strings, type Language } from './i18n';
 import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
@@ -31,6 +32,7 @@ const controlSelect = find<HTMLSelectElement>('control');
 const languageSelect = find<HTMLSelectElement>('language');
 const themeSelect = find<HTMLSelectElement>('theme');
 const openButton = find<HTMLButtonElement>('open');
+const saveButton = find<HTMLButtonElement>('save');
 const fileInput = find<HTMLInputElement>('file');
 const settingsToggle = find<HTMLButtonElement>('settings-toggle');
 const settings = find('settings');
@@ -83,7 +85,8 @@ function load(chosen: Example | undefined): void {
 function restore(kept: KeptProgram): void {
   load(exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
   playground.control = controlSelect.value = kept.control;
-  playground.value = known = kept.text;
+  playground.opened = { text: kept.text, file: kept.file as ProgramFile | undefined };
+  known = playground.value;
   showAbove({ kind: 'restored' });
 }
 
@@ -114,6 +117,7 @@ function listen(): void {
     showTheme(themeSelect.value);
   });
   openButton.addEventListener('click', () => fileInput.click());
+  saveButton.addEventListener('click', () => playground.saveFile());
   fileInput.addEventListener('change', () => {
     const file = fileInput.files?.[0];
     if (file !== undefined) void playground.openFile(file);
@@ -123,7 +127,11 @@ function listen(): void {
     const open = settings.classList.toggle('open');
     settingsToggle.setAttribute('aria-expanded', String(open));
   });
-  playground.addEventListener('gcode-change', keepSoon);
+  playground.addEventListener('gcode-change', () => {
+    // What is said of the example is not said of the reader's own file.
+    showAbove(above);
+    keepSoon();
+  });
   window.addEventListener('pagehide', keepNow);
 }
 
@@ -142,8 +150,15 @@ function keepNow(): void {
   keeping = undefined;
   known = text;
   const id = example?.id ?? '';
-  if (text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
-  else keepProgram({ text, example: id, control: controlSelect.value });
+  const { file } = playground;
+  const asItCame = file === undefined;
+  if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
+  else {
+    keepProgram({
+      text: playground.opened.text, example: id, control: controlSelect.value,
+      ...(file === undefined ? {} : { file }),
+    });
+  }
 }
 
 // ---- showing --------------------------------------------------------------------------------------
@@ -152,11 +167,12 @@ function showAbove(what: Above): void {
   above = what;
   const texts = strings(language);
   const lines: HTMLElement[] = [];
-  if (example !== undefined) {
+  const own = playground.file !== undefined;
+  if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
     if (example.needs.length > 0) lines.push(make('p', {}, texts.page.needs(example.needs.join(', '))));
   }
-  if (what.kind === 'example') lines.push(make('p', { className: 'hint' }, texts.hint));
+  if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
     lines.push(offer(texts.page.restored, texts.page.startAfresh, () => {
       forgetProgram();
@@ -165,6 +181,7 @@ function showAbove(what: Above): void {
   }
   if (what.kind === 'kept') lines.push(offer(texts.page.kept, texts.page.bringBack, () => restore(what.program)));
   intro.replaceChildren(...lines);
+  intro.hidden = lines.length === 0;
 }
 
 function offer(news: string, action: string, accepted: () => void): HTMLElement {
@@ -186,6 +203,7 @@ function showLanguage(): void {
   label(themeSelect, texts.theme);
   for (const option of themeSelect.options) option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
   openButton.textContent = texts.openFile;
+  saveButton.textContent = texts.saveFile;
   settingsToggle.textContent = texts.settings;
   showExamples();
   showAbove(above);

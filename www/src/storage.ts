@@ -4,10 +4,12 @@
 // Must not know: what a program is.
 
 export interface KeptProgram {
+  /** With the line ends of its file, if it is one's. */
   readonly text: string;
   /** The example it began as. */
   readonly example: string;
   readonly control: string;
+  readonly file?: { readonly name: string; readonly encoding: string };
 }
 
 export interface Choices {
@@ -21,7 +23,12 @@ const CHOICES = 'gcode-playground:choices';
 export function keptProgram(): KeptProgram | undefined {
   const kept = read(PROGRAM);
   const fields = ['text', 'example', 'control'] as const;
-  return fields.every((field) => typeof kept[field] === 'string') ? (kept as unknown as KeptProgram) : undefined;
+  if (!fields.every((field) => typeof kept[field] === 'string')) return undefined;
+  const { text, example, control, file } = kept as unknown as KeptProgram;
+  return {
+    text, example, control,
+    ...(typeof file?.name === 'string' && typeof file.encoding === 'string' ? { file } : {}),
+  };
 }
 
 export function keepProgram(program: KeptProgram): void {

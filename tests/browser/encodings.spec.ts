@@ -1,0 +1,174 @@
+// Files as they come from machines and old editors: they read well, and saving gives the same bytes back.
+import { expect, test, type Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { editor, open, openFile, status, value } from './page';
+
+/** Held against the command line too. */
+const cases = (
+  JSON.parse(readFileSync(join(__dirname, '..', 'encodings.json'), 'utf8')) as { encoding: string; text: string; bytes: string }[]
+).map(({ encoding, text, bytes }) => ({ encoding, text, bytes: Buffer.from(bytes, 'hex') }));
+
+const encoding = (page: Page) => page.getByRole('combobox', { name: 'Encoding' });
+
+async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save file' }).click();
+  const download = await waiting;
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+/** What the element holds, with every line end as one. */
+const folded = (text: string): string => text.replace(/\r\n?/g, '\n');
+
+/** Puts the cursor behind the text a line (from 1) begins with. */
+async function cursorBehind(page: Page, line: number, text: string): Promise<void> {
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let i = 1; i < line; i++) await page.keyboard.press('ArrowDown');
+  for (let i = 0; i < text.length; i++) await page.keyboard.press('ArrowRight');
+}
+
+test('Chinese, Russian and Western programs read well and are saved as they were', async ({ page }) => {
+  await open(page);
+  for (const [i, one] of cases.entries()) {
+    await test.step(`${one.encoding}: ${one.text.slice(0, 30)}`, async () => {
+      const name = `part-${i}.nc`;
+      await openFile(page, name, one.bytes);
+      await expect(page.getByText(`Opened ${name}`)).toBeVisible();
+      expect(await value(page)).toBe(folded(one.text));
+      await expect(encoding(page)).toHaveValue(one.encoding);
+      const saved = await save(page);
+      expect(saved.name).toBe(name);
+      expect(saved.bytes.toString('hex')).toBe(one.bytes.toString('hex'));
+    });
+  }
+});
+
+test('bytes of any kind are saved as they were', async ({ page }) => {
+  await open(page);
+  const all = Buffer.from(Array.from({ length: 256 }, (_, byte) => byte));
+  const odd: [string, Buffer][] = [
+    ['mixed.nc', Buffer.from('O1\r\nG0 X1\nG1 Z-1\r\rM8\n\rM30\r\n\u001a', 'latin1')],
+    ['only-cr.nc', Buffer.from('O1\rG0 X1\rM30\r', 'latin1')],
+    ['tape.nc', Buffer.from('\0\0\0%\r\nO1\0\r\nM30\r\n%\0\0\u001a\u001a', 'latin1')],
+    ['cut-short.nc', Buffer.concat([Buffer.from('G0 X1 ('), Buffer.from([0xb4, 0xd6, 0xb3])])],
+    ['all-bytes.nc', all],
+    ['euro-of-old.nc', Buffer.concat([Buffer.from('(price '), Buffer.from([0x80, 0x20, 0xb4, 0xd6]), Buffer.from(')\n')])],
+    ['bom-alone.nc', Buffer.from([0xef, 0xbb, 0xbf])],
+    ['bom-and-no-utf8.nc', Buffer.concat([Buffer.from([0xef, 0xbb, 0xbf]), all])],
+    ['half-a-pair.nc', Buffer.from([0xff, 0xfe, 0x47, 0x00, 0x00, 0xd8, 0x0a, 0x00])],
+    ['odd-utf16.nc', Buffer.from([0xff, 0xfe, 0x47, 0x00, 0x30])],
+    ['empty.nc', Buffer.alloc(0)],
+  ];
+  for (const [name, bytes] of odd) {
+    await test.step(name, async () => {
+      await openFile(page, name, bytes);
+      await expect(page.getByText(`Opened ${name}`)).toBeVisible();
+      expect((await save(page)).bytes.toString('hex')).toBe(bytes.toString('hex'));
+    });
+  }
+});
+
+test('one word edited is the only change in the file', async ({ page }) => {
+  await open(page);
+  const head = Buffer.from('O1 (', 'latin1');
+  const chinese = Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]);
+  const tail = (x: string) => Buffer.from(`)\r\nG0 X${x} Z2\nG1 Z-9 F1\rM30\r\n\u001a`, 'latin1');
+  await openFile(page, 'edit.nc', Buffer.concat([head, chinese, tail('5')]));
+  await expect(encoding(page)).toHaveValue('gb18030');
+  await cursorBehind(page, 2, 'G0 X5');
+  await page.keyboard.type('0');
+  expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, tail('50')]));
+
+  await test.step('undo brings back a line end of its own kind', async () => {
+    await cursorBehind(page, 2, 'G0 X50');
+    await page.keyboard.press('Backspace');
+    await cursorBehind(page, 3, 'G1 Z-9 F1');
+    await page.keyboard.press('Delete');
+    await expect.poll(() => value(page)).toContain('F1M30');
+    expect((await save(page)).bytes.includes('F1M30\r\n')).toBe(true);
+    await page.keyboard.press('Control+Z');
+    await expect.poll(() => value(page)).toContain('F1\nM30');
+    expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, tail('5')]));
+  });
+
+  await test.step('a new line ends as most do', async () => {
+    await cursorBehind(page, 4, '');
+    await page.keyboard.type('M9\n');
+    const changed = Buffer.from(tail('5').toString('latin1').replace('M30', 'M9\r\nM30'), 'latin1');
+    expect((await save(page)).bytes).toEqual(Buffer.concat([head, chinese, changed]));
+  });
+});
+
+test('a character without a place in the encoding is told, and the file saved as UTF-8', async ({ page }) => {
+  await open(page);
+  // (Резец)
+  const bytes = Buffer.concat([Buffer.from('('), Buffer.from([0xd0, 0xe5, 0xe7, 0xe5, 0xf6]), Buffer.from(')\r\nM30\r\n')]);
+  await openFile(page, 'резец.nc', bytes);
+  await expect(encoding(page)).toHaveValue('windows-1251');
+  await cursorBehind(page, 1, '(Резец');
+  await page.keyboard.insertText('😀');
+  const saved = await save(page);
+  expect(saved.bytes.toString('utf8')).toBe('(Резец😀)\r\nM30\r\n');
+  await expect(page.getByText('Windows-1251 has no place for “😀”: резец.nc was saved as UTF-8.')).toBeVisible();
+  await expect(encoding(page)).toHaveValue('utf-8');
+
+  await encoding(page).selectOption('windows-1251');
+  await expect(page.getByText('the file stays UTF-8')).toBeVisible();
+  await expect(encoding(page)).toHaveValue('utf-8');
+  await page.getByLabel('Language').selectOption('zh');
+  await page.getByRole('combobox', { name: '编码' }).selectOption('windows-1251');
+  await expect(page.getByText('Windows-1251 中没有“😀”')).toBeVisible();
+});
+
+test('a wrong guess is put right, also after an edit', async ({ page }) => {
+  await open(page);
+  // 粗车 between Russian words: GB18030 is not what it was meant to be.
+  const bytes = Buffer.concat([Buffer.from('O1\n('), Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]), Buffer.from(')\nG0 X1\n')]);
+  await openFile(page, 'guess.nc', bytes);
+  expect(await value(page)).toBe('O1\n(粗车)\nG0 X1\n');
+  await cursorBehind(page, 3, 'G0 X1');
+  await page.keyboard.type('0');
+  await encoding(page).selectOption('windows-1251');
+  await expect(page.getByText('Read again as Windows-1251')).toBeVisible();
+  expect(await value(page)).toBe('O1\n(ґЦіµ)\nG0 X10\n');
+  const edited = Buffer.from(bytes.toString('latin1').replace('X1', 'X10'), 'latin1');
+  expect((await save(page)).bytes).toEqual(edited);
+
+  await encoding(page).selectOption('gb18030');
+  expect(await value(page)).toBe('O1\n(粗车)\nG0 X10\n');
+  await encoding(page).selectOption('utf-8');
+  await expect(page.getByText('will be saved as UTF-8')).toBeVisible();
+  expect((await save(page)).bytes.toString('utf8')).toBe('O1\n(粗车)\nG0 X10\n');
+
+  await openFile(page, 'ru.nc', Buffer.from([0x28, 0xd0, 0xe5, 0xe7, 0xe5, 0xf6, 0x29]));
+  await encoding(page).selectOption('gb18030');
+  await expect(page.getByText('ru.nc is no GB18030 text; it stays Windows-1251.')).toBeVisible();
+  await expect(encoding(page)).toHaveValue('windows-1251');
+});
+
+test('after a reload, and after undoing another file, a program is still saved as its own file', async ({ page }) => {
+  await open(page);
+  const first = Buffer.concat([Buffer.from('(Gr'), Buffer.from([0xf6, 0xdf]), Buffer.from('e)\r\nG0 X1 Z1\nM30\r\n')]);
+  await openFile(page, 'first.nc', first);
+  await expect(encoding(page)).toHaveValue('windows-1252');
+  await openFile(page, 'second.nc', Buffer.from('G0 X2 Z2\nG1 Z1 F1\n'));
+  await expect(encoding(page)).toHaveValue('utf-8');
+  await editor(page).focus();
+  await page.keyboard.press('Control+Z');
+  await expect(encoding(page)).toHaveValue('windows-1252');
+  expect(await save(page)).toEqual({ name: 'first.nc', bytes: first });
+
+  await page.reload();
+  await expect(status(page)).toContainText(/^1 motion/);
+  await expect(encoding(page)).toHaveValue('windows-1252');
+  expect(await save(page)).toEqual({ name: 'first.nc', bytes: first });
+
+  await page.getByRole('button', { name: 'Start afresh' }).click();
+  await expect(encoding(page)).toHaveCount(0);
+  await editor(page).focus();
+  const waiting = page.waitForEvent('download');
+  await page.keyboard.press('Control+S');
+  expect((await waiting).suggestedFilename()).toBe('program.nc');
+});

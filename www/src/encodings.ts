@@ -1,0 +1,161 @@
+// The encodings of program files: bytes to text and back, without loss.
+//
+// In: bytes, or a text and the name of an encoding. Out: the other one, or why there is none. What is decoded here is
+// encoded to the very same bytes again, or it is not decoded at all. The way back is made from the browser's own
+// decoder, so there are no tables. Must not know: what a text is for, or which encoding is the likely one.
+
+/** Those with a byte order mark have it as part of their name, so that it is written again. */
+export const ENCODINGS = ['utf-8', 'utf-8-bom', 'utf-16le', 'utf-16be', 'gb18030', 'windows-1251', 'windows-1252'] as const;
+export type Encoding = (typeof ENCODINGS)[number];
+
+/** Their names, the same in every language. */
+export const ENCODING_NAMES: Readonly<Record<Encoding, string>> = {
+  'utf-8': 'UTF-8',
+  'utf-8-bom': 'UTF-8 BOM',
+  'utf-16le': 'UTF-16 LE',
+  'utf-16be': 'UTF-16 BE',
+  gb18030: 'GB18030',
+  'windows-1251': 'Windows-1251',
+  'windows-1252': 'Windows-1252',
+};
+
+export type Encoded =
+  | { readonly kind: 'bytes'; readonly bytes: Uint8Array<ArrayBuffer> }
+  /** The first character that has no place in the encoding. */
+  | { readonly kind: 'no-place'; readonly character: string };
+
+/** Whether every character has a place in it. */
+export function isUnicode(encoding: Encoding): boolean {
+  return encoding.startsWith('utf-');
+}
+
+const MARKS: Readonly<Partial<Record<Encoding, readonly number[]>>> = {
+  'utf-8-bom': [0xef, 0xbb, 0xbf],
+  'utf-16le': [0xff, 0xfe],
+  'utf-16be': [0xfe, 0xff],
+};
+
+/** The text of some bytes; undefined when it would not become the same bytes again. */
+export function decode(bytes: Uint8Array, encoding: Encoding): string | undefined {
+  const mark = MARKS[encoding] ?? [];
+  if (mark.some((byte, i) => bytes[i] !== byte)) return undefined;
+  if (encoding === 'utf-8' && MARKS['utf-8-bom']?.every((byte, i) => bytes[i] === byte) === true) return undefined;
+  const label = encoding === 'utf-8-bom' ? 'utf-8' : encoding;
+  let text: string;
+  try {
+    text = new TextDecoder(label, { fatal: true, ignoreBOM: true }).decode(bytes.subarray(mark.length));
+  } catch {
+    return undefined;
+  }
+  // What is UTF-8, or one byte a character, has only one way back.
+  if (label === 'utf-8') return text;
+  const back = encode(text, encoding);
+  return back.kind === 'bytes' && same(back.bytes, bytes) ? text : undefined;
+}
+
+/** The bytes of a text. */
+export function encode(text: string, encoding: Encoding): Encoded {
+  switch (encoding) {
+    case 'utf-8':
+      return { kind: 'bytes', bytes: new TextEncoder().encode(text) };
+    case 'utf-8-bom':
+      return { kind: 'bytes', bytes: new TextEncoder().encode(`\uFEFF${text}`) };
+    case 'utf-16le':
+    case 'utf-16be':
+      return { kind: 'bytes', bytes: utf16(`\uFEFF${text}`, encoding === 'utf-16le') };
+    case 'gb18030':
+    case 'windows-1251':
+    case 'windows-1252':
+      return byTable(text, encoding);
+  }
+}
+
+function utf16(text: string, littleEndian: boolean): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(2 * text.length);
+  const view = new DataView(bytes.buffer);
+  for (let i = 0; i < text.length; i++) view.setUint16(2 * i, text.charCodeAt(i), littleEndian);
+  return bytes;
+}
+
+type Legacy = 'gb18030' | 'windows-1251' | 'windows-1252';
+
+/** The bytes of each UTF-16 unit as one number, the first byte highest; 0 when there are none. */
+const tables = new Map<Legacy, Uint32Array>();
+
+function byTable(text: string, encoding: Legacy): Encoded {
+  let table = tables.get(encoding);
+  if (table === undefined) tables.set(encoding, (table = encoding === 'gb18030' ? gb18030Table() : byteTable(encoding)));
+  let bytes = new Uint8Array(text.length + (text.length >> 1) + 16);
+  let length = 0;
+  for (let i = 0; i < text.length; i++) {
+    if (length + 4 > bytes.length) {
+      const longer = new Uint8Array(2 * bytes.length);
+      longer.set(bytes);
+      bytes = longer;
+    }
+    const unit = text.charCodeAt(i);
+    if (unit < 0x80) {
+      bytes[length++] = unit;
+      continue;
+    }
+    let code = table[unit] ?? 0;
+    if (code === 0) {
+      const point = text.codePointAt(i) ?? 0;
+      if (encoding !== 'gb18030' || point < 0x10000) return { kind: 'no-place', character: String.fromCodePoint(point) };
+      code = fourBytes(FIRST_ABOVE_FFFF + point - 0x10000);
+      i++;
+    }
+    for (let shift = 24; shift >= 0; shift -= 8) {
+      const byte = (code >>> shift) & 0xff;
+      // No byte but the last may be a leading zero of the number; bytes above ASCII are never 0.
+      if (byte !== 0 || shift === 0) bytes[length++] = byte;
+    }
+  }
+  return { kind: 'bytes', bytes: bytes.slice(0, length) };
+}
+
+function byteTable(encoding: Legacy): Uint32Array {
+  const table = new Uint32Array(0x10000);
+  const text = new TextDecoder(encoding).decode(Uint8Array.from({ length: 256 }, (_, byte) => byte));
+  for (let byte = 0x80; byte < 0x100; byte++) table[text.charCodeAt(byte)] = byte;
+  return table;
+}
+
+/** Four-byte codes are numbered in order; this is the number of the first for a character above U+FFFF. */
+const FIRST_ABOVE_FFFF = 189_000;
+/** Four-byte codes for characters up to U+FFFF: 0x81308130 to 0x8431A439. */
+const FOUR_BYTES_BELOW = 39_420;
+
+function fourBytes(number: number): number {
+  const last = 0x30 + (number % 10);
+  const third = 0x81 + (Math.floor(number / 10) % 126);
+  const second = 0x30 + (Math.floor(number / 1260) % 10);
+  const first = 0x81 + Math.floor(number / 12_600);
+  return ((first << 24) | (second << 16) | (third << 8) | last) >>> 0;
+}
+
+/** Every code of two and four bytes is shown to the decoder, each on a line of its own. */
+function gb18030Table(): Uint32Array {
+  const codes: number[] = [];
+  for (let lead = 0x81; lead <= 0xfe; lead++) {
+    for (let trail = 0x40; trail <= 0xfe; trail++) if (trail !== 0x7f) codes.push((lead << 8) | trail);
+  }
+  for (let number = 0; number < FOUR_BYTES_BELOW; number++) codes.push(fourBytes(number));
+  const bytes: number[] = [];
+  for (const code of codes) {
+    if (code > 0xffff) bytes.push(code >>> 24, (code >>> 16) & 0xff);
+    bytes.push((code >>> 8) & 0xff, code & 0xff, 0x0a);
+  }
+  const table = new Uint32Array(0x10000);
+  const shown = new TextDecoder('gb18030').decode(Uint8Array.from(bytes)).split('\n');
+  codes.forEach((code, i) => {
+    const character = shown[i] ?? '';
+    const unit = character.charCodeAt(0);
+    if (character.length === 1 && unit !== 0xfffd && table[unit] === 0) table[unit] = code;
+  });
+  return table;
+}
+
+function same(a: Uint8Array, b: Uint8Array): boolean {
+  return a.length === b.length && a.every((byte, i) => byte === b[i]);
+}
