@@ -11,14 +11,18 @@
 //   setup     JSON: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
 //   theme     auto | light | dark
+//   block-skip  "1,2"                  the levels of block skip that are on; overrides `blockSkip` of the setup
+//   program   2                        the O number that is run; overrides `program` of the setup
+// The last two follow the reader, who finds a switch for each where the text has a use for it.
 // Properties: value (the program), opened (its file, with the text as it is in it). Setting one, or an attribute, fires
 // no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for automation
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
+//   gcode-switch  detail {blockSkip, program}
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
-// the colours of colours.css. Parts: frame intro bar file editor problems drawing canvas legend tooltip
+// the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
 // playback play readout doing status notice written-out help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
@@ -37,8 +41,9 @@ import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
 import type { Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
-import { initialProgram, mergedSetup } from './start';
+import { initialProgram, mergedSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
+import { Switches } from './switches';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
 import styles from './styles.css?inline';
@@ -62,7 +67,7 @@ export interface OpenedProgram {
 }
 
 export class GcodePlayground extends HTMLElement {
-  static readonly observedAttributes = ['control', 'setup', 'language', 'theme'];
+  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme'];
 
   #editor: Editor | undefined;
   #line: Line | undefined;
@@ -73,6 +78,7 @@ export class GcodePlayground extends HTMLElement {
   #status!: StatusLine;
   #notice!: Notice;
   #fileBar!: FileBar;
+  #switches!: Switches;
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
@@ -162,6 +168,22 @@ export class GcodePlayground extends HTMLElement {
     this.#setOrRemove('setup', json);
   }
 
+  get blockSkip(): string | null {
+    return this.getAttribute('block-skip');
+  }
+
+  set blockSkip(levels: string | null) {
+    this.#setOrRemove('block-skip', levels);
+  }
+
+  get program(): string | null {
+    return this.getAttribute('program');
+  }
+
+  set program(number: string | null) {
+    this.#setOrRemove('program', number);
+  }
+
   get theme(): string {
     return this.getAttribute('theme') ?? 'auto';
   }
@@ -198,6 +220,8 @@ export class GcodePlayground extends HTMLElement {
     else if (opened.kind === 'unreadable') this.#notice.show(texts.fileUnreadable(opened.name));
     else {
       const { name, encoding } = opened.file;
+      // The switches were set for another program.
+      this.blockSkip = this.program = null;
       this.opened = opened;
       if (opened.binary) this.#notice.show(texts.openedBinary(name));
       else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
@@ -261,13 +285,17 @@ export class GcodePlayground extends HTMLElement {
     this.#status = new StatusLine(texts);
     this.#notice = new Notice(texts);
     this.#fileBar = new FileBar(texts, { chosen: (encoding) => this.#chooseEncoding(encoding) });
+    this.#switches = new Switches(texts, {
+      skipped: (levels) => this.#turn(() => (this.blockSkip = levels.join(','))),
+      chosen: (program) => this.#turn(() => (this.program = String(program))),
+    });
     this.#help = new Help(texts);
     this.#writtenOut = new WrittenOutDialog(root, texts, {
       wanted: () => void this.#writeOut(),
       taken: (text) => this.#takeOver(text),
     });
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
-    const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element);
+    const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element, this.#switches.element);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },
@@ -412,7 +440,9 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #sendSetup(): void {
-    const merged = mergedSetup(this.setup, this.control);
+    const { control, blockSkip, program } = this;
+    const merged = mergedSetup(this.setup, { control, blockSkip, program });
+    this.#switches.state = switchesSet(merged);
     if (merged.kind === 'unreadable') this.#notice.show(this.#strings.setupRejected(merged.reason), 'setup');
     else this.#line?.client.send({ kind: 'setup', json: merged.json });
   }
@@ -463,7 +493,7 @@ export class GcodePlayground extends HTMLElement {
     this.#changed();
   }
 
-  // ---- the file -----------------------------------------------------------------------------------
+  // ---- the file and the switches ------------------------------------------------------------------
 
   #chooseEncoding(encoding: Encoding): void {
     const editor = this.#editor;
@@ -491,10 +521,16 @@ export class GcodePlayground extends HTMLElement {
     this.#changed();
   }
 
+  #turn(turn: () => void): void {
+    turn();
+    this.#fire('gcode-switch', { blockSkip: this.blockSkip, program: this.program });
+  }
+
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, pathLength } = report;
+    const { summary, diagnostics, pathLength, inText } = report;
+    this.#switches.inText = inText;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
     this.#writtenOut.available = summary.finished && summary.motions > 0;
@@ -524,7 +560,7 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#help, this.#writtenOut]) {
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;

@@ -58,7 +58,7 @@ export interface Strings {
   readonly fileTooLarge: (name: string) => string;
   readonly fileUnreadable: (name: string) => string;
   readonly dropHere: string;
-  // the file
+  // the file and the switches
   readonly encoding: string;
   readonly encodingHint: string;
   readonly rereadAs: (encoding: string) => string;
@@ -66,6 +66,11 @@ export interface Strings {
   readonly notThisEncoding: (name: string, chosen: string, present: string) => string;
   readonly noPlace: (character: string, chosen: string, present: string) => string;
   readonly savedAsUtf8: (name: string, encoding: string, character: string) => string;
+  readonly blockSkip: string;
+  readonly blockSkipHint: string;
+  /** `mark` as it is written in a program: `/2`. */
+  readonly blockSkipLevel: (mark: string) => string;
+  readonly programToRun: string;
   // the program written out
   readonly writeOut: string;
   readonly writeOutHint: string;
@@ -167,6 +172,10 @@ const en: Strings = {
   notThisEncoding: (name, chosen, present) => `${name} is no ${chosen} text; it stays ${present}.`,
   noPlace: (character, chosen, present) => `${chosen} has no place for “${character}”; the file stays ${present}.`,
   savedAsUtf8: (name, encoding, character) => `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
+  blockSkip: 'Block skip',
+  blockSkipHint: 'When on, blocks marked with this slash are left out',
+  blockSkipLevel: (mark) => `Block skip ${mark}`,
+  programToRun: 'Program to run',
   writeOut: 'Write out',
   writeOutHint: 'Show the program with every cycle written out as plain moves',
   writtenOut: 'The program, written out',
@@ -267,6 +276,10 @@ const zh: Strings = {
   notThisEncoding: (name, chosen, present) => `${name} 不是 ${chosen} 文本，仍为 ${present}。`,
   noPlace: (character, chosen, present) => `${chosen} 中没有“${character}”，文件仍为 ${present}。`,
   savedAsUtf8: (name, encoding, character) => `${encoding} 中没有“${character}”：${name} 已改用 UTF-8 保存。`,
+  blockSkip: '程序段跳过',
+  blockSkipHint: '打开后，跳过带此斜杠的程序段',
+  blockSkipLevel: (mark) => `程序段跳过 ${mark}`,
+  programToRun: '要运行的程序',
   writeOut: '展开循环',
   writeOutHint: '显示将所有循环展开为普通移动指令后的程序',
   writtenOut: '展开后的程序',
@@ -368,6 +381,10 @@ const ru: Strings = {
   notThisEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
   noPlace: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
   savedAsUtf8: (name, encoding, character) => `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
+  blockSkip: 'Пропуск кадров',
+  blockSkipHint: 'Если включено, кадры с этой косой чертой пропускаются',
+  blockSkipLevel: (mark) => `Пропуск кадров ${mark}`,
+  programToRun: 'Выполняемая программа',
   writeOut: 'Расписать',
   writeOutHint: 'Показать программу, в которой каждый цикл расписан простыми перемещениями',
   writtenOut: 'Расписанная программа',

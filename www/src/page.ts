@@ -75,6 +75,7 @@ function load(chosen: Example | undefined): void {
   example = chosen;
   if (chosen !== undefined) {
     playground.setup = chosen.setup;
+    playground.blockSkip = playground.program = null;
     playground.control = controlSelect.value = controlOf(chosen.setup);
     playground.value = known = chosen.program;
     exampleSelect.value = chosen.id;
@@ -85,6 +86,8 @@ function load(chosen: Example | undefined): void {
 function restore(kept: KeptProgram): void {
   load(exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
   playground.control = controlSelect.value = kept.control;
+  playground.blockSkip = kept.blockSkip ?? null;
+  playground.program = kept.program ?? null;
   playground.opened = { text: kept.text, file: kept.file as ProgramFile | undefined };
   known = playground.value;
   showAbove({ kind: 'restored' });
@@ -132,6 +135,7 @@ function listen(): void {
     showAbove(above);
     keepSoon();
   });
+  playground.addEventListener('gcode-switch', keepSoon);
   window.addEventListener('pagehide', keepNow);
 }
 
@@ -150,13 +154,15 @@ function keepNow(): void {
   keeping = undefined;
   known = text;
   const id = example?.id ?? '';
-  const { file } = playground;
-  const asItCame = file === undefined;
+  const { file, blockSkip, program } = playground;
+  const asItCame = file === undefined && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
   else {
     keepProgram({
       text: playground.opened.text, example: id, control: controlSelect.value,
       ...(file === undefined ? {} : { file }),
+      ...(blockSkip === null ? {} : { blockSkip }),
+      ...(program === null ? {} : { program }),
     });
   }
 }

@@ -5,6 +5,7 @@
 // Must not know: how either side does its work.
 
 import type { Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
+import type { SwitchesInText } from './switches-in-text';
 
 export type { Diagnostic, Palette, Stroke, Summary };
 export type { Fix } from '../pkg/gcode_playground.js';
@@ -72,6 +73,7 @@ export interface Report {
   readonly diagnostics: readonly Diagnostic[];
   /** mm */
   readonly pathLength: number;
+  readonly inText: SwitchesInText;
 }
 
 export type WorkerEvent =

@@ -1,7 +1,7 @@
 // What the element starts from: its light-DOM text and its setup.
 //
 // In: the element, its attributes. Out: the program's text; the setup as one JSON text.
-// Must not know: what a setup may hold beyond the place of the control's name.
+// Must not know: what a setup may hold beyond the keys that are attributes too.
 
 /** The element's own text, without slotted children, without the blank first and last line and the common indent. */
 export function initialProgram(element: HTMLElement): string {
@@ -18,9 +18,16 @@ export type MergedSetup =
   | { readonly kind: 'setup'; readonly json: string }
   | { readonly kind: 'unreadable'; readonly reason: string };
 
-/** The `setup` attribute with the `control` attribute put in its place. */
-export function mergedSetup(json: string | null, control: string | null): MergedSetup {
-  if (control === null) return { kind: 'setup', json: json ?? '{}' };
+/** Attributes that stand for keys of the setup; null where the setup itself decides. */
+export interface SetupAttributes {
+  readonly control: string | null;
+  readonly blockSkip: string | null;
+  readonly program: string | null;
+}
+
+/** The `setup` attribute with the other attributes put in their places. */
+export function mergedSetup(json: string | null, { control, blockSkip, program }: SetupAttributes): MergedSetup {
+  if (control === null && blockSkip === null && program === null) return { kind: 'setup', json: json ?? '{}' };
   let setup: unknown;
   try {
     setup = JSON.parse(json ?? '{}');
@@ -29,7 +36,40 @@ export function mergedSetup(json: string | null, control: string | null): Merged
   }
   // Anything but an object is the interpreter's to refuse.
   if (typeof setup !== 'object' || setup === null || Array.isArray(setup)) return { kind: 'setup', json: json ?? '{}' };
-  const dialect: unknown = Reflect.get(setup, 'dialect');
-  const switches = typeof dialect === 'object' && dialect !== null ? dialect : {};
-  return { kind: 'setup', json: JSON.stringify({ ...setup, dialect: { ...switches, control } }) };
+  const merged: Record<string, unknown> = { ...setup };
+  if (control !== null) {
+    const dialect = merged['dialect'];
+    merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
+  }
+  if (blockSkip !== null) merged['blockSkip'] = blockSkip.split(/[\s,]+/).filter((part) => part !== '').map(numberOrText);
+  if (program !== null) merged['program'] = numberOrText(program);
+  return { kind: 'setup', json: JSON.stringify(merged) };
+}
+
+/** What is no number is the interpreter's to refuse. */
+function numberOrText(text: string): number | string {
+  return /^\d+$/.test(text) ? Number(text) : text;
+}
+
+/** How the switches stand. */
+export interface SwitchesSet {
+  /** Levels that are on. */
+  readonly blockSkip: readonly number[];
+  /** The program to run; the first of the text when undefined. */
+  readonly program: number | undefined;
+}
+
+export function switchesSet(merged: MergedSetup): SwitchesSet {
+  if (merged.kind === 'unreadable') return { blockSkip: [], program: undefined };
+  let setup: unknown;
+  try {
+    setup = JSON.parse(merged.json);
+  } catch {
+    return { blockSkip: [], program: undefined };
+  }
+  const { blockSkip, program } = Object(setup) as { readonly blockSkip?: unknown; readonly program?: unknown };
+  return {
+    blockSkip: Array.isArray(blockSkip) ? blockSkip.filter((level) => typeof level === 'number') : [],
+    program: typeof program === 'number' ? program : undefined,
+  };
 }

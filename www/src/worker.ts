@@ -5,6 +5,7 @@
 // Must not know: the page, the editor, or anything of what the program means.
 
 import init, { Playground } from '../pkg/gcode_playground.js';
+import { NO_SWITCHES, switchesIn } from './switches-in-text';
 import type { Command, Question, QuestionKind, Questions, ToolPlace, WorkerEvent, WrittenOut } from './protocol';
 
 const BLOCKS_PER_SLICE = 20_000;
@@ -21,6 +22,7 @@ interface Run {
 
 let core: Playground | undefined;
 let revision = 0;
+let inText = NO_SWITCHES;
 let run: Run | undefined;
 let runWanted = false;
 /** The newest run has ended and been reported; its messages can be asked for again in another language. */
@@ -81,6 +83,7 @@ function receive(message: Command | Question): void {
       break;
     case 'text':
       revision = message.revision;
+      inText = switchesIn(message.text);
       core.setPlayhead(undefined);
       core.setHover(undefined);
       core.setText(message.text);
@@ -204,6 +207,7 @@ function report(playground: Playground): void {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       pathLength: playground.pathLength(),
+      inText,
     },
   });
 }

@@ -1,0 +1,101 @@
+// The switches of the operator's panel: they show where the text has a use for them, and reach the interpreter's setup.
+import { expect, test, type Page } from '@playwright/test';
+import { open, status, type } from './page';
+
+const PROGRAMS = 'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
+
+const skip = (page: Page, mark: string) => page.getByRole('switch', { name: `Block skip ${mark}`, exact: true });
+const chosen = (page: Page) => page.getByRole('combobox', { name: 'Program to run' });
+
+interface Setup {
+  readonly blockSkip?: readonly number[];
+  readonly program?: number;
+}
+
+/** Listens to what the page tells its worker. */
+async function listen(page: Page): Promise<() => Promise<Setup>> {
+  await page.addInitScript(() => {
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
+      const { kind, json } = message as { kind?: string; json?: string };
+      if (kind === 'setup') Reflect.set(window, 'lastSetup', json);
+      Reflect.apply(post, this, [message, ...rest]);
+    };
+  });
+  return () => page.evaluate(() => JSON.parse(Reflect.get(window, 'lastSetup') as string) as Setup);
+}
+
+test('switches show for the levels and programs of the text, and are put into the setup', async ({ page }, info) => {
+  const setup = await listen(page);
+  await open(page);
+  await expect(page.getByRole('switch')).toHaveCount(0);
+  await expect(chosen(page)).toHaveCount(0);
+  expect(await setup()).not.toHaveProperty('blockSkip');
+  expect(await setup()).not.toHaveProperty('program');
+
+  await type(page, PROGRAMS);
+  await expect(page.getByRole('switch')).toHaveText(['/', '/2', '/3']);
+  await expect(chosen(page).getByRole('option')).toHaveText(['O0001', 'O0007']);
+  await expect(chosen(page)).toHaveValue('1');
+
+  await test.step('by keyboard', async () => {
+    await skip(page, '/2').focus();
+    await page.keyboard.press('Space');
+    await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'true');
+    await expect(skip(page, '/2')).toBeFocused();
+    expect((await setup()).blockSkip).toEqual([2]);
+    await chosen(page).focus();
+    await page.keyboard.press('ArrowDown');
+    await expect(chosen(page)).toHaveValue('7');
+    expect(await setup()).toMatchObject({ blockSkip: [2], program: 7 });
+  });
+  await skip(page, '/').click();
+  expect((await setup()).blockSkip).toEqual([1, 2]);
+  await skip(page, '/2').click();
+  expect((await setup()).blockSkip).toEqual([1]);
+  await expect(page.locator('gcode-playground')).toHaveAttribute('block-skip', '1');
+  await expect(page.locator('gcode-playground')).toHaveAttribute('program', '7');
+  await page.screenshot({ path: info.outputPath('switches.png') });
+
+  await test.step('kept with the text', async () => {
+    await page.reload();
+    await expect(skip(page, '/')).toHaveAttribute('aria-checked', 'true');
+    await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');
+    await expect(chosen(page)).toHaveValue('7');
+    expect(await setup()).toMatchObject({ blockSkip: [1], program: 7 });
+  });
+
+  await test.step('a chosen program that is gone can be left', async () => {
+    await type(page, 'O0001\nG0 X50 Z2\nM30\n');
+    await expect(chosen(page).getByRole('option')).toHaveText(['O0001', 'O0007 ?']);
+    await chosen(page).selectOption('1');
+    await expect(page.getByRole('switch')).toHaveCount(0);
+    await expect(chosen(page)).toHaveCount(0);
+  });
+
+  await test.step('another program begins with the switches as it came', async () => {
+    await page.getByRole('button', { name: 'Start afresh' }).click();
+    expect(await setup()).not.toHaveProperty('blockSkip');
+    expect(await setup()).not.toHaveProperty('program');
+  });
+});
+
+test('in Chinese and Russian, and from attributes', async ({ page }) => {
+  const setup = await listen(page);
+  await open(page);
+  await page.locator('gcode-playground').evaluate((element) => {
+    element.setAttribute('block-skip', '1, 3');
+    element.setAttribute('program', '7');
+  });
+  expect(await setup()).toMatchObject({ blockSkip: [1, 3], program: 7 });
+  await type(page, PROGRAMS);
+  await expect(skip(page, '/3')).toHaveAttribute('aria-checked', 'true');
+  await expect(skip(page, '/2')).toHaveAttribute('aria-checked', 'false');
+  await page.getByLabel('Language').selectOption('zh');
+  await expect(page.getByRole('switch', { name: '程序段跳过 /3' })).toBeVisible();
+  await expect(page.getByRole('combobox', { name: '要运行的程序' })).toHaveValue('7');
+  await page.getByLabel('语言').selectOption('ru');
+  await expect(page.getByRole('switch', { name: 'Пропуск кадров /3' })).toBeVisible();
+  await expect(page.getByRole('combobox', { name: 'Выполняемая программа' })).toHaveValue('7');
+  await expect(status(page)).toContainText(/\d/);
+});
