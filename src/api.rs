@@ -8,6 +8,7 @@ use serde::Serialize;
 use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
+use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions};
 use crate::text::source::{LineIndex, Span};
 
@@ -96,6 +97,20 @@ pub struct Place {
     pub x: f64,
     /// Length, mm.
     pub z: f64,
+    /// Angle of C, degrees; under polar interpolation the second axis of the virtual plane, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub c: Option<f64>,
+}
+
+/// Where the machine stands when a program moves in a virtual plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct MachinePlace {
+    /// Diameter, mm.
+    pub x: f64,
+    /// Angle of C, degrees, not brought back to one turn.
+    pub c: f64,
 }
 
 /// One motion.
@@ -124,6 +139,14 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"cw\" | \"ccw\""))]
     pub dir: Option<&'static str>,
+    /// The interpolation its end and centre are given in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"polar\" | \"cylinder\""))]
+    pub mode: Option<&'static str>,
+    /// Where the machine ends under that interpolation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub machine: Option<MachinePlace>,
     /// Lead of a thread, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -332,24 +355,53 @@ fn passes(motions: &Motions, index: usize) -> Option<u32> {
 
 /// The row of a motion on a line (from 0).
 pub fn motion(motion: &motion::Motion, line: u32) -> Motion {
-    let arc = motion.arc();
+    let virtual_move = motion.virtual_move();
+    let arc = match virtual_move {
+        Some(VirtualMove { way: Way::Arc(arc), .. }) => Some(arc),
+        _ => motion.arc(),
+    };
     Motion {
         kind: kind_name(motion.kind),
-        to: place(motion.to),
+        to: virtual_move.map_or_else(
+            || Place { c: motion.rotary.map(|rotary| rounded(rotary.to)), ..place(motion.to) },
+            |own| place_on(own.surface, own.way.at(1.0), own.third.1),
+        ),
         line: line + 1,
-        center: arc.map(|arc| place(arc.center)),
+        center: arc.map(|arc| match virtual_move {
+            Some(own) => place_on(own.surface, arc.center, own.third.1),
+            None => place(arc.center),
+        }),
         r: arc.map(|arc| rounded(arc.radius())),
         dir: match motion.kind {
             MotionKind::ArcClockwise => Some("cw"),
             MotionKind::ArcCounterclockwise => Some("ccw"),
             _ => None,
         },
+        mode: virtual_move.map(|own| match own.surface {
+            Surface::Face => "polar",
+            Surface::Cylinder { .. } => "cylinder",
+        }),
+        machine: virtual_move
+            .and(motion.rotary)
+            .map(|rotary| MachinePlace { x: rounded(2.0 * motion.to.x), c: rounded(rotary.to) }),
         lead: motion.lead.map(rounded),
         seconds: motion.seconds.map(rounded),
         cycle: motion.cycle.map(|step| step.cycle.code()),
         pass: motion.cycle.map(|step| step.pass).filter(|&pass| pass > 0),
         step: motion.cycle.map(|step| step.step.name()),
         uncertain: motion.process.uncertain,
+    }
+}
+
+/// A point of a virtual plane as a program writes it.
+fn place_on(surface: Surface, point: Point, third: f64) -> Place {
+    match surface {
+        Surface::Face => Place { x: rounded(2.0 * point.z), z: rounded(third), c: Some(rounded(point.x)) },
+        Surface::Cylinder { radius, .. } => Place {
+            x: rounded(2.0 * third),
+            z: rounded(point.z),
+            c: Some(rounded((point.x / radius).to_degrees())),
+        },
     }
 }
 
@@ -372,7 +424,7 @@ fn kind_name(kind: MotionKind) -> &'static str {
 }
 
 fn place(point: Point) -> Place {
-    Place { x: rounded(2.0 * point.x), z: rounded(point.z) }
+    Place { x: rounded(2.0 * point.x), z: rounded(point.z), c: None }
 }
 
 /// Without the dust of binary arithmetic: to a millionth.

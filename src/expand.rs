@@ -1,89 +1,156 @@
-//! A program with every cycle, corner and compensation written out as plain G00, G01, G02, G03 and G32 blocks.
+//! A program with every cycle, corner, compensation, subprogram and macro written out as plain G00, G01, G02, G03
+//! and G32 blocks.
 //!
-//! In: a program and its setup. Out: a program that makes the same motions to 0.001 mm under G40. Blocks that are
-//! plain already stay as they were typed; what a cycle block commands besides (S, T, M, other G codes) stays on a
-//! line of its own. A contour that was passed over is left out; a cycle that could not run stays as it is.
+//! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same motions to
+//! 0.001 mm under G40. It is written in the order of execution: a subprogram stands where it was called, a loop as
+//! often as it ran. Blocks that are plain already stay as they were typed; what a cycle block commands besides (S,
+//! T, M, other G codes) stays on a line of its own. What lies between G12.1 and G13.1 stays as it is. A contour that
+//! was passed over is left out; a cycle that could not run stays as it is.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
+use crate::control::codes::{self, G, Switch};
+use crate::control::dialect::GSystem;
+use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
 use crate::diagnostics::Message;
 use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
-use crate::run::Analysis;
+use crate::run::{Analysis, Run};
 use crate::text::block::{Block, BlockKind, Value, Word};
-use crate::text::parser::Parser;
-use crate::text::source::Span;
+use crate::text::parser::{Parser, Resume};
 
 /// Writes out a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
-    write_out(text, &crate::analyze(text, setup))
+    let mut run = Run::new(text.to_vec(), setup.clone()).traced();
+    while !run.advance(usize::MAX) {}
+    write_out(text, &run.into_analysis())
 }
 
-/// Writes out a program that was run already.
+/// Writes out a program whose run kept its blocks.
 pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
+    let trace = &analysis.trace;
     let mut writer = Writer {
+        text,
         out: String::new(),
         motions: &analysis.motions,
+        system: analysis.system,
         code: None,
         feed: None,
         inch: false,
+        incremental: false,
+        in_plane: false,
         moved_start: false,
         any_failed: false,
     };
-    let blocks = motions_by_block(analysis);
-    let own_of =
-        |start: u32| blocks.binary_search_by_key(&start, |entry| entry.0).ok().map(|at| blocks[at].1.clone());
-    // A contour is left out where its cycle was written out; a cycle that could not run keeps it.
-    let left_out: Vec<Span> = analysis
-        .skipped
-        .iter()
-        .filter(|skipped| own_of(skipped.cycle).is_some())
-        .map(|skipped| skipped.span)
-        .collect();
-    writer.any_failed = left_out.len() < analysis.skipped.len();
-    let mut parser = Parser::new(text);
+    let own = motions_of(trace, &analysis.motions);
+    let jumps = trace.iter().any(|executed| executed.steers);
+    // What lies between a block and the next one was passed over: a contour, unless the program jumps about.
+    let gap = |index: usize, end: Resume| -> Range<usize> {
+        let next = trace.get(index + 1).map_or(end.byte, |next| next.at.byte);
+        if jumps { 0..0 } else { end.byte as usize..(next as usize).max(end.byte as usize) }
+    };
     let mut block = Block::default();
-    let mut copied = 0;
-    while parser.next_block(&mut block) {
-        let end = parser.position().byte as usize;
-        if left_out.iter().any(|span| span.start <= block.span.start && block.span.start < span.end) {
-            copied = end;
-            writer.comments(text, &block);
-            continue;
+    let read = |at: Resume, block: &mut Block| {
+        let mut parser = Parser::resume(text, at);
+        parser.next_block(block);
+        parser.position()
+    };
+    for (index, executed) in trace.iter().enumerate() {
+        let end = read(executed.at, &mut block);
+        writer.any_failed |= !gap(index, end).is_empty() && own[index].is_empty();
+    }
+    let mut end = Resume::default();
+    for (index, executed) in trace.iter().enumerate() {
+        end = read(executed.at, &mut block);
+        let range = own[index].clone();
+        if let Some(values) = executed.values.as_ref().filter(|_| block.kind == BlockKind::Words) {
+            with_values(&mut block, values);
         }
-        let own = own_of(block.span.start);
-        if writer.must_write(&block, own.clone()) {
-            writer.write(text, &block, own.unwrap_or(0..0));
+        let is_last = index + 1 == trace.len();
+        // A block may end the text without a line end, and still be followed by others.
+        if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
+            writer.out.push('\n');
+        }
+        // A program number within a program would end it: those of subprograms become remarks.
+        let is_called = jumps && index > 0 && block.program.is_some();
+        if is_called && range.is_empty() {
+            writer.remark(&block);
+            writer.comments(&block);
+        } else if executed.steers && !(is_last && ends_main(&block)) {
+            writer.steer(&block, executed.values.as_deref(), range.clone());
+        } else if writer.must_write(&block, range.clone()) {
+            writer.write(&block, range.clone());
         } else {
-            writer.copy(text, &block, &text[copied.max(block.span.start as usize)..end], own);
+            let bytes = match &executed.values {
+                Some(_) => None,
+                None => Some(&text[executed.at.byte as usize..end.byte as usize]),
+            };
+            writer.copy(&block, bytes, executed.values.as_deref(), range.clone());
         }
-        copied = end;
+        let passed = gap(index, end);
+        if !range.is_empty() && !passed.is_empty() {
+            writer.comments_between(passed);
+        } else {
+            writer.out.push_str(&String::from_utf8_lossy(&text[passed]));
+        }
+    }
+    if !jumps {
+        writer.out.push_str(&String::from_utf8_lossy(&text[end.byte as usize..]));
     }
     writer.out
 }
 
-/// The motions of each block, in order of the text.
-fn motions_by_block(analysis: &Analysis) -> Vec<(u32, Range<usize>)> {
-    let mut blocks: Vec<(u32, Range<usize>)> = Vec::new();
-    for index in 0..analysis.motions.len() {
-        let start = analysis.motions.span(index).start;
-        match blocks.last_mut() {
-            Some((last, range)) if *last == start => range.end = index + 1,
-            _ => blocks.push((start, index..index + 1)),
-        }
+/// The motions of each block that was carried out. Motions may wait for a later block, but keep their order; where a
+/// block is carried out again, what came before belongs to the first time.
+fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
+    let mut again = BTreeMap::new();
+    let mut limits = vec![motions.len(); trace.len()];
+    for (index, executed) in trace.iter().enumerate().rev() {
+        limits[index] = again.insert(executed.at.byte, executed.first).unwrap_or(motions.len());
     }
-    blocks.sort_by_key(|entry| entry.0);
-    blocks
+    let mut next = 0;
+    let mut own = Vec::with_capacity(trace.len());
+    for (executed, limit) in trace.iter().zip(limits) {
+        let first = next;
+        while next < limit && motions.span(next).start == executed.at.byte {
+            next += 1;
+        }
+        own.push(first..next);
+    }
+    own
+}
+
+/// The block as it was carried out: its words with values in place of expressions.
+fn with_values(block: &mut Block, values: &str) {
+    let mut own = Block::default();
+    Parser::new(values.as_bytes()).next_block(&mut own);
+    // The words are looked at for their letters and values only; their places are those of the block.
+    let span = block.words_span();
+    block.words = own.words.iter().map(|word| Word { span, ..*word }).collect();
+}
+
+/// M99 alone, as a main program ends.
+fn ends_main(block: &Block) -> bool {
+    block.kind == BlockKind::Words
+        && block.words.iter().any(|word| word.address == b'M' && value(word) == Some(99.0))
+        && !block.words.iter().any(|word| word.address == b'P')
 }
 
 struct Writer<'a> {
+    text: &'a [u8],
     out: String,
     motions: &'a Motions,
+    system: GSystem,
     /// The code of group 01 in force in the text written so far.
     code: Option<&'static str>,
     feed: Option<f64>,
     inch: bool,
+    /// G91 of systems B and C.
+    incremental: bool,
+    /// Between G12.1 and G13.1, or on a cylinder: nothing is written out there.
+    in_plane: bool,
     /// The block before was written out as moves of the path: the start of this one may have moved.
     moved_start: bool,
     /// A contour cycle could not run: first blocks are kept, for its sake.
@@ -91,21 +158,37 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
+    /// The G codes of a block.
+    fn codes<'b>(&self, block: &'b Block) -> impl Iterator<Item = G> + use<'b> {
+        let system = self.system;
+        block.words.iter().filter_map(move |word| code(word, system))
+    }
+
     /// Whether a block is more than plain moves.
-    fn must_write(&self, block: &Block, own: Option<Range<usize>>) -> bool {
-        if block.kind != BlockKind::Words || block.is_broken() {
+    fn must_write(&self, block: &Block, own: Range<usize>) -> bool {
+        if block.kind != BlockKind::Words || block.is_broken() || self.in_plane {
             return false;
         }
-        let code = |key: f64| block.words.iter().any(|word| word.address == b'G' && value(word) == Some(key));
-        let multiple = [70.0, 71.0, 72.0, 73.0, 74.0, 75.0, 76.0].into_iter().any(code);
-        let Some(own) = own else {
+        let multiple = self.codes(block).find_map(|code| match code {
+            G::Multiple(cycle) => Some(cycle),
+            _ => None,
+        });
+        let compensates = self.codes(block).any(|code| {
+            matches!(code, G::Compensation(codes::Compensation::Left | codes::Compensation::Right))
+        });
+        if own.is_empty() {
             // A first block of a cycle sets only what the cycle is written out with.
+            let word = |address: u8| block.words.iter().any(|word| word.address == address);
             let first = multiple
-                && !block.words.iter().any(|word| matches!(word.address, b'P' | b'Q' if !code(76.0)));
-            return (first && !self.any_failed) || code(41.0) || code(42.0);
-        };
-        let cornered =
-            block.words.iter().any(|word| word.comma || matches!(word.address, b'A' | b'C' | b'L' | b'D'));
+                .is_some_and(|cycle| cycle == codes::Multiple::Threading || !(word(b'P') || word(b'Q')));
+            let hole = self.codes(block).any(|code| matches!(code, G::Hole(_)));
+            return (first && !self.any_failed) || compensates || hole;
+        }
+        let cornered = block.words.iter().any(|word| {
+            word.comma
+                || matches!(word.address, b'A' | b'L' | b'D')
+                || (word.address == b'C' && !self.turns(&own))
+        });
         let mut rounds = false;
         for index in own {
             let motion = self.motions.get(index);
@@ -115,26 +198,38 @@ impl Writer<'_> {
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
             rounds |= motion.kind == MotionKind::Feed && (word(b'R') || word(b'I') || word(b'K'));
         }
-        cornered || rounds || code(41.0) || code(42.0)
+        cornered || rounds || compensates
     }
 
-    /// A plain block as it was typed.
-    fn copy(&mut self, text: &[u8], block: &Block, bytes: &[u8], own: Option<Range<usize>>) {
-        let codes = |word: &&Word| {
-            word.address == b'G' && matches!(value(word), Some(0.0 | 1.0 | 2.0 | 3.0 | 32.0 | 34.0))
-        };
-        let spelled = block.words.iter().any(|word| codes(&word));
-        for word in &block.words {
-            match (word.address, value(word)) {
-                (b'G', Some(20.0)) => self.inch = true,
-                (b'G', Some(21.0)) => self.inch = false,
+    /// Whether C is an axis in some motions.
+    fn turns(&self, own: &Range<usize>) -> bool {
+        own.clone().any(|index| self.motions.get(index).rotary.is_some())
+    }
+
+    /// Keeps in mind what a block that is copied switches.
+    fn watch(&mut self, block: &Block) {
+        for code in self.codes(block).collect::<Vec<_>>() {
+            match code {
+                G::Unit(unit) => self.inch = unit == crate::control::words::Unit::Inch,
+                G::Distance { incremental } => self.incremental = incremental,
+                G::Polar(switch) => self.in_plane = switch == Switch::On,
+                G::Cylinder => {
+                    let radius = block.words.iter().find(|word| word.address == b'C').and_then(value);
+                    self.in_plane = radius.is_some_and(|radius| radius != 0.0);
+                }
                 _ => {}
             }
         }
-        if let Some(own) = own {
+    }
+
+    /// A plain block as it was typed, or with its values.
+    fn copy(&mut self, block: &Block, bytes: Option<&[u8]>, values: Option<&str>, own: Range<usize>) {
+        let spelled = self.codes(block).any(|code| matches!(code, G::Motion(_)));
+        self.watch(block);
+        if !own.is_empty() {
             self.moved_start = false;
             let last = self.motions.get(own.end - 1);
-            let code = code_of(&last);
+            let code = self.code_of(&last);
             let moves = block
                 .words
                 .iter()
@@ -161,29 +256,73 @@ impl Writer<'_> {
             block.faults.iter().any(|fault| matches!(fault.message, Message::TextAfterSemicolon { .. }));
         if remark && self.out.ends_with('\n') {
             // Prose behind a `;` is a remark only on the line of its block, which was written out.
-            self.comments(text, block);
+            self.comments(block);
             return;
         }
-        self.out.push_str(&String::from_utf8_lossy(bytes));
+        match (bytes, values) {
+            (Some(bytes), _) => self.out.push_str(&String::from_utf8_lossy(bytes)),
+            (None, values) => {
+                self.line(values.unwrap_or_default());
+                self.comments(block);
+            }
+        }
+    }
+
+    /// A block that steers the program, as a remark; its own moves are written out.
+    fn steer(&mut self, block: &Block, values: Option<&str>, own: Range<usize>) {
+        if let Some(values) = values.filter(|_| block.kind == BlockKind::Macro && own.is_empty()) {
+            // The tables of the control are written to as before.
+            self.line(values);
+        } else if block.kind == BlockKind::Macro && own.is_empty() {
+            self.remark(block);
+            self.comments(block);
+        } else {
+            self.write(block, own);
+        }
+    }
+
+    /// What a block says, as a remark.
+    fn remark(&mut self, block: &Block) {
+        let number = block.sequence.map_or_else(String::new, |_| sequence_as_written(self.text, block));
+        let head = block.program.map(|(_, span)| span.to(block.words_span()));
+        let span = match block.kind {
+            BlockKind::Words if !block.words.is_empty() => head.unwrap_or_else(|| block.words_span()),
+            BlockKind::Words => block.program.map_or(block.span, |(_, span)| span),
+            _ => block.span,
+        };
+        let source: String =
+            span.quote(self.text).chars().filter(|ch| !matches!(ch, '(' | ')' | '\n')).collect();
+        let delete = block.delete.map_or_else(String::new, |level| format!("/{level} "));
+        let source = source.trim().trim_start_matches(number.trim());
+        let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
     }
 
     /// A block as plain moves.
-    fn write(&mut self, text: &[u8], block: &Block, own: Range<usize>) {
+    fn write(&mut self, block: &Block, own: Range<usize>) {
         let mut before = String::new();
         let mut after = String::new();
-        for word in &block.words {
-            let quoted: String = word.span.quote(text).chars().filter(|ch| !ch.is_whitespace()).collect();
+        let called = block
+            .words
+            .iter()
+            .position(|word| word.address == b'G' && matches!(value(word), Some(65.0 | 66.0)));
+        for word in &block.words[..called.unwrap_or(block.words.len())] {
+            let quoted: String =
+                word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
             let target = match (word.address, value(word)) {
+                (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
-                (
-                    b'G',
+                (b'G', _) => match code(word, self.system) {
                     Some(
-                        0.0 | 1.0 | 2.0 | 3.0 | 32.0 | 33.0 | 34.0 | 40.0 | 41.0 | 42.0 | 90.0 | 92.0 | 94.0,
-                    ),
-                ) => continue,
-                (b'G', Some(70.0..=76.0)) => continue,
-                (b'G', _) => &mut before,
+                        G::Motion(_)
+                        | G::Multiple(_)
+                        | G::Compensation(_)
+                        | G::Hole(_)
+                        | G::MacroCall(_)
+                        | G::NoModalMacro,
+                    ) => continue,
+                    _ => &mut before,
+                },
                 _ => continue,
             };
             if !target.is_empty() {
@@ -191,17 +330,18 @@ impl Writer<'_> {
             }
             target.push_str(&quoted);
         }
-        let number = block.sequence.map_or_else(String::new, |_| sequence_as_written(text, block));
-        let source: String =
-            block.words_span().quote(text).chars().filter(|ch| !matches!(ch, '(' | ')')).collect();
-        let delete = block.delete.map_or_else(String::new, |level| format!("/{level} "));
-        let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
-        self.comments(text, block);
-        let angle = block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(text));
+        self.remark(block);
+        self.comments(block);
+        self.watch(block);
+        let angle =
+            block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(self.text));
         self.line(&before);
-        let inch = self.inch && !own.is_empty();
+        let (inch, incremental) = (self.inch && !own.is_empty(), self.incremental && !own.is_empty());
         if inch {
-            self.line("G21");
+            self.line(if self.system == GSystem::C { "G71" } else { "G21" });
+        }
+        if incremental {
+            self.line("G90");
         }
         let mut pass = None;
         for index in own.clone() {
@@ -216,8 +356,11 @@ impl Writer<'_> {
             let is_thread = motion.cycle.is_some_and(first_cut);
             self.motion(&motion, angle.as_deref().filter(|_| is_thread));
         }
+        if incremental {
+            self.line("G91");
+        }
         if inch {
-            self.line("G20");
+            self.line(if self.system == GSystem::C { "G70" } else { "G20" });
             self.feed = None;
         }
         self.line(&after);
@@ -232,11 +375,23 @@ impl Writer<'_> {
     }
 
     /// The comments of a block, each on a line of its own.
-    fn comments(&mut self, text: &[u8], block: &Block) {
+    fn comments(&mut self, block: &Block) {
         for comment in &block.comments {
-            let quoted: String =
-                comment.quote(text).chars().filter(|ch| !matches!(ch, '(' | ')' | '（' | '）')).collect();
+            let quoted: String = comment
+                .quote(self.text)
+                .chars()
+                .filter(|ch| !matches!(ch, '(' | ')' | '（' | '）'))
+                .collect();
             let _ = writeln!(self.out, "({})", quoted.trim());
+        }
+    }
+
+    /// The comments of a part of the text that was passed over.
+    fn comments_between(&mut self, part: Range<usize>) {
+        let mut parser = Parser::resume(&self.text[..part.end], Resume::inside(part.start as u32, 0));
+        let mut block = Block::default();
+        while parser.next_block(&mut block) {
+            self.comments(&block);
         }
     }
 
@@ -246,9 +401,12 @@ impl Writer<'_> {
             let _ = writeln!(self.out, "G04 X{}", decimal(seconds));
             return;
         }
-        let code = code_of(motion).unwrap_or("G00");
+        let code = self.code_of(motion).unwrap_or("G00");
         let (x, z) = (decimal(2.0 * motion.to.x), decimal(motion.to.z));
         let _ = write!(self.out, "{code} X{x} Z{z}");
+        if let Some(rotary) = motion.rotary {
+            let _ = write!(self.out, " C{}", decimal(rotary.to));
+        }
         if let Some(center) = motion.center {
             let (i, k) = (decimal(center.x - motion.from.x), decimal(center.z - motion.from.z));
             let _ = write!(self.out, " I{i} K{k}");
@@ -267,6 +425,31 @@ impl Writer<'_> {
         self.out.push('\n');
         self.code = Some(code);
     }
+
+    /// The code of group 01 that makes a motion.
+    fn code_of(&self, motion: &Motion) -> Option<&'static str> {
+        Some(match motion.kind {
+            MotionKind::Rapid => "G00",
+            MotionKind::Feed => "G01",
+            MotionKind::ArcClockwise => "G02",
+            MotionKind::ArcCounterclockwise => "G03",
+            MotionKind::Thread if self.system == GSystem::A => "G32",
+            MotionKind::Thread => "G33",
+            MotionKind::Dwell => return None,
+        })
+    }
+}
+
+/// The G code of a word.
+fn code(word: &Word, system: GSystem) -> Option<G> {
+    let Value::Number { number, .. } = word.value else { return None };
+    let key = match number.decimals {
+        _ if word.address != b'G' => return None,
+        0 => number.mantissa * 10,
+        1 => number.mantissa,
+        _ => return None,
+    };
+    codes::g_code(key, system).map(|found| found.0)
 }
 
 /// The sequence number of a block as it was typed, with a blank behind it.
@@ -275,18 +458,6 @@ fn sequence_as_written(text: &[u8], block: &Block) -> String {
     let from = quoted.find(['N', 'n']).unwrap_or(0);
     let digits: String = quoted[from + 1..].trim_start().chars().take_while(char::is_ascii_digit).collect();
     format!("N{digits} ")
-}
-
-/// The code of group 01 that makes a motion.
-fn code_of(motion: &Motion) -> Option<&'static str> {
-    Some(match motion.kind {
-        MotionKind::Rapid => "G00",
-        MotionKind::Feed => "G01",
-        MotionKind::ArcClockwise => "G02",
-        MotionKind::ArcCounterclockwise => "G03",
-        MotionKind::Thread => "G32",
-        MotionKind::Dwell => return None,
-    })
 }
 
 /// The F that belongs to a motion: the lead of a thread.

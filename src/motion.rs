@@ -4,6 +4,7 @@
 //! Motions live in [`Chunk`]s; every place in the source is kept relative to the chunk's own first block, so
 //! that text inserted before a chunk moves the chunk's base and nothing else. Knows nothing of G-code words.
 
+use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, Turn};
 use crate::text::source::Span;
 
@@ -60,6 +61,24 @@ pub enum Cycle {
     Grooving = 9,
     /// Thread in many passes, G76.
     MultiThreading = 10,
+    /// Drilling, G81 of some controls.
+    Drilling = 11,
+    /// Counterboring, G82 of some controls.
+    CounterBoring = 12,
+    /// Drilling into the face, G83.
+    FaceDrilling = 13,
+    /// Tapping into the face, G84.
+    FaceTapping = 14,
+    /// Boring into the face, G85.
+    FaceBoring = 15,
+    /// Boring with a stopped spindle, G86 of some controls.
+    BoringStop = 16,
+    /// Drilling into the side, G87.
+    SideDrilling = 17,
+    /// Tapping into the side, G88.
+    SideTapping = 18,
+    /// Boring into the side, G89.
+    SideBoring = 19,
 }
 
 impl Cycle {
@@ -76,10 +95,19 @@ impl Cycle {
             Self::FacePecking => "G74",
             Self::Grooving => "G75",
             Self::MultiThreading => "G76",
+            Self::Drilling => "G81",
+            Self::CounterBoring => "G82",
+            Self::FaceDrilling => "G83",
+            Self::FaceTapping => "G84",
+            Self::FaceBoring => "G85",
+            Self::BoringStop => "G86",
+            Self::SideDrilling => "G87",
+            Self::SideTapping => "G88",
+            Self::SideBoring => "G89",
         }
     }
 
-    const ALL: [Cycle; 10] = [
+    const ALL: [Cycle; 19] = [
         Self::Turning,
         Self::Threading,
         Self::Facing,
@@ -90,6 +118,15 @@ impl Cycle {
         Self::FacePecking,
         Self::Grooving,
         Self::MultiThreading,
+        Self::Drilling,
+        Self::CounterBoring,
+        Self::FaceDrilling,
+        Self::FaceTapping,
+        Self::FaceBoring,
+        Self::BoringStop,
+        Self::SideDrilling,
+        Self::SideTapping,
+        Self::SideBoring,
     ];
 }
 
@@ -225,6 +262,18 @@ pub struct Programmed {
     pub center: Option<Point>,
 }
 
+/// What the C axis does in a motion. Angles are degrees, not brought back to one turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotary {
+    /// Where C stands before it.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The move as it was programmed under polar or cylindrical interpolation; the motion's own points are then
+    /// those of the machine.
+    pub virtual_move: Option<VirtualMove>,
+}
+
 /// One motion as a value: what is pushed and what is read back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
@@ -242,6 +291,8 @@ pub struct Motion {
     pub seconds: Option<f64>,
     /// What the program says, when nose radius compensation leads the tip elsewhere.
     pub programmed: Option<Programmed>,
+    /// The C axis, of motions it takes part in.
+    pub rotary: Option<Rotary>,
     /// The cycle it belongs to.
     pub cycle: Option<CycleStep>,
     /// Feed, spindle and tool.
@@ -249,7 +300,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The true arc of an arc motion.
+    /// The true arc of an arc motion in the plane of turning.
     pub fn arc(&self) -> Option<Arc> {
         let turn = match self.kind {
             MotionKind::ArcClockwise => Turn::Clockwise,
@@ -259,17 +310,29 @@ impl Motion {
         Some(Arc { start: self.from, end: self.to, center: self.center?, turn })
     }
 
+    /// Whether nothing but C turns while the tool stands.
+    pub fn is_turn(&self) -> bool {
+        self.rotary.is_some_and(|rotary| rotary.virtual_move.is_none())
+    }
+
+    /// The move under polar or cylindrical interpolation that the program asks for.
+    pub fn virtual_move(&self) -> Option<VirtualMove> {
+        self.rotary?.virtual_move
+    }
+
     /// The same motion along the programmed path, if compensation leads it elsewhere.
     pub fn as_programmed(&self) -> Option<Motion> {
-        let Programmed { from, to, center } = self.programmed?;
+        // In a virtual plane its points are those of the plane.
+        let Programmed { from, to, center } = self.programmed.filter(|_| self.rotary.is_none())?;
         Some(Motion { from, to, center, programmed: None, ..*self })
     }
 
     /// Length of the path, mm; 0 for a dwell.
     pub fn length(&self) -> f64 {
-        match self.arc() {
-            Some(arc) => arc.length(),
-            None => self.from.distance(self.to),
+        match (self.rotary.and_then(|rotary| rotary.virtual_move), self.arc()) {
+            (Some(own), _) => own.length(),
+            (None, Some(arc)) => arc.length(),
+            (None, None) => self.from.distance(self.to),
         }
     }
 }
@@ -301,6 +364,8 @@ pub struct Chunk {
     starts: Vec<(u32, Point)>,
     /// Compensated motions as they were programmed.
     programmed: Vec<(u32, Programmed)>,
+    /// Motions that C takes part in.
+    rotary: Vec<(u32, Rotary)>,
     kind: Vec<u8>,
     /// End point, radius in mm.
     x: Vec<f64>,
@@ -329,6 +394,7 @@ impl Chunk {
             start,
             starts: Vec::new(),
             programmed: Vec::new(),
+            rotary: Vec::new(),
             kind: Vec::new(),
             x: Vec::new(),
             z: Vec::new(),
@@ -386,6 +452,9 @@ impl Chunk {
         if let Some(programmed) = motion.programmed {
             self.programmed.push((index as u32, programmed));
         }
+        if let Some(rotary) = motion.rotary {
+            self.rotary.push((index as u32, rotary));
+        }
         self.kind.push(motion.kind as u8);
         self.x.push(motion.to.x);
         self.z.push(motion.to.z);
@@ -426,10 +495,11 @@ impl Chunk {
             kind,
             from: self.from(index),
             to: Point::new(self.x[index], self.z[index]),
-            center: is_arc.then(|| self.centers[detail as usize]),
+            center: (is_arc && detail != NONE).then(|| self.centers[detail as usize]),
             lead: number.filter(|_| kind != MotionKind::Dwell),
             seconds: number.filter(|_| kind == MotionKind::Dwell),
             programmed: look_up(&self.programmed, index),
+            rotary: look_up(&self.rotary, index),
             cycle: unpack_cycle(self.cycle[index]),
             process: self.processes[self.process[index] as usize],
         }

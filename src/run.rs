@@ -5,8 +5,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::control::interpreter::{Flow, Here, Interpreter, Landmarks};
+use crate::control::dialect::GSystem;
+use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
+use crate::control::origin;
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
@@ -25,17 +27,10 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Blocks read.
     pub blocks: usize,
-    /// Parts of the text that were passed over.
-    pub skipped: Vec<Skipped>,
-}
-
-/// A contour that was passed over because its cycle has used it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Skipped {
-    /// First byte of the block that did so.
-    pub cycle: u32,
-    /// What was passed over.
-    pub span: Span,
+    /// The blocks carried out, in order, if the run kept them.
+    pub trace: Vec<Executed>,
+    /// The G-code system the program was read in.
+    pub system: GSystem,
 }
 
 /// A run under way.
@@ -45,7 +40,6 @@ pub struct Run {
     block: Block,
     at: Resume,
     blocks: usize,
-    skipped: Vec<Skipped>,
     /// First byte of each O program met, by number.
     programs: BTreeMap<u32, u32>,
     /// Something of the main program was carried out.
@@ -63,13 +57,12 @@ impl Run {
 
     /// Begins a run within other bounds.
     pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
-        let chosen = setup.program;
+        let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
             interpreter: Interpreter::new(setup, limits),
             block: Block::default(),
             at: Resume::default(),
             blocks: 0,
-            skipped: Vec::new(),
             programs: BTreeMap::new(),
             begun: false,
             ended: false,
@@ -80,7 +73,23 @@ impl Run {
             let message = Message::TextTooLong { bytes: run.text.len(), most: limits.text };
             run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
             run.finish();
-        } else if let Some(number) = chosen {
+            return run;
+        }
+        if dialect.recognise != Some(false)
+            && let Some(foreign) = origin::foreign(&run.text)
+        {
+            let message = Message::Foreign { origin: foreign.origin };
+            run.interpreter.tell(Diagnostic::new(message, foreign.evidence));
+            run.finish();
+            return run;
+        }
+        if dialect.g_system.is_none()
+            && let Some((system, evidence)) = origin::g_system(&run.text)
+        {
+            run.interpreter.set_system(system);
+            run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system }, evidence));
+        }
+        if let Some(number) = chosen {
             match Labels::new(&run.text).program(number) {
                 Some(head) => run.begin_at(head),
                 None => {
@@ -91,6 +100,12 @@ impl Run {
             }
         }
         run
+    }
+
+    /// The same run, which keeps the blocks it carries out.
+    pub fn traced(mut self) -> Self {
+        self.interpreter.keep_trace();
+        self
     }
 
     /// Runs at most so many blocks; true once the run has ended.
@@ -116,14 +131,7 @@ impl Run {
             match flow {
                 Flow::Next if more => continue,
                 Flow::Next => break,
-                Flow::Jump(to) => {
-                    let from = here.next.byte;
-                    let cycle = self.block.span.start;
-                    let span = Span { start: from, end: to.byte.max(from) };
-                    let skips = to.byte > from && !self.interpreter.has_wandered();
-                    self.skipped.extend(skips.then_some(Skipped { cycle, span }));
-                    parser = Parser::resume(&text, to);
-                }
+                Flow::Jump(to) => parser = Parser::resume(&text, to),
                 Flow::Restart(main) => {
                     self.restart(main);
                     parser = Parser::resume(&text, main);
@@ -209,8 +217,10 @@ impl Run {
 
     /// What came of the run.
     pub fn into_analysis(self) -> Analysis {
-        let (motions, diagnostics) = self.interpreter.into_parts();
-        Analysis { motions, diagnostics, blocks: self.blocks, skipped: self.skipped }
+        let mut interpreter = self.interpreter;
+        let (trace, system) = (interpreter.take_trace(), interpreter.system());
+        let (motions, diagnostics) = interpreter.into_parts();
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, system }
     }
 
     /// Begins with another program than the first of the text.
@@ -222,8 +232,12 @@ impl Run {
     /// Begins again, with another program of the text.
     fn restart(&mut self, main: Resume) {
         let (setup, limits) = (self.interpreter.setup().clone(), self.interpreter.limits());
+        let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
         self.interpreter = Interpreter::new(setup, limits);
-        self.skipped.clear();
+        self.interpreter.set_system(system);
+        if traced {
+            self.interpreter.keep_trace();
+        }
         self.begun = false;
         self.begin_at(main);
     }

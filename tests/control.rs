@@ -218,8 +218,8 @@ fn the_program_ends_at_m30_and_what_follows_is_only_read() {
 }
 
 #[test]
-fn what_is_not_done_yet_moves_nothing_and_makes_the_rest_uncertain() {
-    let analysis = analyze(b"M3 S1\nG0 X50\nG53 X0 Z0\nG1 X40 F1\nM30", &Setup::default());
+fn what_is_not_supported_moves_nothing_and_makes_the_rest_uncertain() {
+    let analysis = analyze(b"M3 S1\nG0 X50\nG36 X0 Z0\nG1 X40 F1\nM30", &Setup::default());
     let rows: Vec<_> = api::motions(&analysis.motions).map(|row| (row.to.x, row.uncertain)).collect();
     assert_eq!(rows, [(50.0, false), (40.0, true)]);
 }

@@ -17,7 +17,7 @@ use crate::api::{self, Places};
 use crate::control::dialect::Control;
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
-use crate::run::Analysis;
+use crate::run::{Analysis, Run};
 use crate::scene::outline::Outline;
 use crate::scene::{self, Scene};
 use crate::text::source::LineIndex;
@@ -143,7 +143,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
             Ok(status(&program.analysis))
         }
         Command::Expand { file, with, output } => {
-            let program = program(&file, &with)?;
+            let program = program_run(&file, &with, Run::traced)?;
             let expanded = crate::expand::write_out(&program.text, &program.analysis);
             save(output.as_deref(), &encoded(&program, &expanded))?;
             Ok(status(&program.analysis))
@@ -190,6 +190,11 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
 }
 
 fn program(file: &Path, with: &With) -> Result<Program, String> {
+    program_run(file, with, |run| run)
+}
+
+/// Reads and runs a program; `begin` may change how.
+fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
     let mut setup = match &with.setup {
         None => Setup::default(),
         Some(path) => {
@@ -207,7 +212,9 @@ fn program(file: &Path, with: &With) -> Result<Program, String> {
     }
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
-    let analysis = crate::analyze(&text, &setup);
+    let mut run = begin(Run::new(text.clone(), setup.clone()));
+    while !run.advance(usize::MAX) {}
+    let analysis = run.into_analysis();
     Ok(Program { name, text, encoding, setup, analysis })
 }
 

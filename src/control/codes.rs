@@ -3,7 +3,7 @@
 //! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. System A of a
 //! FANUC 0i-T and GSK 980TD; facts from semantics §2.1 and §8.1.
 
-use super::dialect::FeedMode;
+use super::dialect::{FeedMode, GSystem};
 use super::words::Unit;
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
@@ -20,8 +20,33 @@ pub enum G {
     Plane(Plane),
     /// G20, G21.
     Unit(Unit),
+    /// G27.
+    CheckHome,
     /// G28.
     Home,
+    /// G29.
+    FromHome,
+    /// G30: to another reference point.
+    OtherHome,
+    /// G53.
+    Machine,
+    /// G10.
+    Data,
+    /// G11.
+    EndOfData,
+    /// G90, G91 of systems B and C.
+    Distance {
+        /// G91.
+        incremental: bool,
+    },
+    /// G80 to G89.
+    Hole(Hole),
+    /// G80.
+    NoHole,
+    /// G65 and G66.
+    MacroCall(&'static str),
+    /// G67.
+    NoModalMacro,
     /// G40, G41, G42.
     Compensation(Compensation),
     /// G50.
@@ -29,7 +54,13 @@ pub enum G {
     /// G52.
     LocalFrame,
     /// G54 to G59, counted from 0.
-    Frame(u8),
+    Frame(u16),
+    /// G54.1 with P.
+    ExtendedFrame,
+    /// G12.1, G13.1: polar interpolation.
+    Polar(Switch),
+    /// G07.1: cylindrical interpolation.
+    Cylinder,
     /// G96.
     SurfaceSpeed,
     /// G97.
@@ -40,8 +71,65 @@ pub enum G {
     Multiple(Multiple),
     /// Accepted; nothing in this project depends on it.
     Idle,
-    /// Recognised, not done yet; the block's axis words are not carried out either.
-    NotYet,
+    /// Recognised; the block's axis words are not carried out.
+    NotSupported,
+}
+
+/// The hole cycles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is one code; into the face, then into the side")]
+pub enum Hole {
+    G81,
+    G82,
+    G83,
+    G84,
+    G85,
+    G86,
+    G87,
+    G88,
+    G89,
+}
+
+impl Hole {
+    /// The code.
+    pub fn code(self) -> &'static str {
+        self.cycle().code()
+    }
+
+    /// Number of the code.
+    pub fn number(self) -> u32 {
+        81 + self as u32
+    }
+
+    /// Whether it goes along Z.
+    pub fn is_face(self) -> bool {
+        !matches!(self, Self::G87 | Self::G88 | Self::G89)
+    }
+
+    /// Whether it drills, rather than taps or bores.
+    pub fn is_drill(self) -> bool {
+        matches!(self, Self::G81 | Self::G82 | Self::G83 | Self::G87)
+    }
+
+    /// Whether it taps.
+    pub fn is_tap(self) -> bool {
+        matches!(self, Self::G84 | Self::G88)
+    }
+
+    /// The cycle as motions name it.
+    pub fn cycle(self) -> Cycle {
+        match self {
+            Self::G81 => Cycle::Drilling,
+            Self::G82 => Cycle::CounterBoring,
+            Self::G83 => Cycle::FaceDrilling,
+            Self::G84 => Cycle::FaceTapping,
+            Self::G85 => Cycle::FaceBoring,
+            Self::G86 => Cycle::BoringStop,
+            Self::G87 => Cycle::SideDrilling,
+            Self::G88 => Cycle::SideTapping,
+            Self::G89 => Cycle::SideBoring,
+        }
+    }
 }
 
 /// The multiple cycles.
@@ -95,8 +183,24 @@ pub enum MotionMode {
     Tapping,
     /// G90, G92, G94.
     Cycle(Single),
-    /// A code of the group that is not done yet: axis words move nothing.
-    NotYet,
+}
+
+impl MotionMode {
+    /// Number of the code in system A.
+    pub fn number(self) -> u32 {
+        match self {
+            Self::Rapid => 0,
+            Self::Line => 1,
+            Self::Arc(Turn::Clockwise) => 2,
+            Self::Arc(Turn::Counterclockwise) => 3,
+            Self::Thread => 32,
+            Self::Tapping => 33,
+            Self::VariableThread => 34,
+            Self::Cycle(Single::Turning) => 90,
+            Self::Cycle(Single::Threading) => 92,
+            Self::Cycle(Single::Facing) => 94,
+        }
+    }
 }
 
 /// Working plane.
@@ -124,8 +228,33 @@ pub enum Compensation {
 /// Modal group of a code: two codes of one group exclude each other. 0: not modal.
 pub type Group = u8;
 
-/// The G code of a word: `key` is ten times the number, so that G12.1 is 121.
-pub fn g_code(key: u64) -> Option<(G, Group)> {
+/// The G code of a word in a G-code system: `key` is ten times the number, so that G12.1 is 121 (semantics §9).
+pub fn g_code(key: u64, system: GSystem) -> Option<(G, Group)> {
+    if system == GSystem::A {
+        return g_code_a(key);
+    }
+    let in_a = match (key, system) {
+        (770, GSystem::B) | (200, GSystem::C) => 900,
+        (780, GSystem::B) | (210, GSystem::C) => 920,
+        (790, GSystem::B) | (240, GSystem::C) => 940,
+        (700, GSystem::C) => 200,
+        (710, GSystem::C) => 210,
+        (720..=780, GSystem::C) if key % 10 == 0 => key - 20,
+        (330, _) => 320,
+        (940, _) => 980,
+        (950, _) => 990,
+        (920, _) => 500,
+        (900, _) => return Some((G::Distance { incremental: false }, 3)),
+        (910, _) => return Some((G::Distance { incremental: true }, 3)),
+        // Level the tool returns to behind a hole: the initial one is taken.
+        (980 | 990, _) => return Some((G::Idle, 11)),
+        (320 | 500 | 770 | 780 | 790, _) => return None,
+        _ => key,
+    };
+    g_code_a(in_a)
+}
+
+fn g_code_a(key: u64) -> Option<(G, Group)> {
     Some(match key {
         0 => (G::Motion(MotionMode::Rapid), 1),
         10 => (G::Motion(MotionMode::Line), 1),
@@ -138,7 +267,12 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         200 => (G::Unit(Unit::Inch), 6),
         210 => (G::Unit(Unit::Millimetre), 6),
         220 | 230 => (G::Idle, 9),
+        100 => (G::Data, 0),
+        110 => (G::EndOfData, 0),
+        270 => (G::CheckHome, 0),
         280 => (G::Home, 0),
+        290 => (G::FromHome, 0),
+        300 => (G::OtherHome, 0),
         320 => (G::Motion(MotionMode::Thread), 1),
         330 => (G::Motion(MotionMode::Tapping), 1),
         340 => (G::Motion(MotionMode::VariableThread), 1),
@@ -147,6 +281,8 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         420 => (G::Compensation(Compensation::Right), 7),
         500 => (G::Setting, 0),
         520 => (G::LocalFrame, 0),
+        530 => (G::Machine, 0),
+        541 => (G::ExtendedFrame, 14),
         540 => (G::Frame(0), 14),
         550 => (G::Frame(1), 14),
         560 => (G::Frame(2), 14),
@@ -167,15 +303,27 @@ pub fn g_code(key: u64) -> Option<(G, Group)> {
         970 => (G::ConstantSpeed, 2),
         980 => (G::Feed(FeedMode::PerMinute), 5),
         990 => (G::Feed(FeedMode::PerTurn), 5),
-        // Off states of functions this project does not have switched on: headers are full of them.
-        80 | 90 | 110 | 250 | 260 | 490 | 502 | 610 | 640 | 670 | 690 | 800 | 131 | 1130 => (G::Idle, 0),
-        // Hole cycles stay modal until G80.
-        830 | 840 | 850 | 870 | 880 | 890 => (G::Motion(MotionMode::NotYet), 1),
-        // Data input, reference points, machine coordinates, macros, polar interpolation.
-        50 | 51 | 71 | 1070 | 100 | 121 | 1120 | 270 | 290 | 300 | 310 | 360 | 370 | 512 | 530 => {
-            (G::NotYet, 0)
-        }
-        650 | 660 | 680 => (G::NotYet, 0),
+        121 | 1120 => (G::Polar(Switch::On), 21),
+        131 | 1130 => (G::Polar(Switch::Off), 21),
+        71 | 1070 => (G::Cylinder, 0),
+        800 => (G::NoHole, 10),
+        810 => (G::Hole(Hole::G81), 10),
+        820 => (G::Hole(Hole::G82), 10),
+        830 => (G::Hole(Hole::G83), 10),
+        840 => (G::Hole(Hole::G84), 10),
+        850 => (G::Hole(Hole::G85), 10),
+        860 => (G::Hole(Hole::G86), 10),
+        870 => (G::Hole(Hole::G87), 10),
+        880 => (G::Hole(Hole::G88), 10),
+        890 => (G::Hole(Hole::G89), 10),
+        650 => (G::MacroCall("G65"), 0),
+        660 => (G::MacroCall("G66"), 12),
+        670 => (G::NoModalMacro, 12),
+        // Stops, exact stop and cutting mode; off states of functions this project does not have switched on:
+        // headers are full of them.
+        80 | 90 | 250 | 260 | 490 | 502 | 610 | 630 | 640 | 690 => (G::Idle, 0),
+        // High-speed cutting, skip, automatic offsets, polygon turning, mirror image.
+        50 | 51 | 310 | 360 | 370 | 512 | 680 => (G::NotSupported, 0),
         _ => return None,
     })
 }

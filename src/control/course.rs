@@ -2,6 +2,10 @@
 //!
 //! Plain values, part of [`super::modal::State`]. What calls and jumps do is in `interpreter/calls`.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::macros::Variables;
 use crate::text::parser::Resume;
 
 /// What was called, and from where.
@@ -61,6 +65,8 @@ pub struct Course {
     pub modal: Option<ModalCall>,
     /// First block of the main program.
     pub head: Resume,
+    /// The variables at the last M99 of the main program.
+    pub round: Option<(Variables, Arc<BTreeMap<u32, f64>>)>,
 }
 
 impl Course {

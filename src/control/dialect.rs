@@ -44,9 +44,10 @@ pub enum FeedMode {
 }
 
 /// G-code system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum GSystem {
     /// G90 G92 G94 are the single cycles.
+    #[default]
     A,
     /// G77 G78 G79 are.
     B,
@@ -189,6 +190,8 @@ pub struct DialectChoice {
     pub polar_x: Option<PolarX>,
     /// First reference point, machine coordinates.
     pub ref_point: Option<super::setup::Position>,
+    /// Whether programs for other controls and machines are recognised, and then not run; true unless said.
+    pub recognise: Option<bool>,
 }
 
 /// Every switch decided.

@@ -9,6 +9,7 @@ pub mod dialect;
 pub mod interpreter;
 pub mod macros;
 pub mod modal;
+pub mod offsets;
 pub mod origin;
 pub mod program;
 pub mod setup;

@@ -3,15 +3,21 @@
 //! It can be cloned and compared, so that after an edit a run can go on from a stored state and stop where
 //! the new state meets the old one.
 
-use super::codes::{Compensation, MotionMode, Plane};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::codes::{Compensation, Hole, MotionMode, Plane};
 use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::course::Course;
 use super::dialect::{Dialect, FeedMode};
+use super::macros::Variables;
+use super::offsets::{Frames, ToolOffsets};
 use super::setup::Setup;
 use super::words::Unit;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
+use crate::geometry::virtual_plane::Surface;
 use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn};
 use crate::text::source::Span;
 
@@ -103,6 +109,20 @@ pub struct Routed {
     pub span: Span,
     /// Line of its block, from 0.
     pub line: u32,
+    /// In a virtual plane, whose points the motion then has: where it begins and ends along the third axis, mm.
+    pub third: Option<(f64, f64)>,
+}
+
+/// Polar or cylindrical interpolation in force. The position of the state is then a point of its plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VirtualPlane {
+    /// The plane.
+    pub surface: Surface,
+    /// Along the axis that is not in the plane, mm: where the last move began and ended. Z on the face, X as a
+    /// radius on the cylinder.
+    pub third: (f64, f64),
+    /// Angle of C after what was given out, degrees; not brought back to one turn.
+    pub angle: f64,
 }
 
 /// An angle word.
@@ -192,22 +212,29 @@ impl Spindle {
     }
 }
 
-/// Work zero points: where the machine stands is the place in the work frame plus all of these (§3.9).
+/// What a hole cycle remembers from block to block.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frames {
-    /// Shift of all frames by G50 X Z.
-    pub shift: Point,
-    /// Local shift of each of G54 to G59 by G52.
-    pub local: [Point; 6],
-    /// The frame in force, 0 for G54.
-    pub active: u8,
+pub struct HoleMemory {
+    /// The cycle.
+    pub kind: Hole,
+    /// Where the tool stood when the first hole cycle came into force: its level is the initial one.
+    pub level: Point,
+    /// Group 01 in force before.
+    pub before: MotionMode,
+    /// R, mm.
+    pub r: Option<f64>,
+    /// The bottom; an incremental one counts from the R point.
+    pub depth: Target,
+    /// Depth of a peck, mm.
+    pub peck: Option<f64>,
+    /// Wait at the bottom, seconds.
+    pub dwell: f64,
 }
 
-impl Frames {
-    /// Machine place minus work place.
-    pub fn offset(&self) -> Point {
-        let local = self.local[self.active as usize];
-        Point::new(self.shift.x + local.x, self.shift.z + local.z)
+impl HoleMemory {
+    /// Nothing remembered yet.
+    pub fn at(kind: Hole, level: Point, before: MotionMode) -> Self {
+        Self { kind, level, before, r: None, depth: Target::Stay, peck: None, dwell: 0.0 }
     }
 }
 
@@ -221,8 +248,15 @@ pub struct Told(u32);
 pub enum Once {
     SpindleStopped,
     CompensationIdle,
-    AxisNotYet,
-    PlaneNotYet,
+    CAxis,
+    LiveTool,
+    PolarFeed,
+    PolarRadius,
+    PolarAngle,
+    PolarCenter,
+    AxisNotHere,
+    MachineZero,
+    PlaneNotHere,
     LetterIInG92,
     ThreadAtSurfaceSpeed,
     G90AsAbsolute,
@@ -251,10 +285,22 @@ pub struct State {
     pub position: Point,
     /// Where the tip really stands, when compensation has just left it beside the programmed point.
     pub tip: Option<Point>,
+    /// Angle of C, degrees, outside a virtual plane.
+    pub c: f64,
+    /// Polar or cylindrical interpolation.
+    pub virtual_plane: Option<VirtualPlane>,
     /// Work zero points.
     pub frames: Frames,
+    /// What the program wrote into the tool offsets.
+    pub offsets: ToolOffsets,
+    /// Intermediate point of the last G28 or G30.
+    pub intermediate: Option<Point>,
     /// Group 01.
     pub motion: MotionMode,
+    /// Group 10: the hole cycle in force.
+    pub hole: Option<HoleMemory>,
+    /// Group 03 of systems B and C: G91.
+    pub incremental: bool,
     /// Group 16.
     pub plane: Plane,
     /// Group 06.
@@ -279,6 +325,8 @@ pub struct State {
     pub compensating: Option<Compensating>,
     /// Whether a C word is an axis (M45) rather than a chamfer.
     pub c_axis: bool,
+    /// An M code was met whose meaning depends on the machine: it may have connected C or started a live tool.
+    pub unknown_m: bool,
     /// Memory of the single cycles.
     pub memory: CycleMemory,
     /// Memory of the multiple cycles.
@@ -289,6 +337,14 @@ pub struct State {
     pub thread_chamfer_on: bool,
     /// Calls and loops under way.
     pub course: Course,
+    /// Macro variables.
+    pub variables: Variables,
+    /// System variables that are only kept.
+    pub system: Arc<BTreeMap<u32, f64>>,
+    /// The last sequence number.
+    pub sequence: u32,
+    /// Blocks are data for the control's tables (G10 L3, L50), up to G11.
+    pub data_input: bool,
     /// A block was not carried out: what follows may be wrong.
     pub uncertain: bool,
     /// What was already said.
@@ -302,8 +358,14 @@ impl State {
         Self {
             position: Point::new(start.x / 2.0, start.z),
             tip: None,
-            frames: Frames { shift: Point::default(), local: [Point::default(); 6], active: 0 },
+            c: 0.0,
+            virtual_plane: None,
+            frames: Frames::default(),
+            offsets: ToolOffsets::default(),
+            intermediate: None,
             motion: MotionMode::Rapid,
+            hole: None,
+            incremental: false,
             plane: Plane::Zx,
             unit: Unit::Millimetre,
             feed_mode: dialect.feed_mode,
@@ -324,11 +386,16 @@ impl State {
             pending: None,
             compensating: None,
             c_axis: false,
+            unknown_m: false,
             memory: CycleMemory::EMPTY,
             parameters: CycleParameters::INITIAL,
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
             course: Course::default(),
+            variables: Variables::default(),
+            system: Arc::default(),
+            sequence: 0,
+            data_input: false,
             uncertain: false,
             told: Told::default(),
         }

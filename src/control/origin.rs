@@ -44,6 +44,20 @@ pub enum Origin {
 }
 
 impl Origin {
+    /// The name of the control, the same in all languages; none for a kind of machine.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hnc => "HNC (华中)",
+            Self::Siemens => "Siemens SINUMERIK",
+            Self::LinuxCnc => "LinuxCNC",
+            Self::Fagor => "Fagor",
+            Self::Heidenhain => "Heidenhain",
+            Self::Okuma => "Okuma OSP",
+            Self::Gsk928 => "GSK 928",
+            Self::Mill | Self::Printer => "",
+        }
+    }
+
     /// All of them, in the order of their numbers.
     pub const ALL: [Origin; 9] = [
         Self::Hnc,

@@ -136,6 +136,13 @@ impl Reading {
         self.length(word).map(|diameter| diameter / 2.0)
     }
 
+    /// An angle, degrees; without a point under the least-increment rule it counts 0.001°.
+    pub fn degrees(self, word: &Word) -> Option<f64> {
+        let Value::Number { number, .. } = word.value else { return None };
+        let fine = self.decimal == DecimalRule::LeastIncrement && !number.has_point();
+        plain(word).map(|value| if fine { value / 1000.0 } else { value })
+    }
+
     /// A feed: mm a minute or a turn, or a lead in mm; all digits count.
     pub fn feed(self, word: &Word) -> Option<f64> {
         plain(word).map(|value| value * self.unit.millimetres())

@@ -1,5 +1,6 @@
 //! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the interpreter, never the reverse.
 
+pub mod drilling;
 pub mod grooving;
 #[cfg(test)]
 mod listing;

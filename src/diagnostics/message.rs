@@ -5,6 +5,10 @@
 //! compile. `code` is the identifier of the semantics (`W-…`, `E-…`) or, where there is none, the alarm a
 //! control raises; `slug` is named after the fault.
 
+use crate::control::dialect::GSystem;
+use crate::control::macros::FaultKind;
+use crate::control::origin::Origin;
+
 /// How grave a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -123,13 +127,49 @@ pub enum Message {
     /// A program that nothing calls.
     NotRun { number: u32 },
 
+    // Macros
+    /// A macro statement or expression that cannot be carried out.
+    Macro { kind: FaultKind },
+    /// `#3000`: the program itself raises an alarm.
+    MacroAlarm { number: i64, words: String },
+    /// A system variable that is not known here.
+    SystemVariable { variable: u32 },
+
+    // Where the program comes from
+    /// A program for a control or machine that is not read here.
+    Foreign { origin: Origin },
+    /// The G-code system was concluded from the program.
+    SystemGuessed { system: GSystem },
+
+    // Reference points, tables
+    /// G30 with another P than 2, 3, 4.
+    ReferenceNumber { word: String },
+    /// G27 away from the reference point.
+    NotAtReference { x: f64, z: f64 },
+    /// G29 without an intermediate point.
+    NoIntermediate,
+    /// G53 counts from the reference point.
+    MachineZero { x: f64, z: f64 },
+    /// P of G10 or G54.1 names no entry.
+    OffsetNumber { word: String },
+    /// Data for the control's tables.
+    DataPassedOver,
+
+    // Hole cycles
+    /// A hole cycle without its depth.
+    HoleNoDepth { code: &'static str },
+    /// A hole cycle system A does not have.
+    HoleOfOthers { code: &'static str },
+
     // Codes and words
     /// No such G code.
     UnknownG { word: String },
     /// An M code this project does not know.
     UnknownM { word: String },
-    /// Recognised, not done yet.
-    NotYet { what: String },
+    /// Recognised, but not done here.
+    NotSupported { what: String },
+    /// A G code of a number that machine makers use.
+    MakerG { word: String },
     /// A point in an address that takes none.
     PointNotAllowed { word: String },
     /// A minus in an address that takes none.
@@ -154,6 +194,38 @@ pub enum Message {
     G28NoAxis,
     /// G04 without a time.
     DwellNoTime,
+
+    // C axis, polar and cylindrical interpolation
+    /// Y or V, or another axis a lathe has only with a live tool.
+    AxisNotHere { word: String },
+    /// An arc in the plane of a milling head.
+    PlaneNotHere { word: &'static str },
+    /// C moves without being connected.
+    CAxisNotConnected,
+    /// A cut with a live tool that nothing has started.
+    LiveToolStopped,
+    /// A code that may not stand in polar interpolation.
+    PolarForbidden { word: String },
+    /// A change of coordinates in polar interpolation.
+    PolarFrame { word: String },
+    /// G12.1 or G13.1 with other words.
+    PolarNotAlone { code: &'static str, other: String },
+    /// G12.1 or G13.1 under compensation.
+    PolarCompensation { code: &'static str },
+    /// Feed per turn in polar interpolation.
+    PolarFeedPerTurn,
+    /// Compensation without a cutter radius.
+    PolarNoRadius,
+    /// C looks like degrees, but is mm there.
+    PolarAngle { word: String },
+    /// The path comes too near to the centre.
+    PolarCenter { distance: f64 },
+    /// Polar interpolation is still on.
+    PolarLeftOn { code: String },
+    /// G07.1 is not written as it should be.
+    CylinderFormat,
+    /// Something that may not stand in cylindrical interpolation.
+    CylinderForbidden { word: String },
 
     // Feed and spindle
     /// A cut before any F.
@@ -299,7 +371,11 @@ impl Message {
     /// Whose matter it is.
     pub fn kind(&self) -> Kind {
         match self {
-            Self::NotYet { .. }
+            Self::NotSupported { .. }
+            | Self::Foreign { .. }
+            | Self::DataPassedOver
+            | Self::AxisNotHere { .. }
+            | Self::PlaneNotHere { .. }
             | Self::TooManyMotions { .. }
             | Self::TooMuchWork { .. }
             | Self::TooManyRepeats { .. }
@@ -309,6 +385,12 @@ impl Message {
             Self::UnknownM { .. }
             | Self::ShortTool { .. }
             | Self::LetterIInG92 { .. }
+            | Self::MakerG { .. }
+            | Self::HoleOfOthers { .. }
+            | Self::MachineZero { .. }
+            | Self::SystemVariable { .. }
+            | Self::CAxisNotConnected
+            | Self::LiveToolStopped
             | Self::ProgramNotFound { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
@@ -349,9 +431,25 @@ impl Message {
             Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
             Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
             Self::NotRun { .. } => ("I-NOT-RUN", "program-not-run", Info, None),
+            Self::Macro { kind } => (kind.alarm(), kind.slug(), Error, Some(kind.alarm())),
+            Self::MacroAlarm { .. } => ("E-MACRO-ALARM", "macro-alarm", Error, None),
+            Self::SystemVariable { .. } => ("W-MACRO-SYSTEM", "unknown-system-variable", Info, None),
+            Self::Foreign { .. } => ("N-FOREIGN", "program-for-another-control", Error, None),
+            Self::SystemGuessed { .. } => ("I-G-SYSTEM", "g-code-system-concluded", Info, None),
+            Self::ReferenceNumber { .. } => ("PS0046", "reference-point-number", Error, Some("PS0046")),
+            Self::NotAtReference { .. } => ("PS0092", "not-at-reference-point", Error, Some("PS0092")),
+            Self::NoIntermediate => ("PS0305", "no-intermediate-point", Error, Some("PS0305")),
+            Self::MachineZero { .. } => ("I-MACHINE-ZERO", "machine-zero-unknown", Info, None),
+            Self::OffsetNumber { .. } => ("PS0030", "offset-number", Error, Some("PS0030")),
+            Self::DataPassedOver => ("N-DATA", "data-passed-over", Info, None),
+            Self::HoleNoDepth { .. } => ("W-HOLE-NO-DEPTH", "hole-without-depth", Error, None),
+            Self::HoleOfOthers { .. } => {
+                ("W-HOLE-G81", "hole-cycle-of-other-controls", Warning, Some("PS0010"))
+            }
             Self::UnknownG { .. } => ("PS0010", "unknown-g-code", Error, Some("PS0010")),
             Self::UnknownM { .. } => ("W-M-UNKNOWN", "unknown-m-code", Info, None),
-            Self::NotYet { .. } => ("N-NOT-YET", "not-supported-yet", Warning, None),
+            Self::NotSupported { .. } => ("N-UNSUPPORTED", "not-supported", Warning, None),
+            Self::MakerG { .. } => ("W-G-MAKER", "g-code-of-the-machine", Warning, Some("PS0010")),
             Self::PointNotAllowed { .. } => ("PS0007", "point-not-allowed", Error, Some("PS0007")),
             Self::MinusNotAllowed { .. } => ("PS0006", "minus-not-allowed", Error, Some("PS0006")),
             Self::DuplicateWord { .. } => ("W-DUP-WORD", "duplicate-word", Warning, Some("PS5074")),
@@ -364,6 +462,29 @@ impl Message {
             Self::LetterIInG92 { .. } => ("W-G92-I", "letter-i-in-g92", Warning, None),
             Self::G28NoAxis => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
             Self::DwellNoTime => ("W-DWELL-NO-TIME", "dwell-without-time", Warning, None),
+            Self::AxisNotHere { .. } => ("N-AXIS", "axis-not-supported", Warning, None),
+            Self::PlaneNotHere { .. } => ("N-PLANE", "plane-not-supported", Warning, None),
+            Self::CAxisNotConnected => ("W-C-AXIS", "c-axis-not-connected", Info, Some("PS0197")),
+            Self::LiveToolStopped => ("W-LIVE-TOOL", "live-tool-stopped", Warning, None),
+            Self::PolarForbidden { .. } => {
+                ("E-G121-GCODE", "code-not-allowed-in-polar", Error, Some("PS0146"))
+            }
+            Self::PolarFrame { .. } => {
+                ("E-G121-COORD", "coordinates-changed-in-polar", Error, Some("PS0146"))
+            }
+            Self::PolarNotAlone { .. } => ("E-G121-NOT-ALONE", "polar-not-alone-in-block", Error, None),
+            Self::PolarCompensation { .. } => {
+                ("E-G121-COMP", "polar-with-compensation", Error, Some("PS0146"))
+            }
+            Self::PolarFeedPerTurn => ("W-POLAR-FEEDMODE", "polar-with-feed-per-turn", Warning, None),
+            Self::PolarNoRadius => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
+            Self::PolarAngle { .. } => ("W-POLAR-ANGLE", "polar-c-like-degrees", Warning, None),
+            Self::PolarCenter { .. } => ("W-POLAR-CENTER", "polar-near-centre", Warning, None),
+            Self::PolarLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
+            Self::CylinderFormat => ("PS0175", "cylinder-not-well-formed", Error, Some("PS0175")),
+            Self::CylinderForbidden { .. } => {
+                ("PS0176", "code-not-allowed-on-cylinder", Error, Some("PS0176"))
+            }
             Self::FeedMissing => ("PS0011", "feed-missing", Error, Some("PS0011")),
             Self::LeadMissing { .. } => ("PS0011", "lead-missing", Error, Some("PS0011")),
             Self::FeedUnit { .. } => ("W-FEED-MODE", "feed-unit-mixed-up", Warning, None),

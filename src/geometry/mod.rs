@@ -3,6 +3,8 @@
 //! Everything is in millimetres in the plane of the lathe: `z` along the spindle, to the right; `x` the
 //! **radius** from the spindle axis, upwards. Seen so, a counter-clockwise turn is to the left.
 
+pub mod virtual_plane;
+
 /// Two lengths nearer than this, in mm, count as equal: binary rounding would decide otherwise.
 pub const SAME: f64 = 1e-6;
 
@@ -39,6 +41,16 @@ pub enum Turn {
     Clockwise,
     /// G03.
     Counterclockwise,
+}
+
+impl Turn {
+    /// The other way.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Clockwise => Self::Counterclockwise,
+            Self::Counterclockwise => Self::Clockwise,
+        }
+    }
 }
 
 /// A true arc between two points.

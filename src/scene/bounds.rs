@@ -34,6 +34,9 @@ impl Bounds {
         match shape {
             StrokeShape::Line { from, to } => Self::around(*from, *to),
             StrokeShape::Arc(arc) => Self::of_arc(arc),
+            StrokeShape::Virtual(own) => {
+                StrokeShape::curve(own).into_iter().fold(Self::of(own.at(0.0)), Self::with)
+            }
             StrokeShape::Dot(at) => Self::of(*at),
         }
     }

@@ -20,6 +20,7 @@ pub mod view;
 use std::ops::Range;
 
 use crate::control::setup::Stock;
+use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::text::source::Span;
@@ -65,6 +66,9 @@ impl StrokeStyle {
     }
 }
 
+/// How far a drawn curve may be from the true one, mm.
+const CHORD: f64 = 0.02;
+
 /// The shape of a stroke, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StrokeShape {
@@ -77,6 +81,8 @@ pub enum StrokeShape {
     },
     /// A true arc, possibly a full circle.
     Arc(Arc),
+    /// Straight or round in a virtual plane, and so a curve in the plane of turning.
+    Virtual(VirtualMove),
     /// The tool stands still here.
     Dot(Point),
 }
@@ -86,6 +92,10 @@ impl StrokeShape {
     pub fn of(motion: &Motion) -> Self {
         match (motion.kind, motion.arc()) {
             (MotionKind::Dwell, _) => Self::Dot(motion.to),
+            _ if motion.from.is_same(motion.to) && motion.is_turn() => Self::Dot(motion.to),
+            _ if motion.virtual_move().is_some() => {
+                motion.virtual_move().map_or(Self::Dot(motion.to), Self::Virtual)
+            }
             (_, Some(arc)) => Self::Arc(arc),
             (_, None) => Self::Line { from: motion.from, to: motion.to },
         }
@@ -96,6 +106,7 @@ impl StrokeShape {
         match self {
             Self::Line { from, .. } => *from,
             Self::Arc(arc) => arc.start,
+            Self::Virtual(own) => own.at(0.0),
             Self::Dot(at) => *at,
         }
     }
@@ -105,8 +116,14 @@ impl StrokeShape {
         match self {
             Self::Line { to, .. } => *to,
             Self::Arc(arc) => arc.end,
+            Self::Virtual(own) => own.at(1.0),
             Self::Dot(at) => *at,
         }
+    }
+
+    /// Points that straight lines join to the curve of a virtual move.
+    pub fn curve(own: &VirtualMove) -> Vec<Point> {
+        own.machine_path(CHORD)
     }
 
     /// Length along it, mm.
@@ -114,6 +131,7 @@ impl StrokeShape {
         match self {
             Self::Line { from, to } => from.distance(*to),
             Self::Arc(arc) => arc.length(),
+            Self::Virtual(own) => own.length(),
             Self::Dot(_) => 0.0,
         }
     }
@@ -123,6 +141,7 @@ impl StrokeShape {
         match self {
             Self::Line { from, to } => Point::new(from.x + t * (to.x - from.x), from.z + t * (to.z - from.z)),
             Self::Arc(arc) => arc.at(t),
+            Self::Virtual(own) => own.at(t),
             Self::Dot(at) => *at,
         }
     }
@@ -146,6 +165,10 @@ impl StrokeShape {
                 line(Self::Arc(Arc { end: point, ..*arc }), t),
                 line(Self::Arc(Arc { start: point, ..*arc }), 1.0 - t),
             ),
+            Self::Virtual(own) => {
+                let (first, second) = own.split(t);
+                (Self::Virtual(first), Self::Virtual(second))
+            }
             Self::Dot(_) => (*self, *self),
         }
     }

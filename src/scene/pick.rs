@@ -48,7 +48,7 @@ pub fn pick(
             let at = nearest(&stroke.shape, pointer);
             let distance = match stroke.shape {
                 StrokeShape::Dot(_) => (at.distance(pointer) - dot).max(0.0),
-                StrokeShape::Line { .. } | StrokeShape::Arc(_) => at.distance(pointer),
+                _ => at.distance(pointer),
             };
             (distance <= reach).then_some((distance, Pick { stroke, at }))
         })
@@ -66,6 +66,12 @@ pub fn pick(
 /// The point of a shape nearest to `pointer`.
 fn nearest(shape: &StrokeShape, pointer: Point) -> Point {
     match shape {
+        StrokeShape::Virtual(own) => {
+            let curve = StrokeShape::curve(own);
+            let pieces = curve.windows(2).map(|ends| StrokeShape::Line { from: ends[0], to: ends[1] });
+            let places = pieces.map(|piece| nearest(&piece, pointer));
+            places.min_by(|a, b| a.distance(pointer).total_cmp(&b.distance(pointer))).unwrap_or(own.at(0.0))
+        }
         StrokeShape::Line { from, to } => {
             let (dx, dz) = (to.x - from.x, to.z - from.z);
             let square = dx * dx + dz * dz;

@@ -158,6 +158,10 @@ impl Drawing {
             StrokeShape::Line { to, .. } => write!(d, "L{}", self.place(*to)),
             // A line without length is a dot under round caps.
             StrokeShape::Dot(_) => write!(d, "h0"),
+            StrokeShape::Virtual(own) => {
+                let curve = StrokeShape::curve(own);
+                curve.iter().skip(1).try_for_each(|point| write!(d, "L{}", self.place(*point)))
+            }
             StrokeShape::Arc(arc) => write!(d, "{}{}", self.half(arc, 0.5), self.half(arc, 1.0)),
         };
     }

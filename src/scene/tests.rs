@@ -93,6 +93,7 @@ impl Path {
             lead,
             seconds,
             programmed: None,
+            rotary: None,
             cycle: None,
             process,
         });

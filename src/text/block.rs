@@ -67,6 +67,8 @@ pub struct Block {
     pub comments: Vec<Span>,
     /// What is wrong with the way it is written.
     pub faults: Vec<Diagnostic>,
+    /// First byte of its macro statement, if it is one.
+    pub statement: u32,
     /// Some words hold macro expressions.
     pub has_expressions: bool,
     /// It has more words than are kept.

@@ -142,7 +142,7 @@ impl<'a> Parser<'a> {
                     self.skip_line();
                     block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
                 }
-                TokenKind::Macro(b'#') if block.words.is_empty() => self.macro_statement(block),
+                TokenKind::Macro(b'#') => self.macro_statement(block, token.span),
                 TokenKind::Number(number) => self.lone_number(block, number, token.span),
                 TokenKind::Macro(_)
                 | TokenKind::Plus
@@ -159,7 +159,14 @@ impl<'a> Parser<'a> {
     /// Reads the word of a letter just taken.
     fn letter(&mut self, block: &mut Block, letter: u8, first: Span, comma: Option<Span>) {
         if comma.is_none() && self.begins_keyword(letter, first) {
-            return self.macro_statement(block);
+            return self.macro_statement(block, first);
+        }
+        if self.begins_function() {
+            let end = self.skip_function(first);
+            block.has_expressions = true;
+            let span = Span { start: comma.unwrap_or(first).start, end };
+            block.word(Word { address: letter, comma: comma.is_some(), value: Value::Expression, span });
+            return;
         }
         let mut negative = false;
         let mut after = self.lexer.position();
@@ -404,14 +411,50 @@ impl<'a> Parser<'a> {
             b'D' => b"DO",
             b'E' => b"END",
             b'T' => b"THEN",
+            b'P' if self.follows(first, b"PCLOS") => return true,
+            b'P' => b"POPEN",
+            b'B' => b"BPRNT",
+            b'S' => b"SETVN",
             _ => return false,
         };
+        if letter == b'D' && self.follows(first, b"DPRNT") {
+            return true;
+        }
+        self.follows(first, keyword)
+    }
+
+    /// Whether a keyword begins at a place.
+    fn follows(&self, first: Span, keyword: &[u8]) -> bool {
         let rest = &self.lexer.text()[first.start as usize..];
         rest.len() >= keyword.len() && rest[..keyword.len()].eq_ignore_ascii_case(keyword)
     }
 
-    fn macro_statement(&mut self, block: &mut Block) {
+    /// Whether the value of the address just taken begins with a function: `ROUND[`, `-SIN[`.
+    #[inline]
+    fn begins_function(&self) -> bool {
+        let rest = &self.lexer.text()[self.lexer.position()..];
+        let skipped = rest.iter().take_while(|byte| matches!(byte, b' ' | b'+' | b'-')).count();
+        let rest = &rest[skipped..];
+        let name = rest.iter().take(6).take_while(|byte| byte.is_ascii_alphabetic()).count();
+        (2..=5).contains(&name) && rest.get(name) == Some(&b'[')
+    }
+
+    /// Skips the function of an address value; returns its end.
+    fn skip_function(&mut self, first: Span) -> u32 {
+        while let Some(byte) = self.lexer.peek_byte()
+            && byte != b'['
+        {
+            self.lexer.seek(self.lexer.position() + 1);
+        }
+        match self.lexer.next_token() {
+            Some(bracket) => self.skip_expression(bracket.span),
+            None => first.end,
+        }
+    }
+
+    fn macro_statement(&mut self, block: &mut Block, first: Span) {
         block.kind = BlockKind::Macro;
+        block.statement = first.start;
         while let Some(byte) = self.lexer.peek_byte() {
             if matches!(byte, b'\n' | b'\r' | b';') {
                 break;

@@ -35,6 +35,11 @@ impl Interpreter {
             self.furthest = block.span.start;
             return true;
         }
+        self.count_repeat(block)
+    }
+
+    /// Counts a block that is read or carried out once more. False: they were too many.
+    pub(super) fn count_repeat(&mut self, block: &Block) -> bool {
         self.repeated += 1;
         if self.repeated > self.limits.repeated_blocks {
             let most = self.limits.repeated_blocks;
@@ -161,7 +166,9 @@ impl Interpreter {
 
     /// The innermost call ends.
     fn leave_call(&mut self) {
-        self.state.course.calls.pop();
+        if self.state.course.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
+            self.state.variables.pop_level();
+        }
     }
 
     /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
@@ -201,10 +208,15 @@ impl Interpreter {
             // A subprogram that stands before the program that calls it.
             return Flow::Restart(main);
         }
-        let called = own.is_some_and(|own| labels.is_called(own));
-        if !called {
-            self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
+        // Only variables can make another round different, and end it.
+        let now = (self.state.variables.clone(), self.state.system.clone());
+        if self.state.course.round.as_ref().unwrap_or(&Default::default()) != &now {
+            self.state.course.round = Some(now);
+            self.wandered = true;
+            self.jumped_by = Some(block.words_span());
+            return Flow::Jump(self.state.course.head);
         }
+        self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
         Flow::End
     }
 }

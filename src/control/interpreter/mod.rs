@@ -8,11 +8,16 @@
 
 mod calls;
 mod contours;
+mod holes;
+mod macros;
 mod motions;
 mod multiples;
 mod path;
+mod reference;
+mod rotary;
 mod settings;
 mod singles;
+mod system;
 mod watch;
 
 use std::collections::BTreeSet;
@@ -20,8 +25,8 @@ use std::collections::BTreeSet;
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
-    Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, IInG92, NegativeArcR,
-    PqUnit, XuConflict,
+    Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
+    NegativeArcR, PqUnit, XuConflict,
 };
 use super::modal::{CycleMemory, Once, Routed, State, Target};
 use super::program::Labels;
@@ -32,11 +37,12 @@ use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
 use crate::limits::Limits;
-use crate::motion::{Chunk, CycleStep, Motion, MotionKind, Motions, SpindleTurn, Step};
+use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 use crate::text::source::Span;
 use calls::Passage;
+use rotary::TURNS;
 
 pub use calls::Here;
 
@@ -57,6 +63,19 @@ pub enum Flow {
     Restart(Resume),
     /// It has ended.
     End,
+}
+
+/// A block that was carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Executed {
+    /// Where it stands.
+    pub at: Resume,
+    /// Motions kept before it.
+    pub first: usize,
+    /// Its words with values in place of expressions.
+    pub values: Option<String>,
+    /// It only steers the program: a macro statement, a call, a return.
+    pub steers: bool,
 }
 
 /// The places manuals name in a cycle along a contour.
@@ -81,11 +100,20 @@ pub struct Landmarks {
 enum OneShot {
     Dwell,
     Home,
+    OtherHome,
+    CheckHome,
+    FromHome,
+    Machine,
+    Data,
     Setting,
     LocalFrame,
+    /// G12.1, G13.1.
+    Polar(Switch),
+    /// G07.1.
+    Cylinder,
     /// G70 to G76.
     Multiple(Multiple),
-    NotYet,
+    NotSupported,
 }
 
 /// What the codes of one block ask for.
@@ -102,6 +130,12 @@ struct Request {
     end: bool,
     /// M97, M98, M99.
     passage: Option<Passage>,
+    /// G65 or G66: the words behind it are arguments.
+    macro_call: Option<&'static str>,
+    /// A hole cycle stands in the block.
+    hole: Option<codes::Hole>,
+    /// G54.1, whose P names the frame.
+    extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
     drop: bool,
     /// The word of group 01 met so far.
@@ -149,6 +183,8 @@ pub struct Interpreter {
     wandered: bool,
     /// First bytes of the programs that were run.
     heads: BTreeSet<u32>,
+    /// The blocks carried out, in order, if they are asked for.
+    trace: Option<Vec<Executed>>,
     /// Messages told, by place and name: what runs again is not told again.
     told: BTreeSet<(u32, &'static str)>,
 }
@@ -180,8 +216,24 @@ impl Interpreter {
             jumped_by: None,
             wandered: false,
             heads: BTreeSet::new(),
+            trace: None,
             told: BTreeSet::new(),
         }
+    }
+
+    /// Keeps the blocks carried out from here on.
+    pub fn keep_trace(&mut self) {
+        self.trace.get_or_insert_default();
+    }
+
+    /// The blocks carried out.
+    pub fn take_trace(&mut self) -> Vec<Executed> {
+        self.trace.take().unwrap_or_default()
+    }
+
+    /// Whether blocks carried out are kept.
+    pub fn has_trace(&self) -> bool {
+        self.trace.is_some()
     }
 
     /// Motions of the finished chunks.
@@ -240,6 +292,16 @@ impl Interpreter {
         } else if self.told.insert((diagnostic.span.start, diagnostic.message.slug())) {
             self.diagnostics.push(diagnostic);
         }
+    }
+
+    /// The G-code system in force.
+    pub fn system(&self) -> GSystem {
+        self.dialect.g_system
+    }
+
+    /// Reads the program in another G-code system.
+    pub fn set_system(&mut self, system: GSystem) {
+        self.dialect.g_system = system;
     }
 
     /// An O program begins here and is run: the main program, unless a call is under way.
@@ -309,21 +371,50 @@ impl Interpreter {
             let next = Chunk::new(block.span.start, block.line, self.state.position);
             self.motions.push(std::mem::replace(&mut self.chunk, next));
         }
+        if self.trace.is_some() {
+            self.trace_block(block, here);
+        }
+        self.state.sequence = block.sequence.unwrap_or(self.state.sequence);
         match block.kind {
             BlockKind::Percent => return Flow::Next,
-            BlockKind::Macro => {
-                let what = format!("`{}`", shortened(&quote(text, block.span)));
-                self.tell(Diagnostic::new(Message::NotYet { what }, block.span));
+            BlockKind::Macro if broken => {
                 self.state.uncertain = true;
                 return Flow::Next;
             }
+            BlockKind::Macro => return self.macro_statement(text, block, here),
             BlockKind::Words => {}
+        }
+        if self.state.data_input {
+            let ends = |word: &Word| word.address == b'G' && plain(word) == Some(11.0);
+            self.state.data_input = !block.words.iter().any(ends);
+            return Flow::Next;
         }
         if block.words.is_empty() {
             // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
             self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
             return Flow::Next;
         }
+        if !block.has_expressions {
+            return self.words(text, block, here);
+        }
+        match self.evaluated(text, block) {
+            Some(own) => {
+                if self.trace.is_some() {
+                    self.trace_values(&own);
+                }
+                self.words(text, &own, here)
+            }
+            None => {
+                self.state.uncertain = true;
+                Flow::Next
+            }
+        }
+    }
+
+    /// Carries out a block of words.
+    #[inline]
+    fn words(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        let broken = block.is_broken();
         let mut request = Request { drop: broken, ..Request::default() };
         let mut words = Words::new(block);
         for (index, word) in block.words.iter().enumerate() {
@@ -343,8 +434,7 @@ impl Interpreter {
             self.idle_block();
         }
         if request.end {
-            self.settle();
-            self.state.compensation = Compensation::Off;
+            self.end_of_program(text, block);
         }
         if request.stop_spindle {
             self.state.spindle.turn = SpindleTurn::Stopped;
@@ -353,11 +443,75 @@ impl Interpreter {
         }
         match (self.jump.take(), request.passage) {
             _ if request.end || self.full => Flow::End,
-            // A call in a contour was told already.
-            (None, Some(passage)) if self.recorded.is_none() => self.pass(text, block, &words, passage, here),
             (Some(at), _) => Flow::Jump(at),
-            (None, _) => Flow::Next,
+            // A call in a contour was told already.
+            (None, _) if self.recorded.is_some() => Flow::Next,
+            (None, Some(passage)) => self.pass(text, block, &words, passage, here),
+            (None, None) => match request.macro_call {
+                Some(code) => self.macro_call(text, block, here, code),
+                None if request.moved && self.state.course.modal.is_some() => {
+                    self.modal_call(block, here.next).unwrap_or(Flow::Next)
+                }
+                None => Flow::Next,
+            },
         }
+    }
+
+    /// Keeps a block that is carried out.
+    #[cold]
+    fn trace_block(&mut self, block: &Block, here: Here) {
+        let first = self.kept();
+        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let steers = |word: &Word| match word.address {
+            b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
+            b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
+            _ => false,
+        };
+        let steers = !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(steers);
+        trace.push(Executed { at: here.at, first, values: None, steers });
+    }
+
+    /// Keeps what the last block wrote into a table of the control.
+    fn trace_write(&mut self, variable: u32, value: f64) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            last.values = Some(format!("#{variable}={value}"));
+        }
+    }
+
+    /// The last block could not be carried out, and stays as it is.
+    fn trace_fault(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            last.steers = false;
+        }
+    }
+
+    /// Keeps the words of the last block with their values.
+    #[cold]
+    fn trace_values(&mut self, block: &Block) {
+        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let mut values = String::new();
+        for word in &block.words {
+            let Value::Number { number, negative } = word.value else { continue };
+            let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
+            let space = if values.is_empty() { "" } else { " " };
+            let point = if number.has_point() && number.decimals == 0 { "." } else { "" };
+            values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
+        }
+        if let Some(last) = trace.last_mut() {
+            last.values = Some(values);
+        }
+    }
+
+    /// M02, M30.
+    fn end_of_program(&mut self, text: &[u8], block: &Block) {
+        self.settle();
+        if self.state.virtual_plane.is_some() {
+            let end = block.words.iter().find(|word| word.address == b'M');
+            let span = end.map_or_else(|| block.words_span(), |word| word.span);
+            let code = quote(text, span);
+            self.tell(Diagnostic::new(Message::PolarLeftOn { code }, span));
+        }
+        self.state.compensation = Compensation::Off;
     }
 
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
@@ -371,12 +525,10 @@ impl Interpreter {
         index: usize,
         word: &Word,
     ) {
-        let Value::Number { number, .. } = word.value else {
-            let what = format!("`{}`", shortened(&quote(text, word.span)));
-            self.tell(Diagnostic::new(Message::NotYet { what }, word.span));
-            request.drop = true;
+        let Value::Number { number, .. } = word.value else { return };
+        if request.macro_call.is_some() {
             return;
-        };
+        }
         if let Some(wrong) = words::check(text, word) {
             self.tell(wrong);
             request.drop = true;
@@ -413,16 +565,21 @@ impl Interpreter {
     }
 
     fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
-        let Some((code, group)) = codes::g_code(key) else {
-            self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
-            request.drop = true;
+        let Some((code, group)) = codes::g_code(key, self.dialect.g_system) else {
+            self.unknown_g(text, request, key, word);
             return;
         };
         if group == 1 {
             self.note_motion_word(text, request, word.span);
         }
+        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, key, word) {
+            request.drop = true;
+            return;
+        }
         let state = &mut self.state;
         match code {
+            G::Polar(switch) => request.one_shot = Some(OneShot::Polar(switch)),
+            G::Cylinder => request.one_shot = Some(OneShot::Cylinder),
             G::Motion(MotionMode::Tapping) if self.dialect.control != Control::Gsk => {
                 // System A of FANUC has no G33.
                 self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
@@ -430,10 +587,23 @@ impl Interpreter {
             }
             G::Motion(mode) => {
                 request.motion = Some(mode);
-                if mode == MotionMode::NotYet {
-                    self.not_yet(text, word.span);
+            }
+            G::Hole(hole) => request.hole = Some(hole),
+            G::NoHole => {
+                if let Some(hole) = state.hole.take() {
+                    state.motion = hole.before;
                 }
             }
+            G::MacroCall(code) => request.macro_call = Some(code),
+            G::NoModalMacro => state.course.modal = None,
+            G::Distance { incremental } => state.incremental = incremental,
+            G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
+            G::CheckHome => request.one_shot = Some(OneShot::CheckHome),
+            G::FromHome => request.one_shot = Some(OneShot::FromHome),
+            G::Machine => request.one_shot = Some(OneShot::Machine),
+            G::Data => request.one_shot = Some(OneShot::Data),
+            G::EndOfData => {}
+            G::ExtendedFrame => request.extended_frame = Some(word.span),
             G::Dwell => request.one_shot = Some(OneShot::Dwell),
             G::Home => request.one_shot = Some(OneShot::Home),
             G::Setting => request.one_shot = Some(OneShot::Setting),
@@ -465,13 +635,23 @@ impl Interpreter {
                 state.told.forget(Once::FeedUnit);
             }
             G::Idle => {}
-            G::NotYet => {
-                // Under polar interpolation C is an axis, not a chamfer.
-                self.state.c_axis |= matches!(key, 121 | 1120);
-                request.one_shot = Some(OneShot::NotYet);
-                self.not_yet(text, word.span);
+            G::NotSupported => {
+                request.one_shot = Some(OneShot::NotSupported);
+                self.not_supported(text, word.span);
             }
         }
+    }
+
+    /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
+    fn unknown_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
+        let quoted = quote(text, word.span);
+        if matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10) {
+            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.state.uncertain = true;
+            return;
+        }
+        self.tell(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
+        request.drop = true;
     }
 
     /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
@@ -488,7 +668,11 @@ impl Interpreter {
         let state = &mut self.state;
         match codes::m_code(number) {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
-            Some(M::Spindle(turn)) => state.spindle.turn = turn,
+            Some(M::Spindle(turn)) => {
+                state.spindle.turn = turn;
+                // A spindle that turns is no axis.
+                state.c_axis = false;
+            }
             Some(M::LiveTool) => state.spindle.live_tool = true,
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
             Some(M::End) => request.end = true,
@@ -497,14 +681,27 @@ impl Interpreter {
             Some(M::Call) => request.passage = Some(Passage::Call),
             Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
             Some(M::Return) => request.passage = Some(Passage::Return),
-            None => self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span)),
+            None => {
+                state.unknown_m = true;
+                self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
+            }
         }
     }
 
     /// Coordinate systems, motion, cycles.
     fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
+            self.state.hole = None;
             self.enter(mode, block, words);
+        }
+        if let Some(span) = request.extended_frame {
+            self.extended_frame(text, request, words, span);
+        }
+        if let Some(hole) = request.hole {
+            self.enter_hole(hole, block.words_span());
+        }
+        if request.macro_call.is_some() {
+            return;
         }
         if let Some(one_shot) = request.one_shot {
             if one_shot != OneShot::Dwell {
@@ -517,26 +714,43 @@ impl Interpreter {
                 return;
             }
             match one_shot {
-                OneShot::Dwell => {}
+                OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
                 OneShot::Multiple(_) => self.arrive_for_cycle(),
                 _ => self.leave_compensation(),
             }
             match one_shot {
                 OneShot::Dwell => self.dwell(text, block, words, request),
-                OneShot::Home => self.home(text, block, words),
+                OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
+                OneShot::CheckHome => self.check_home(text, block, words),
+                OneShot::FromHome => self.from_home(text, block, request, words),
+                OneShot::Machine => self.machine_move(block, words),
+                OneShot::Data => self.write_data(text, request, words),
                 OneShot::Setting => self.setting(words),
                 OneShot::LocalFrame => self.local_frame(words),
+                OneShot::Polar(switch) => self.polar(text, block, request, switch),
+                OneShot::Cylinder => self.cylinder(text, block, request, words),
                 OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
-                OneShot::NotYet => self.state.uncertain = true,
+                OneShot::NotSupported => self.state.uncertain = true,
             }
             return;
         }
-        const OTHER_AXES: u32 = letters(b"YVCH");
+        if self.state.hole.is_some() {
+            self.hole(text, block, request, words);
+            return;
+        }
+        const OTHER_AXES: u32 = letters(b"YV");
         if words.has_any(OTHER_AXES) && !matches!(self.state.motion, MotionMode::Cycle(_)) {
             self.other_axes(text, words);
         }
+        if self.state.virtual_plane.is_some()
+            && words.has_any(AXES | TURNS)
+            && !self.may_move_in_plane(text, block, words)
+        {
+            request.drop = true;
+            return;
+        }
         match self.state.motion {
-            MotionMode::Rapid if words.has_any(AXES) => {
+            MotionMode::Rapid if words.has_any(AXES | TURNS) => {
                 self.settle_angle();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
@@ -545,20 +759,22 @@ impl Interpreter {
                     return;
                 }
                 let to = self.target(text, words);
-                request.moved = true;
-                self.travel(block, self.motion(MotionKind::Rapid, to), None);
+                request.moved = words.has_any(AXES);
+                let c = self.turn_target(words);
+                let motion = self.motion(MotionKind::Rapid, to);
+                let motion = self.turning(motion, c);
+                self.travel(block, motion, None);
             }
-            MotionMode::Line if words.has_any(AXES | letters(b"A")) || request.comma[2].is_some() => {
+            MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
                 self.line(text, block, request, words);
             }
-            MotionMode::Arc(turn) if words.has_any(AXES | letters(b"IK")) => {
+            MotionMode::Arc(turn) if words.has_any(AXES | TURNS | letters(b"IJK")) => {
                 self.arc(text, block, request, words, turn)
             }
             MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping if words.has_any(AXES) => {
                 self.thread(text, block, request, words);
             }
             MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
-            MotionMode::NotYet if words.has_any(AXES) => self.state.uncertain = true,
             _ => {}
         }
     }
@@ -591,9 +807,9 @@ impl Interpreter {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    fn not_yet(&mut self, text: &[u8], span: Span) {
+    fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
-        self.tell(Diagnostic::new(Message::NotYet { what }, span));
+        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
     }
 
     /// A motion from where the tip stands.
@@ -607,21 +823,16 @@ impl Interpreter {
             lead: None,
             seconds: None,
             programmed: None,
+            rotary: None,
             cycle: None,
             process: self.state.process(),
         }
     }
 
-    /// Moves straight to a place.
-    #[inline]
-    fn go(&mut self, block: &Block, kind: MotionKind, to: Point) {
-        self.push(block, self.motion(kind, to));
-    }
-
     /// Keeps a motion unless it has no length, and puts the tip at its end.
     #[inline]
     fn push(&mut self, block: &Block, motion: Motion) {
-        self.emit(Routed { motion, span: block.span, line: block.line });
+        self.emit(self.routed(block, motion));
         self.state.position = motion.to;
     }
 
@@ -632,9 +843,16 @@ impl Interpreter {
             routed.motion.from = tip;
         }
         let motion = &routed.motion;
-        let still = motion.from.is_same(motion.to) && motion.center.is_none() && motion.seconds.is_none();
+        let still = motion.from.is_same(motion.to)
+            && motion.center.is_none()
+            && motion.seconds.is_none()
+            && motion.rotary.is_none()
+            && routed.third.is_none_or(|(from, to)| from == to);
         if still || self.full {
             return;
+        }
+        if let Some(third) = routed.third {
+            routed = self.on_machine(routed, third);
         }
         match &mut self.recorded {
             // One more than a cycle may have, so that it is refused rather than cut short.

@@ -5,6 +5,7 @@
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::modal::{Angle, Joint};
+use crate::geometry::virtual_plane::Surface;
 
 impl Interpreter {
     /// The end point that X, U, Z and W name.
@@ -30,6 +31,7 @@ impl Interpreter {
         let (a, i) = (words.get(absolute), words.get(incremental));
         let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
         match (a, i) {
+            (Some(a), None) if self.state.incremental => Target::Incremental(value(a)),
             (Some(a), None) => Target::Absolute(value(a)),
             (None, Some(i)) => Target::Incremental(value(i)),
             (None, None) => Target::Stay,
@@ -53,16 +55,14 @@ impl Interpreter {
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
-    /// Y, V, C and H: told once.
+    /// Y and V: told once. The motion of X and Z is drawn all the same.
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
-        // C on a G01 block may be a chamfer, which `corner` answers.
-        let is_line = self.state.motion == MotionMode::Line;
-        for address in [b'Y', b'V', b'H', b'C'] {
-            if words.get(address).is_some() && !(address == b'C' && is_line && !self.state.c_axis) {
-                if self.state.told.first(Once::AxisNotYet) {
-                    self.not_yet(text, words.span(address));
+        for address in [b'Y', b'V'] {
+            if words.get(address).is_some() {
+                if self.state.told.first(Once::AxisNotHere) {
+                    let word = words.quote(text, address);
+                    self.tell(Diagnostic::new(Message::AxisNotHere { word }, words.span(address)));
                 }
-                // The motion of X and Z is drawn all the same.
                 self.state.uncertain = true;
             }
         }
@@ -70,10 +70,17 @@ impl Interpreter {
 
     /// G01, with its corner and angle words (semantics §3.2).
     pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
-        let x = self.axis(text, words, b'X', b'U', 0.5);
-        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let (x, z) = self.plane_targets(text, words);
         let angle = self.angle(text, block, request, words);
-        request.moved = true;
+        let c = self.turn_target(words);
+        if c.is_none() && angle.is_none() && !words.has_any(AXES) && self.state.virtual_plane.is_none() {
+            // A chamfer word alone.
+            if self.joint(text, block, request, words).is_err() {
+                request.drop = true;
+            }
+            return;
+        }
+        request.moved = angle.is_some() || words.has_any(AXES) || self.state.virtual_plane.is_some();
         let absolute = |target: Target| match target {
             Target::Absolute(place) => Some(place),
             Target::Stay | Target::Incremental(_) => None,
@@ -91,7 +98,9 @@ impl Interpreter {
             request.drop = true;
             return;
         };
-        if let Some(angle) = angle.as_ref().filter(|_| self.state.plane != Plane::Zx) {
+        if let Some(angle) =
+            angle.as_ref().filter(|_| self.state.plane != Plane::Zx || self.state.virtual_plane.is_some())
+        {
             let message = Message::CyclePlane { code: ",A", alarm: "PS0212" };
             self.tell(Diagnostic::new(message, angle.span));
             request.drop = true;
@@ -121,7 +130,9 @@ impl Interpreter {
             }
             _ => Point::new(x.from(from.x), z.from(from.z)),
         };
-        self.travel(block, self.motion(MotionKind::Feed, to), joint);
+        let motion = self.motion(MotionKind::Feed, to);
+        let motion = self.turning(motion, c);
+        self.travel(block, motion, joint);
     }
 
     /// The angle word of a straight move: `,A` or A, degrees.
@@ -142,7 +153,7 @@ impl Interpreter {
         request: &Request,
         words: &Words,
     ) -> Result<Option<Joint>, ()> {
-        let straight = self.state.motion == MotionMode::Line;
+        let straight = self.state.motion == MotionMode::Line && self.state.virtual_plane.is_none();
         let gsk = self.dialect.control == Control::Gsk;
         let [chamfer, round, _] = request.comma;
         let comma = |index: Option<usize>| index.map(|index| &block.words[index]);
@@ -197,10 +208,11 @@ impl Interpreter {
         words: &Words,
         turn: Turn,
     ) {
-        if self.state.plane != Plane::Zx {
-            if self.state.told.first(Once::PlaneNotYet) {
-                let what = if self.state.plane == Plane::Xy { "`G17`" } else { "`G19`" };
-                self.tell(Diagnostic::new(Message::NotYet { what: what.into() }, block.words_span()));
+        let surface = self.state.virtual_plane.map(|plane| plane.surface);
+        if self.state.plane != Plane::Zx && surface.is_none() {
+            if self.state.told.first(Once::PlaneNotHere) {
+                let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
+                self.tell(Diagnostic::new(Message::PlaneNotHere { word }, block.words_span()));
             }
             request.drop = true;
             return;
@@ -208,7 +220,26 @@ impl Interpreter {
         let reading = self.reading();
         let code = if turn == Turn::Clockwise { "G02" } else { "G03" };
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
-        let center_words = match (given(b'R'), given(b'I'), given(b'K')) {
+        // The words of the centre along the second and the first axis of the plane.
+        let (up, right) = match surface {
+            None => (b'I', b'K'),
+            Some(Surface::Face) => (b'J', b'I'),
+            Some(Surface::Cylinder { .. }) => {
+                if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.get(word).is_some())
+                {
+                    let word = words.quote(text, address);
+                    self.tell(Diagnostic::new(Message::CylinderForbidden { word }, words.span(address)));
+                    request.drop = true;
+                    return;
+                }
+                (b'J', b'K')
+            }
+        };
+        let turn = match surface {
+            Some(Surface::Cylinder { turned: true, .. }) => turn.opposite(),
+            _ => turn,
+        };
+        let center_words = match (given(b'R'), given(up), given(right)) {
             (Some(radius), ..) => CenterWords::Radius(radius),
             (None, None, None) => {
                 self.tell(Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()));
@@ -225,7 +256,8 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        let to = self.target(text, words);
+        let (up, right) = self.plane_targets(text, words);
+        let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
         if !self.may_cut(block, words, request) {
             return;
         }

@@ -347,7 +347,7 @@ impl Interpreter {
     }
 
     /// What P and Q count (semantics §7.6), and both as lengths, mm.
-    fn amounts(
+    pub(super) fn amounts(
         &mut self,
         text: &[u8],
         words: &Words,
@@ -536,7 +536,7 @@ impl Interpreter {
     }
 
     /// Moves that a cycle may make.
-    fn moves_left(&self) -> usize {
+    pub(super) fn moves_left(&self) -> usize {
         self.limits.moves_per_cycle.min(self.limits.motions.saturating_sub(self.kept()))
     }
 

@@ -10,6 +10,7 @@ use crate::control::compensation::{
 };
 use crate::control::corners::{self, Fault};
 use crate::control::modal::{Angle, Compensating, Joint, Pending};
+use crate::control::offsets::Column;
 use crate::cycles::Piece;
 use crate::motion::Programmed;
 
@@ -19,7 +20,12 @@ const IDLE_BLOCKS: u32 = 2;
 impl Interpreter {
     /// A move of the programmed path.
     pub(super) fn travel(&mut self, block: &Block, motion: Motion, joint: Option<Joint>) {
-        let mut routed = Routed { motion, span: block.span, line: block.line };
+        let mut routed = self.routed(block, motion);
+        let still = motion.from.is_same(motion.to) && motion.center.is_none();
+        if still && (motion.rotary.is_some() || routed.third.is_some_and(|(from, to)| from != to)) {
+            // Nothing moves in the plane of the path: no corner, nothing to compensate.
+            return self.wait_here(routed);
+        }
         if self.state.pending.is_some()
             && let Some(pending) = self.state.pending.take()
             && !self.join(pending, &mut routed)
@@ -39,7 +45,7 @@ impl Interpreter {
     /// A move known by its angle alone, until the next block gives its end.
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
-        let mut routed = Routed { motion, span: block.span, line: block.line };
+        let mut routed = self.routed(block, motion);
         let mut before = None;
         if let Some(pending) = self.state.pending.take() {
             if pending.angle.is_none() && pending.joint.is_some() {
@@ -368,15 +374,19 @@ impl Interpreter {
             return (0.0, 0);
         }
         let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
-        tool.map_or((0.0, 0), |tool| {
+        let (radius, tip) = tool.map_or((0.0, 0), |tool| {
             (tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius), tool.tip.unwrap_or(0))
-        })
+        });
+        let written = |column| self.state.offsets.get(offset, column);
+        let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(0.0);
+        (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
     }
 
     /// The nose of the tool in force.
     pub(super) fn nose(&self) -> Nose {
         let (radius, tip) = self.offset_entry();
-        Nose { radius: radius.abs(), tip }
+        // In a virtual plane it is the cutter's centre that is programmed.
+        Nose { radius: radius.abs(), tip: if self.state.virtual_plane.is_some() { 0 } else { tip } }
     }
 
     /// The side of the path the nose is on: a negative radius changes it (semantics §4.3).

@@ -2,6 +2,7 @@
 //! G04 and G28, which use the words of their block in their own way.
 
 use super::*;
+use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
 
 impl Interpreter {
     /// S, F and T, with what G96, G97 and G50 make of S.
@@ -84,34 +85,11 @@ impl Interpreter {
             Some(seconds) if seconds > 0.0 => {
                 let motion = self.motion(MotionKind::Dwell, self.state.position);
                 let motion = Motion { seconds: Some(seconds), ..motion };
-                self.wait_here(Routed { motion, span: block.span, line: block.line });
+                self.wait_here(self.routed(block, motion));
             }
             Some(_) => {}
             None => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
         }
-    }
-
-    /// G28: over the intermediate point to the reference point (semantics §3.8).
-    pub(super) fn home(&mut self, text: &[u8], block: &Block, words: &Words) {
-        if words.has_any(letters(b"CHYV")) && self.state.told.first(Once::AxisNotYet) {
-            let address = *b"CHYV".iter().find(|&&address| words.get(address).is_some()).unwrap_or(&b'C');
-            self.not_yet(text, words.span(address));
-        }
-        if !words.has_any(AXES) {
-            if !words.has_any(letters(b"CHYV")) {
-                self.tell(Diagnostic::new(Message::G28NoAxis, block.words_span()));
-            }
-            return;
-        }
-        let middle = self.target(text, words);
-        self.go(block, MotionKind::Rapid, middle);
-        let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
-        let from = self.state.position;
-        let to = Point::new(
-            if words.has_any(letters(b"XU")) { home.x / 2.0 - offset.x } else { from.x },
-            if words.has_any(letters(b"ZW")) { home.z - offset.z } else { from.z },
-        );
-        self.go(block, MotionKind::Rapid, to);
     }
 
     /// G50: coordinate setting and speed limits (semantics §3.9).
@@ -148,8 +126,24 @@ impl Interpreter {
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let (x, z) = (length(b'X').map(|x| x / 2.0), length(b'Z'));
         self.state.change_frame(|frames| {
-            let local = &mut frames.local[frames.active as usize];
+            let local = frames.local_mut();
             *local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));
         });
+    }
+
+    /// G54.1 Pn: the frames beyond G59.
+    pub(super) fn extended_frame(&mut self, text: &[u8], request: &mut Request, words: &Words, span: Span) {
+        let named = words.get(b'P').and_then(plain).map(|number| number as u32);
+        match named {
+            Some(frame) if (1..=u32::from(EXTENDED_FRAMES)).contains(&frame) => {
+                self.leave_compensation();
+                self.state.change_frame(|frames| frames.active = STANDARD_FRAMES + frame as u16 - 1);
+            }
+            _ => {
+                let word = words.get(b'P').map_or(quote(text, span), |word| quote(text, word.span));
+                self.tell(Diagnostic::new(Message::OffsetNumber { word }, span));
+                request.drop = true;
+            }
+        }
     }
 }

@@ -107,6 +107,29 @@ impl FaultKind {
         }
     }
 
+    /// Stable name of the fault.
+    pub fn slug(self) -> &'static str {
+        match self {
+            Self::Overflow => "macro-overflow",
+            Self::DivisionByZero => "macro-division-by-zero",
+            Self::UnknownFunction => "macro-unknown-function",
+            Self::Expression => "macro-expression",
+            Self::BracketOpen => "macro-bracket-open",
+            Self::NumberOrCondition => "macro-number-or-condition",
+            Self::VariableNumber => "macro-variable-number",
+            Self::ReadOnly => "macro-read-only",
+            Self::BracketsTooDeep => "macro-brackets-too-deep",
+            Self::FunctionArgument => "macro-function-argument",
+            Self::CallsTooDeep => "macro-calls-too-deep",
+            Self::EndMissing => "macro-end-missing",
+            Self::Format => "macro-format",
+            Self::LoopNumber => "macro-loop-number",
+            Self::WordsBehind => "macro-with-words",
+            Self::JumpTarget => "macro-jump-target",
+            Self::ArgumentLetter => "macro-argument-letter",
+        }
+    }
+
     fn at(self, at: Range<usize>) -> Fault {
         Fault { kind: self, at }
     }

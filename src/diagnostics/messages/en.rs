@@ -1,6 +1,8 @@
 //! The messages in English.
 
-use super::{Sentence, number};
+use super::{Sentence, end_of, number};
+use crate::control::macros::FaultKind;
+use crate::control::origin::Origin;
 use crate::diagnostics::message::Message;
 use crate::motion::{Motion, MotionKind, Step};
 
@@ -93,11 +95,46 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} is not run: no program calls it."))
             .help("A text with several programs runs the first. Choose another one to see it."),
+        Message::Macro { kind } => macro_fault(*kind),
+        Message::MacroAlarm { number, words } => {
+            Sentence::new(format!("The program stops itself with alarm {number}: {words}"))
+                .help("#3000 raises an alarm of the program's own. It usually checks what it was given: look at the condition before it, and at the arguments of the call.")
+        }
+        Message::SystemVariable { variable } => Sentence::new(format!("#{variable} is a variable of the machine that is not known here; it reads as vacant."))
+            .help("What depends on it may be drawn wrong."),
+        Message::Foreign { origin: Origin::Mill } => Sentence::new("This looks like a program for a milling machine.")
+            .help("The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same."),
+        Message::Foreign { origin: Origin::Printer } => Sentence::new("This looks like a program for a 3D printer.")
+            .help("The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same."),
+        Message::Foreign { origin } => Sentence::new(format!("This looks like a program for {}, which is not supported here.", origin.name()))
+            .help("The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same."),
+        Message::SystemGuessed { system } => {
+            Sentence::new(format!("Read as G-code system {system:?}: this word does not belong to system A."))
+                .help("In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure.")
+        }
+        Message::ReferenceNumber { word } => Sentence::new(format!("`{word}` names no reference point: P2, P3 or P4 go with G30.")),
+        Message::NotAtReference { x, z } => {
+            Sentence::new(format!("G27 does not end at the reference point, X{} Z{} here.", number(*x), number(*z)))
+                .help("G27 checks that the tool stands there, and raises an alarm where it does not.")
+        }
+        Message::NoIntermediate => Sentence::new("G29 has no intermediate point: no G28 or G30 came before."),
+        Message::MachineZero { x, z } => {
+            Sentence::new(format!("G53 counts from the machine's own zero; here the reference point X{} Z{} is taken for it.", number(*x), number(*z)))
+                .help("The machine knows where that is, the program does not. Set `refPoint` in the setup to where the slides stand at home.")
+        }
+        Message::OffsetNumber { word } => Sentence::new(format!("`{word}` names no entry of the offset table.")),
+        Message::DataPassedOver => Sentence::new("What follows up to G11 is data for the control's tables; it is passed over."),
+        Message::HoleNoDepth { code } => Sentence::new(format!("{code} has no depth."))
+            .help("G83 G84 G85 need Z or W, G87 G88 G89 need X or U for the bottom of the hole."),
+        Message::HoleOfOthers { code } => Sentence::new(format!("{code} is not in FANUC's system A; it is drawn as on lathes that have it."))
+            .help("It drills along Z from the start point and back. FANUC turning controls drill with G83, or with G74."),
+        Message::MakerG { word } => Sentence::new(format!("`{word}` depends on the machine; it is passed over."))
+            .help("Makers use such numbers for codes of their own. What it does is not drawn."),
         Message::UnknownG { word } => Sentence::new(format!("`{word}` is not a G code of this control."))
             .help("The whole block is not carried out. Check the number."),
         Message::UnknownM { word } => Sentence::new(format!("`{word}` is known only to some machines; it is passed over."))
             .help("The machine's own manual says what it does."),
-        Message::NotYet { what } => Sentence::new(format!("{what} is not supported here yet."))
+        Message::NotSupported { what } => Sentence::new(format!("{what} is not supported here."))
             .help("This is no fault of the program. Motions after it may be wrong and are drawn faint."),
         Message::PointNotAllowed { word } => Sentence::new(format!("`{word}` must be a whole number, without a point.")),
         Message::MinusNotAllowed { word } => Sentence::new(format!("`{word}` cannot be negative.")),
@@ -137,6 +174,39 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::DwellNoTime => {
             Sentence::new("G04 has no time, so it does not wait.").help("Write X or U in seconds, or P in milliseconds.")
         }
+        Message::AxisNotHere { word } => Sentence::new(format!("The Y axis of `{word}` is not supported here: only X, Z and C are drawn."))
+            .help("The moves of X and Z are drawn all the same, faint from here on. Said once."),
+        Message::PlaneNotHere { word } => Sentence::new(format!("Arcs in the plane of {word} are not supported here outside G12.1."))
+            .help("Turning needs G18. Milling arcs on the end face are written under G12.1. Said once."),
+        Message::CAxisNotConnected => Sentence::new("C moves here, but nothing before has connected the C axis.")
+            .help("Which code does depends on the machine: M45 and G28 H0 on some. Under spindle control C raises an alarm."),
+        Message::LiveToolStopped => Sentence::new("A live tool cuts here, but nothing before has started it.")
+            .help("Which code does depends on the machine: M13 or M14 with S on some."),
+        Message::PolarForbidden { word } => Sentence::new(format!("`{word}` is not allowed between G12.1 and G13.1."))
+            .help("There only G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99 may stand: approach with G01, or leave by G13.1 first."),
+        Message::PolarFrame { word } => Sentence::new(format!("`{word}` changes coordinates between G12.1 and G13.1."))
+            .help("Set the zero point before G12.1: X0 must be the centre of the spindle."),
+        Message::PolarNotAlone { code, other } => {
+            Sentence::new(format!("{code} must stand alone in its block, without `{other}`.")).help("Move the other words to a block of their own.")
+        }
+        Message::PolarCompensation { code } => Sentence::new(format!("{code} stands under G41 or G42."))
+            .help("Begin compensation behind G12.1 and end it by G40 before G13.1."),
+        Message::PolarFeedPerTurn => Sentence::new("Feed per turn (G99) makes no sense in polar interpolation.")
+            .help("The spindle only positions there: write G98 and F in mm per minute."),
+        Message::PolarNoRadius => Sentence::new("G41 or G42 has no cutter radius here, so nothing is compensated.")
+            .help("Give the offset of the tool a radius; then the cutter's centre keeps that distance from the path."),
+        Message::PolarAngle { word } => Sentence::new(format!("`{word}` looks like degrees; between G12.1 and G13.1 C is a length in mm."))
+            .help("The path is written in a plane: X as a diameter to the right, C in mm upwards."),
+        Message::PolarCenter { distance } => {
+            Sentence::new(format!("The path comes within {} mm of the spindle axis, where C would have to turn without bound.", number(*distance)))
+                .help("A control slows down there or stops with an alarm. Keep away from the centre.")
+        }
+        Message::PolarLeftOn { code } => Sentence::new(format!("Polar interpolation is still on at `{code}`."))
+            .help("Write G13.1 in a block of its own before."),
+        Message::CylinderFormat => Sentence::new("G07.1 needs C with the radius of the cylinder, and nothing else.")
+            .help("G07.1 C30 begins with a radius of 30 mm, G07.1 C0 ends it. It may not be begun twice."),
+        Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` is not allowed in cylindrical interpolation."))
+            .help("There only G01 to G04 and G40 to G42 may stand, arcs are given by R, and rapids come before G07.1 or behind G07.1 C0."),
         Message::FeedMissing => Sentence::new("There is no feed: no F other than zero has been given before this cut.")
             .help("Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute)."),
         Message::LeadMissing { code } => Sentence::new(format!("{code} has no lead."))
@@ -331,6 +401,45 @@ pub(super) fn sentence(message: &Message) -> Sentence {
     }
 }
 
+/// What is wrong with a macro.
+fn macro_fault(kind: FaultKind) -> Sentence {
+    match kind {
+        FaultKind::Overflow => Sentence::new("This value is too large to be a number of a macro."),
+        FaultKind::DivisionByZero => {
+            Sentence::new("This divides by zero.").help("A vacant variable counts as 0.")
+        }
+        FaultKind::UnknownFunction => Sentence::new("There is no such function.").help(
+            "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, with their values in `[ ]`.",
+        ),
+        FaultKind::Expression => Sentence::new("This expression cannot be read.")
+            .help("Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values."),
+        FaultKind::BracketOpen => Sentence::new("This `[` has no `]`."),
+        FaultKind::NumberOrCondition => {
+            Sentence::new("A condition stands where a number belongs, or a number where a condition belongs.")
+                .help("A condition compares: `[#1 GT 10]`, with EQ NE GT GE LT LE.")
+        }
+        FaultKind::VariableNumber => Sentence::new("There is no such variable.")
+            .help("Local #1 to #33, common #100 to #199 and #500 to #999, system variables from #1000 on."),
+        FaultKind::ReadOnly => Sentence::new("This variable can only be read, not written."),
+        FaultKind::BracketsTooDeep => Sentence::new("More than five brackets stand inside each other."),
+        FaultKind::FunctionArgument => Sentence::new("The function has no result for this value.")
+            .help("Such as the root or the logarithm of a negative number."),
+        FaultKind::CallsTooDeep => Sentence::new("Too many macro calls stand inside each other."),
+        FaultKind::EndMissing => Sentence::new("This DO has no END of the same number."),
+        FaultKind::Format => Sentence::new("This macro statement cannot be read.").help(
+            "Such as `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`.",
+        ),
+        FaultKind::LoopNumber => {
+            Sentence::new("The number of a loop is 1, 2 or 3, and END belongs to a DO that runs.")
+        }
+        FaultKind::WordsBehind => Sentence::new("A macro statement must have its block to itself.")
+            .help("Put the words of the machine in a block of their own."),
+        FaultKind::JumpTarget => Sentence::new("GOTO needs a sequence number from 1 to 99999."),
+        FaultKind::ArgumentLetter => Sentence::new("This letter cannot hand an argument to a macro.")
+            .help("G, L, N, O and P cannot be used."),
+    }
+}
+
 pub(super) fn fix_title(message: &Message) -> String {
     match message {
         Message::CommentOpen => "Close the comment".into(),
@@ -351,7 +460,7 @@ pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
         MotionKind::Thread => "thread",
         MotionKind::Dwell => "dwell",
     };
-    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    let to = end_of(motion);
     if let Some(seconds) = motion.seconds {
         return format!("dwell {} s at {to}", number(seconds));
     }

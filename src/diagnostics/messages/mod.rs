@@ -5,6 +5,7 @@ mod ru;
 mod zh;
 
 use super::message::Message;
+use crate::geometry::virtual_plane::Surface;
 
 /// A language the messages exist in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,6 +86,20 @@ pub fn describe_motion(motion: &crate::motion::Motion, passes: Option<u32>, lang
         Language::English => en::motion(motion, passes),
         Language::Chinese => zh::motion(motion, passes),
         Language::Russian => ru::motion(motion, passes),
+    }
+}
+
+/// Where a motion ends, in the words of a block; behind an arrow the place of the machine, where the program counts
+/// in a virtual plane.
+fn end_of(motion: &crate::motion::Motion) -> String {
+    let (x, z) = (number(2.0 * motion.to.x), number(motion.to.z));
+    let Some(rotary) = motion.rotary else { return format!("X{x} Z{z}") };
+    let c = number(rotary.to);
+    let Some(own) = rotary.virtual_move else { return format!("X{x} Z{z} C{c}°") };
+    let end = own.way.at(1.0);
+    match own.surface {
+        Surface::Face => format!("X{} C{} Z{z} → X{x} C{c}°", number(2.0 * end.z), number(end.x)),
+        Surface::Cylinder { .. } => format!("X{x} Z{z} C{c}°"),
     }
 }
 

@@ -2,7 +2,9 @@
 //!
 //! Counts stand where no plural form depends on them: "Не показано сообщений: 3."
 
-use super::{Sentence, number};
+use super::{Sentence, end_of, number};
+use crate::control::macros::FaultKind;
+use crate::control::origin::Origin;
 use crate::diagnostics::message::Message;
 use crate::motion::{Motion, MotionKind, Step};
 
@@ -101,13 +103,52 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} не выполняется: её никто не вызывает."))
             .help("Из нескольких программ текста выполняется первая. Чтобы увидеть другую, выберите её."),
+        Message::Macro { kind } => macro_fault(*kind),
+        Message::MacroAlarm { number, words } => {
+            Sentence::new(format!("Программа сама останавливается с аварией {number}: {words}"))
+                .help("#3000 – собственная авария программы, обычно проверка данных: посмотрите условие перед ней и аргументы вызова.")
+        }
+        Message::SystemVariable { variable } => {
+            Sentence::new(format!("#{variable} – переменная станка, здесь неизвестная; она читается как пустая."))
+                .help("То, что от неё зависит, может быть показано неверно.")
+        }
+        Message::Foreign { origin: Origin::Mill } => Sentence::new("Это похоже на программу фрезерного станка.")
+            .help("Здесь читаются токарные программы FANUC и GSK; ничего не выполнено. Чтобы всё же выполнить, задайте в настройке `recognise`: false."),
+        Message::Foreign { origin: Origin::Printer } => Sentence::new("Это похоже на программу 3D-принтера.")
+            .help("Здесь читаются токарные программы FANUC и GSK; ничего не выполнено. Чтобы всё же выполнить, задайте в настройке `recognise`: false."),
+        Message::Foreign { origin } => Sentence::new(format!("Это похоже на программу для {}, которая здесь не поддерживается.", origin.name()))
+            .help("Те же коды там значат другое, поэтому ничего не выполнено. Здесь читаются токарные программы FANUC и GSK. Чтобы всё же выполнить, задайте в настройке `recognise`: false."),
+        Message::SystemGuessed { system } => {
+            Sentence::new(format!("Прочитано в системе G-кодов {system:?}: это слово не из системы A."))
+                .help("В системах B и C коды G90 и G91 – абсолютные и относительные размеры, G92 задаёт координаты или предел оборотов, G77 G78 G79 (B) – циклы. Систему можно указать в настройке.")
+        }
+        Message::ReferenceNumber { word } => Sentence::new(format!("`{word}` не называет опорной точки: с G30 идут P2, P3 или P4.")),
+        Message::NotAtReference { x, z } => {
+            Sentence::new(format!("G27 кончается не в опорной точке, здесь она X{} Z{}.", number(*x), number(*z)))
+                .help("G27 проверяет, что инструмент там, иначе авария.")
+        }
+        Message::NoIntermediate => Sentence::new("У G29 нет промежуточной точки: раньше не было G28 или G30."),
+        Message::MachineZero { x, z } => {
+            Sentence::new(format!("G53 считает от нуля станка; здесь за него взята опорная точка X{} Z{}.", number(*x), number(*z)))
+                .help("Где этот нуль, знает только станок. Укажите в настройке `refPoint`, где стоят суппорты в исходном положении.")
+        }
+        Message::OffsetNumber { word } => Sentence::new(format!("`{word}` не называет строки таблицы корректоров.")),
+        Message::DataPassedOver => Sentence::new("Отсюда до G11 идут данные для таблиц стойки; они пропущены."),
+        Message::HoleNoDepth { code } => Sentence::new(format!("У {code} нет глубины."))
+            .help("Дно отверстия у G83 G84 G85 задаёт Z или W, у G87 G88 G89 – X или U."),
+        Message::HoleOfOthers { code } => {
+            Sentence::new(format!("В системе A стоек FANUC {code} нет; показано как на станках, где он есть."))
+                .help("Сверление вдоль Z от начальной точки и обратно. На токарных FANUC сверлят по G83 или G74.")
+        }
+        Message::MakerG { word } => Sentence::new(format!("`{word}` зависит от станка и пропущен."))
+            .help("Такие номера изготовители занимают под свои коды. Что он делает, не показано."),
         Message::UnknownG { word } => Sentence::new(format!("G-кода `{word}` у этой стойки нет."))
             .help("Весь кадр не выполняется. Проверьте номер."),
         Message::UnknownM { word } => {
             Sentence::new(format!("`{word}` есть только на некоторых станках; здесь этот код пропущен."))
                 .help("Его действие описано в руководстве к станку.")
         }
-        Message::NotYet { what } => Sentence::new(format!("Здесь пока не поддерживается: {what}."))
+        Message::NotSupported { what } => Sentence::new(format!("Здесь не поддерживается: {what}."))
             .help("Это не ошибка программы. Дальнейшие перемещения могут быть неверны и показаны бледно."),
         Message::PointNotAllowed { word } => {
             Sentence::new(format!("В `{word}` должно стоять целое число, без точки."))
@@ -150,6 +191,39 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             .help("Чтобы вывести обе оси в референтную точку, запишите G28 U0 W0."),
         Message::DwellNoTime => Sentence::new("В G04 нет времени, поэтому выдержки не будет.")
             .help("Задайте X или U в секундах либо P в миллисекундах."),
+        Message::AxisNotHere { word } => Sentence::new(format!("Ось Y из `{word}` здесь не поддерживается: рисуются только X, Z и C."))
+            .help("Перемещения X и Z всё же показаны, отсюда бледно. Сообщается один раз."),
+        Message::PlaneNotHere { word } => Sentence::new(format!("Дуги в плоскости {word} вне G12.1 здесь не поддерживаются."))
+            .help("Для точения нужна G18. Фрезерные дуги на торце пишут внутри G12.1. Сообщается один раз."),
+        Message::CAxisNotConnected => Sentence::new("Здесь движется ось C, но раньше её ничто не подключило.")
+            .help("Код зависит от станка: например, M45 и G28 H0. В режиме шпинделя C вызывает аварию."),
+        Message::LiveToolStopped => Sentence::new("Здесь режет приводной инструмент, но раньше его ничто не запустило.")
+            .help("Код зависит от станка: например, M13 или M14 с S."),
+        Message::PolarForbidden { word } => Sentence::new(format!("`{word}` между G12.1 и G13.1 не допускается."))
+            .help("Там могут стоять только G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99: подойдите по G01 или сначала выйдите по G13.1."),
+        Message::PolarFrame { word } => Sentence::new(format!("`{word}` меняет координаты между G12.1 и G13.1."))
+            .help("Задайте нуль до G12.1: X0 должен быть осью шпинделя."),
+        Message::PolarNotAlone { code, other } => {
+            Sentence::new(format!("{code} должен стоять в кадре один, без `{other}`.")).help("Перенесите остальные слова в отдельный кадр.")
+        }
+        Message::PolarCompensation { code } => Sentence::new(format!("{code} стоит под G41 или G42."))
+            .help("Включайте коррекцию после G12.1 и отменяйте её по G40 до G13.1."),
+        Message::PolarFeedPerTurn => Sentence::new("Подача на оборот (G99) в полярной интерполяции не имеет смысла.")
+            .help("Шпиндель там лишь поворачивается: напишите G98 и F в мм/мин."),
+        Message::PolarNoRadius => Sentence::new("У G41 или G42 здесь нет радиуса фрезы, поэтому коррекции нет.")
+            .help("Задайте радиус в корректоре; тогда центр фрезы держится на этом расстоянии от пути."),
+        Message::PolarAngle { word } => Sentence::new(format!("`{word}` похоже на градусы; между G12.1 и G13.1 C – длина в мм."))
+            .help("Путь пишется в плоскости: X – диаметр, вправо, C – в мм, вверх."),
+        Message::PolarCenter { distance } => {
+            Sentence::new(format!("Путь проходит в {} мм от оси шпинделя, где C пришлось бы вращать бесконечно быстро.", number(*distance)))
+                .help("Стойка там замедлится или остановится с аварией. Держитесь дальше от центра.")
+        }
+        Message::PolarLeftOn { code } => Sentence::new(format!("К `{code}` полярная интерполяция ещё включена."))
+            .help("Перед этим напишите G13.1 отдельным кадром."),
+        Message::CylinderFormat => Sentence::new("G07.1 требует C с радиусом цилиндра, и больше ничего.")
+            .help("G07.1 C30 включает с радиусом 30 мм, G07.1 C0 выключает. Дважды включать нельзя."),
+        Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` в цилиндрической интерполяции не допускается."))
+            .help("Там могут стоять только G01–G04 и G40–G42, дуги задаются через R, а быстрые перемещения – до G07.1 или после G07.1 C0."),
         Message::FeedMissing => Sentence::new("Не задана подача: до начала резания не было F, отличного от нуля.")
             .help("Добавьте F, например F0.2 при G99 (мм/об) или F200 при G98 (мм/мин)."),
         Message::LeadMissing { code } => Sentence::new(format!("В {code} не задан ход резьбы."))
@@ -395,6 +469,37 @@ pub(super) fn sentence(message: &Message) -> Sentence {
     }
 }
 
+/// What is wrong with a macro.
+fn macro_fault(kind: FaultKind) -> Sentence {
+    match kind {
+        FaultKind::Overflow => Sentence::new("Значение слишком велико для макропрограммы."),
+        FaultKind::DivisionByZero => Sentence::new("Здесь деление на нуль.").help("Пустая переменная считается за 0."),
+        FaultKind::UnknownFunction => Sentence::new("Такой функции нет.")
+            .help("Есть SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, значения пишут в `[ ]`."),
+        FaultKind::Expression => Sentence::new("Это выражение не прочитать.")
+            .help("Пишите `#1+2`, `[#1-#2]*3`, `SIN[#4]`: скобки квадратные, между значениями знак."),
+        FaultKind::BracketOpen => Sentence::new("У этой `[` нет `]`."),
+        FaultKind::NumberOrCondition => Sentence::new("Условие стоит там, где нужно число, или наоборот.")
+            .help("Условие сравнивает: `[#1 GT 10]`, есть EQ NE GT GE LT LE."),
+        FaultKind::VariableNumber => Sentence::new("Такой переменной нет.")
+            .help("Локальные #1–#33, общие #100–#199 и #500–#999, системные от #1000."),
+        FaultKind::ReadOnly => Sentence::new("Эту переменную можно только читать."),
+        FaultKind::BracketsTooDeep => Sentence::new("Вложено больше пяти скобок."),
+        FaultKind::FunctionArgument => Sentence::new("Для этого значения у функции нет результата.")
+            .help("Например, корень или логарифм отрицательного числа."),
+        FaultKind::CallsTooDeep => Sentence::new("Слишком много вложенных вызовов макропрограмм."),
+        FaultKind::EndMissing => Sentence::new("У этого DO нет END с тем же номером."),
+        FaultKind::Format => Sentence::new("Этот оператор макропрограммы не прочитать.")
+            .help("Например, `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`."),
+        FaultKind::LoopNumber => Sentence::new("Номер цикла – 1, 2 или 3, и END относится к идущему DO."),
+        FaultKind::WordsBehind => Sentence::new("Оператор макропрограммы должен стоять в кадре один.")
+            .help("Слова станка поместите в отдельный кадр."),
+        FaultKind::JumpTarget => Sentence::new("GOTO требует номер кадра от 1 до 99999."),
+        FaultKind::ArgumentLetter => Sentence::new("Эта буква не может передать аргумент макропрограмме.")
+            .help("G, L, N, O и P использовать нельзя."),
+    }
+}
+
 pub(super) fn fix_title(message: &Message) -> String {
     match message {
         Message::CommentOpen => "Закрыть комментарий".into(),
@@ -415,7 +520,7 @@ pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
         MotionKind::Thread => "нарезание резьбы до",
         MotionKind::Dwell => "выдержка в",
     };
-    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    let to = end_of(motion);
     if let Some(seconds) = motion.seconds {
         return format!("выдержка {} с в {to}", number(seconds));
     }

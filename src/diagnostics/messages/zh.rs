@@ -1,6 +1,8 @@
 //! The messages in Chinese, with the terms of the FANUC and GSK manuals.
 
-use super::{Sentence, number};
+use super::{Sentence, end_of, number};
+use crate::control::macros::FaultKind;
+use crate::control::origin::Origin;
 use crate::diagnostics::message::Message;
 use crate::motion::{Motion, MotionKind, Step};
 
@@ -90,12 +92,46 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} 没有运行：没有程序调用它。"))
             .help("文本中有多个程序时运行第一个。可选择另一个程序查看。"),
+        Message::Macro { kind } => macro_fault(*kind),
+        Message::MacroAlarm { number, words } => Sentence::new(format!("程序自身发出报警 {number}：{words}"))
+            .help("#3000 由程序发出报警，多用于检查数据：请查看它之前的条件和调用时的自变量。"),
+        Message::SystemVariable { variable } => {
+            Sentence::new(format!("#{variable} 是这里未知的机床系统变量，读作空值。")).help("与它有关的图形可能不正确。")
+        }
+        Message::Foreign { origin: Origin::Mill } => Sentence::new("这像是铣床程序。")
+            .help("本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。"),
+        Message::Foreign { origin: Origin::Printer } => Sentence::new("这像是 3D 打印机程序。")
+            .help("本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。"),
+        Message::Foreign { origin } => Sentence::new(format!("这像是 {} 的程序，这里不支持。", origin.name()))
+            .help("同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。"),
+        Message::SystemGuessed { system } => {
+            Sentence::new(format!("按 G 代码体系 {system:?} 读取：该指令不属于体系 A。"))
+                .help("体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。")
+        }
+        Message::ReferenceNumber { word } => Sentence::new(format!("`{word}` 不是参考点号：G30 用 P2、P3 或 P4。")),
+        Message::NotAtReference { x, z } => {
+            Sentence::new(format!("G27 的终点不是参考点，这里参考点为 X{} Z{}。", number(*x), number(*z)))
+                .help("G27 检查刀具是否到达参考点，未到达则报警。")
+        }
+        Message::NoIntermediate => Sentence::new("G29 没有中间点：之前没有 G28 或 G30。"),
+        Message::MachineZero { x, z } => {
+            Sentence::new(format!("G53 以机床零点计算；这里取参考点 X{} Z{} 为机床零点。", number(*x), number(*z)))
+                .help("机床零点的位置只有机床知道。请在设置的 `refPoint` 中填写回零后的位置。")
+        }
+        Message::OffsetNumber { word } => Sentence::new(format!("`{word}` 不是偏置表中的号码。")),
+        Message::DataPassedOver => Sentence::new("从这里到 G11 是写入系统数据表的数据，被跳过。"),
+        Message::HoleNoDepth { code } => Sentence::new(format!("{code} 没有孔深。"))
+            .help("G83 G84 G85 用 Z 或 W，G87 G88 G89 用 X 或 U 给出孔底。"),
+        Message::HoleOfOthers { code } => Sentence::new(format!("FANUC 体系 A 没有 {code}；按有此代码的车床画出。"))
+            .help("从起点沿 Z 钻孔并退回。FANUC 车床系统用 G83 或 G74 钻孔。"),
+        Message::MakerG { word } => Sentence::new(format!("`{word}` 因机床而异，被跳过。"))
+            .help("这类号码由机床厂自定，其动作没有画出。"),
         Message::UnknownG { word } => {
             Sentence::new(format!("`{word}` 不是本系统的 G 代码。")).help("整个程序段都不执行，请核对代码。")
         }
         Message::UnknownM { word } => Sentence::new(format!("`{word}` 只在部分机床上有效，这里跳过不执行。"))
             .help("它的功能请查机床厂家的说明书。"),
-        Message::NotYet { what } => Sentence::new(format!("这里暂不支持 {what}。"))
+        Message::NotSupported { what } => Sentence::new(format!("这里不支持 {what}。"))
             .help("这不是程序的错。此后的刀具轨迹可能不准确，用淡色画出。"),
         Message::PointNotAllowed { word } => Sentence::new(format!("`{word}` 必须是整数，不能带小数点。")),
         Message::MinusNotAllowed { word } => Sentence::new(format!("`{word}` 不能是负值。")),
@@ -136,6 +172,39 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::DwellNoTime => {
             Sentence::new("G04 没有写时间，不会暂停。").help("请用 X 或 U 指定秒数，或用 P 指定毫秒数。")
         }
+        Message::AxisNotHere { word } => Sentence::new(format!("这里不支持 `{word}` 的 Y 轴：只画 X、Z 和 C。"))
+            .help("X 和 Z 的运动照常画出，此后以淡色表示。只提示一次。"),
+        Message::PlaneNotHere { word } => Sentence::new(format!("这里不支持 G12.1 以外 {word} 平面的圆弧。"))
+            .help("车削用 G18；端面铣圆弧写在 G12.1 之内。只提示一次。"),
+        Message::CAxisNotConnected => Sentence::new("这里 C 轴运动，但之前没有连接 C 轴。")
+            .help("所用代码因机床而异，例如 M45 和 G28 H0。主轴方式下使用 C 会报警。"),
+        Message::LiveToolStopped => Sentence::new("这里用动力刀具切削，但之前没有启动动力刀具。")
+            .help("所用代码因机床而异，例如 M13 或 M14 加 S。"),
+        Message::PolarForbidden { word } => Sentence::new(format!("G12.1 与 G13.1 之间不允许使用 `{word}`。"))
+            .help("其间只能使用 G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99：用 G01 接近，或先用 G13.1 取消。"),
+        Message::PolarFrame { word } => Sentence::new(format!("`{word}` 在 G12.1 与 G13.1 之间改变了坐标系。"))
+            .help("请在 G12.1 之前设定零点：X0 必须是主轴中心。"),
+        Message::PolarNotAlone { code, other } => {
+            Sentence::new(format!("{code} 必须单独一段，不能与 `{other}` 同段。")).help("把其他指令移到另一段。")
+        }
+        Message::PolarCompensation { code } => Sentence::new(format!("{code} 处于 G41 或 G42 方式中。"))
+            .help("在 G12.1 之后建立补偿，在 G13.1 之前用 G40 取消。"),
+        Message::PolarFeedPerTurn => Sentence::new("极坐标插补中不能用每转进给（G99）。")
+            .help("此时主轴只作定位：请写 G98，F 单位为 mm/min。"),
+        Message::PolarNoRadius => Sentence::new("这里 G41 或 G42 没有刀具半径，不起补偿作用。")
+            .help("在刀具的偏置中填入半径，刀具中心即与轨迹保持该距离。"),
+        Message::PolarAngle { word } => Sentence::new(format!("`{word}` 像是角度；在 G12.1 与 G13.1 之间 C 是长度，单位 mm。"))
+            .help("轨迹写在平面内：X 向右，为直径值；C 向上，单位 mm。"),
+        Message::PolarCenter { distance } => {
+            Sentence::new(format!("轨迹距主轴中心仅 {} mm，C 轴转速将趋于无限大。", number(*distance)))
+                .help("系统会在此减速或报警。请远离中心。")
+        }
+        Message::PolarLeftOn { code } => Sentence::new(format!("到 `{code}` 时极坐标插补仍然有效。"))
+            .help("之前请单独一段写 G13.1。"),
+        Message::CylinderFormat => Sentence::new("G07.1 需要用 C 给出圆柱半径，且不能有其他指令。")
+            .help("G07.1 C30 以半径 30 mm 开始，G07.1 C0 结束；不能重复开始。"),
+        Message::CylinderForbidden { word } => Sentence::new(format!("圆柱插补中不允许使用 `{word}`。"))
+            .help("其间只能使用 G01 至 G04 和 G40 至 G42，圆弧用 R 给出，快速移动写在 G07.1 之前或 G07.1 C0 之后。"),
         Message::FeedMissing => Sentence::new("没有进给速度：切削之前没有给出不为零的 F。")
             .help("请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。"),
         Message::LeadMissing { code } => Sentence::new(format!("{code} 没有给出导程。"))
@@ -345,6 +414,38 @@ pub(super) fn sentence(message: &Message) -> Sentence {
     }
 }
 
+/// What is wrong with a macro.
+fn macro_fault(kind: FaultKind) -> Sentence {
+    match kind {
+        FaultKind::Overflow => Sentence::new("数值太大，超出宏程序的范围。"),
+        FaultKind::DivisionByZero => Sentence::new("除数为零。").help("空变量按 0 计算。"),
+        FaultKind::UnknownFunction => Sentence::new("没有这个函数。").help(
+            "可用 SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD，自变量写在 `[ ]` 内。",
+        ),
+        FaultKind::Expression => Sentence::new("无法读取该表达式。")
+            .help("写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。"),
+        FaultKind::BracketOpen => Sentence::new("该 `[` 没有对应的 `]`。"),
+        FaultKind::NumberOrCondition => Sentence::new("应为数值处写了条件，或应为条件处写了数值。")
+            .help("条件用于比较：`[#1 GT 10]`，可用 EQ NE GT GE LT LE。"),
+        FaultKind::VariableNumber => Sentence::new("没有这个变量。")
+            .help("局部变量 #1～#33，公共变量 #100～#199、#500～#999，系统变量从 #1000 起。"),
+        FaultKind::ReadOnly => Sentence::new("该变量只能读，不能写。"),
+        FaultKind::BracketsTooDeep => Sentence::new("方括号嵌套超过五层。"),
+        FaultKind::FunctionArgument => Sentence::new("函数对该值无解。").help("例如负数的平方根或对数。"),
+        FaultKind::CallsTooDeep => Sentence::new("宏调用嵌套层数太多。"),
+        FaultKind::EndMissing => Sentence::new("该 DO 没有同号的 END。"),
+        FaultKind::Format => Sentence::new("无法读取该宏语句。").help(
+            "写法如 `#1=#2+1`、`IF[#1 GT 5]GOTO 10`、`IF[#1 EQ 0]THEN #2=1`、`WHILE[#1 LE 9]DO1` … `END1`。",
+        ),
+        FaultKind::LoopNumber => Sentence::new("循环号为 1、2 或 3，且 END 要与正在执行的 DO 对应。"),
+        FaultKind::WordsBehind => Sentence::new("宏语句必须单独一段。").help("把 NC 指令写在另一段。"),
+        FaultKind::JumpTarget => Sentence::new("GOTO 需要 1～99999 的顺序号。"),
+        FaultKind::ArgumentLetter => {
+            Sentence::new("该地址不能作为宏的自变量。").help("不能使用 G、L、N、O、P。")
+        }
+    }
+}
+
 pub(super) fn fix_title(message: &Message) -> String {
     match message {
         Message::CommentOpen => "补上右括号".into(),
@@ -365,7 +466,7 @@ pub(super) fn motion(motion: &Motion, passes: Option<u32>) -> String {
         MotionKind::Thread => "螺纹切削至",
         MotionKind::Dwell => "暂停于",
     };
-    let to = format!("X{} Z{}", number(2.0 * motion.to.x), number(motion.to.z));
+    let to = end_of(motion);
     if let Some(seconds) = motion.seconds {
         return format!("在 {to} 暂停 {} 秒", number(seconds));
     }

@@ -100,6 +100,7 @@ impl Paths {
         match shape {
             StrokeShape::Line { to, .. } => line.path.line_to(to.z, to.x),
             StrokeShape::Arc(arc) => trace(&line.path, &arc)?,
+            StrokeShape::Virtual(own) => follow(&line.path, &StrokeShape::curve(&own)),
             StrokeShape::Dot(_) => {}
         }
         line.end = Some(shape.end());
@@ -126,10 +127,18 @@ pub fn path_of(shapes: impl Iterator<Item = StrokeShape>) -> Result<Path2d, JsVa
         match shape {
             StrokeShape::Line { to, .. } => path.line_to(to.z, to.x),
             StrokeShape::Arc(arc) => trace(&path, &arc)?,
+            StrokeShape::Virtual(own) => follow(&path, &StrokeShape::curve(&own)),
             StrokeShape::Dot(_) => {}
         }
     }
     Ok(path)
+}
+
+/// Draws a line on through points.
+fn follow(path: &Path2d, points: &[Point]) {
+    for point in points {
+        path.line_to(point.z, point.x);
+    }
 }
 
 /// Draws an arc on from its start.

@@ -1,0 +1,322 @@
+//! Macro statements, values from variables, and macro calls (G65, G66, G67) as blocks use them (semantics §8.4,
+//! §8.5).
+//!
+//! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
+//! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
+
+use super::*;
+use crate::control::course::{CallKind, Loop, ModalCall};
+use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
+use crate::text::lexer::Number;
+use crate::text::parser::Parser;
+
+/// The variables as a statement of a block sees them.
+struct Store<'a> {
+    interpreter: &'a mut Interpreter,
+    text: &'a [u8],
+    block: &'a Block,
+}
+
+impl Memory for Store<'_> {
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
+        Ok(match self.interpreter.state.variables.read(variable)? {
+            Found::Value(value) => value,
+            Found::System => self.interpreter.read_system(self.text, self.block, variable),
+        })
+    }
+
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
+        if self.interpreter.state.variables.write(variable, value)? == Stored::System {
+            self.interpreter.write_system(self.block, variable, value);
+        }
+        Ok(())
+    }
+}
+
+impl Interpreter {
+    /// Carries out a macro statement.
+    #[cold]
+    pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if let Some(word) = block.words.first() {
+            self.tell_macro(FaultKind::WordsBehind, word.span.to(block.span));
+            return Flow::Next;
+        }
+        let span = Span { start: block.statement, end: block.span.end };
+        let statement = span.of(text);
+        let mut store = Store { interpreter: self, text, block };
+        let action = match macros::statement(statement, &mut store) {
+            Ok(action) => action,
+            Err(fault) => {
+                self.tell_fault(&fault, span);
+                return Flow::Next;
+            }
+        };
+        let within = |range: std::ops::Range<usize>| Span {
+            start: span.start + range.start as u32,
+            end: span.start + range.end as u32,
+        };
+        match action {
+            Action::Done | Action::Print | Action::Pause { .. } => Flow::Next,
+            Action::Goto(sequence) => self.go_to(text, block, sequence, span),
+            Action::Alarm { number, message } => {
+                let words = shortened(&within(message).quote(text));
+                self.tell(Diagnostic::new(Message::MacroAlarm { number, words }, span));
+                Flow::End
+            }
+            Action::While { number, enter: true } | Action::Do { number } => {
+                self.begin_loop(number, here);
+                Flow::Next
+            }
+            Action::While { number, enter: false } => {
+                self.leave_loop(number);
+                self.behind_end(text, block, number, here)
+            }
+            Action::End { number } => self.end_loop(block, number),
+            Action::Words(range) => {
+                let words = within(range);
+                let mut parser =
+                    Parser::resume(&text[..words.end as usize], Resume::inside(words.start, block.line));
+                let mut own = Block::default();
+                parser.next_block(&mut own);
+                if own.kind != BlockKind::Words || parser.position().byte < words.end {
+                    self.tell_macro(FaultKind::Format, words);
+                    return Flow::Next;
+                }
+                (own.span, own.statement) = (block.span, block.statement);
+                self.words(text, &own, here)
+            }
+        }
+    }
+
+    fn tell_fault(&mut self, fault: &Fault, within: Span) {
+        let at = |place: usize| within.start + place as u32;
+        self.tell_macro(fault.kind, Span { start: at(fault.at.start), end: at(fault.at.end) });
+    }
+
+    fn tell_macro(&mut self, kind: FaultKind, span: Span) {
+        self.trace_fault();
+        self.tell(Diagnostic::new(Message::Macro { kind }, span));
+        self.state.uncertain = true;
+    }
+
+    fn begin_loop(&mut self, number: u32, here: Here) {
+        let head = here.at;
+        let loops = self.state.course.loops();
+        // A jump out of a loop leaves it open: the number counts anew.
+        if let Some(old) = loops.iter().position(|own| own.number == number) {
+            loops.truncate(old);
+        }
+        loops.push(Loop { number, head });
+    }
+
+    fn leave_loop(&mut self, number: u32) {
+        let loops = self.state.course.loops();
+        if let Some(old) = loops.iter().position(|own| own.number == number) {
+            loops.truncate(old);
+        }
+    }
+
+    /// END: back to the beginning of the loop.
+    fn end_loop(&mut self, block: &Block, number: u32) -> Flow {
+        let loops = self.state.course.loops();
+        let Some(old) = loops.iter().position(|own| own.number == number) else {
+            self.tell_macro(FaultKind::LoopNumber, block.span);
+            return Flow::Next;
+        };
+        let head = loops[old].head;
+        loops.truncate(old + 1);
+        self.wandered = true;
+        self.jumped_by = Some(block.span);
+        Flow::Jump(head)
+    }
+
+    /// The block behind the END of a number (PS0124 where there is none).
+    fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
+        let mut parser = Parser::resume(text, here.next);
+        let mut other = Block::default();
+        let mut depth = 0;
+        while parser.next_block(&mut other) && other.program.is_none() {
+            if !self.count_repeat(block) {
+                return Flow::End;
+            }
+            match loop_mark(text, &other) {
+                Some((Mark::Do, own)) if own == number => depth += 1,
+                Some((Mark::End, own)) if own == number && depth == 0 => {
+                    self.wandered = true;
+                    return Flow::Jump(parser.position());
+                }
+                Some((Mark::End, own)) if own == number => depth -= 1,
+                _ => {}
+            }
+        }
+        self.tell_macro(FaultKind::EndMissing, block.span);
+        Flow::Next
+    }
+
+    /// The block with its values in place of expressions; words with a vacant variable are left out. `None`: told.
+    #[cold]
+    pub(super) fn evaluated(&mut self, text: &[u8], block: &Block) -> Option<Block> {
+        let mut own = block.clone();
+        own.has_expressions = false;
+        own.words.clear();
+        for word in &block.words {
+            if word.value != Value::Expression {
+                own.words.push(*word);
+                continue;
+            }
+            let (number, negative) = self.value_of(text, block, word)?;
+            own.words
+                .extend(number.map(|number| Word { value: Value::Number { number, negative }, ..*word }));
+        }
+        Some(own)
+    }
+
+    /// The value of a word's expression, rounded to what its address counts. The outer `None`: told.
+    fn value_of(&mut self, text: &[u8], block: &Block, word: &Word) -> Option<(Option<Number>, bool)> {
+        // The letter, and perhaps a comma and blanks, stand before the expression.
+        let written = word.span.of(text);
+        let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;
+        let places = self.places(word.address);
+        let increment = 10f64.powi(-i32::from(places));
+        let mut store = Store { interpreter: self, text, block };
+        match macros::address_value(&written[letter..], increment, &mut store) {
+            Ok(None) => Some((None, false)),
+            Ok(Some(value)) => match number_of(value, places) {
+                Some(number) => Some((Some(number), value < 0.0)),
+                None => {
+                    let word = quote(text, word.span);
+                    self.tell(Diagnostic::new(Message::TooManyDigits { word }, block.words_span()));
+                    self.state.uncertain = true;
+                    None
+                }
+            },
+            Err(fault) => {
+                let start = word.span.start + letter as u32;
+                self.tell_fault(&fault, Span { start, end: word.span.end });
+                None
+            }
+        }
+    }
+
+    /// Decimals that an address counts.
+    fn places(&self, address: u8) -> u8 {
+        match address {
+            b'M' | b'S' | b'T' | b'N' | b'O' | b'L' => 0,
+            b'P' | b'Q' if self.dialect.control != Control::Forum => 0,
+            b'G' => 1,
+            b'F' | b'E' => 6,
+            _ => match self.state.unit {
+                words::Unit::Millimetre => 3,
+                words::Unit::Inch => 4,
+            },
+        }
+    }
+
+    /// G65: a call with arguments. G66: the same behind every block with a move, until G67.
+    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, code: &'static str) -> Flow {
+        let value = |word: &&Word| plain(word);
+        let find = |address: u8| block.words.iter().find(|word| word.address == address);
+        let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
+            self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+            self.state.uncertain = true;
+            return Flow::Next;
+        };
+        let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
+        let is_call = |word: &&Word| word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0));
+        let begin = block.words.iter().position(|word| is_call(&word)).map_or(0, |at| at + 1);
+        let handed: Vec<&Word> = block.words[begin..]
+            .iter()
+            .filter(|word| !matches!(word.address, b'P' | b'L') && !word.comma)
+            .collect();
+        let values = handed.iter().filter_map(|word| Some((word.address, plain(word)?)));
+        let arguments = match macros::arguments(values) {
+            Ok(arguments) => arguments,
+            Err(fault) => {
+                let span = handed.get(fault.index).map_or(block.words_span(), |word| word.span);
+                self.tell_macro(fault.kind, span);
+                return Flow::Next;
+            }
+        };
+        let head = u32::try_from(number as u64).ok().and_then(|number| self.labels(text).program(number));
+        let Some(head) = head else {
+            let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
+            let span = find(b'P').map_or(block.words_span(), |word| word.span);
+            self.tell(Diagnostic::new(Message::ProgramNotFound { word }, span));
+            self.state.uncertain = true;
+            return Flow::Next;
+        };
+        if code == "G66" {
+            self.state.course.modal = Some(ModalCall { head, rounds, arguments });
+            return Flow::Next;
+        }
+        self.enter_macro(block, head, here.next, rounds, arguments)
+    }
+
+    /// Calls the macro of G66 behind a block that moved.
+    pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
+        let modal = self.state.course.modal.clone()?;
+        // Its own moves do not call it again.
+        if self.state.course.calls.iter().any(|call| call.head == modal.head) {
+            return None;
+        }
+        Some(self.enter_macro(block, modal.head, back, modal.rounds, modal.arguments))
+    }
+
+    fn enter_macro(
+        &mut self,
+        block: &Block,
+        head: Resume,
+        back: Resume,
+        rounds: u32,
+        arguments: Locals,
+    ) -> Flow {
+        if rounds == 0 {
+            return Flow::Next;
+        }
+        let flow = self.call(block, CallKind::Macro, head, back, rounds);
+        if matches!(flow, Flow::Jump(_)) {
+            // Deeper than the control allows was told by the call.
+            let _ = self.state.variables.push_level(arguments);
+        }
+        flow
+    }
+}
+
+/// Which part of a loop a block is.
+enum Mark {
+    Do,
+    End,
+}
+
+/// The loop mark of a macro statement, and its number: `DO m` at its end, or `END m` at its head.
+fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
+    if block.kind != BlockKind::Macro {
+        return None;
+    }
+    let statement = Span { start: block.statement, end: block.span.end }.of(text);
+    let is =
+        |head: &[u8], word: &[u8]| head.len() >= word.len() && head[..word.len()].eq_ignore_ascii_case(word);
+    let number = |digits: &[u8]| {
+        let digit = digits.iter().find(|byte| !byte.is_ascii_whitespace())?;
+        digit.is_ascii_digit().then(|| u32::from(digit - b'0'))
+    };
+    if is(statement, b"END") {
+        return Some((Mark::End, number(&statement[3..])?));
+    }
+    if !is(statement, b"WHILE") && !is(statement, b"DO") {
+        return None;
+    }
+    let at = statement.windows(2).rposition(|pair| pair.eq_ignore_ascii_case(b"DO"))?;
+    Some((Mark::Do, number(&statement[at + 2..])?))
+}
+
+/// A value as a number with so many decimals; `None` where it is too large for any address.
+fn number_of(value: f64, places: u8) -> Option<Number> {
+    const LARGEST: f64 = 99_999_999.0;
+    if value.is_nan() || value.abs() > LARGEST {
+        return None;
+    }
+    let mantissa = (value.abs() * 10f64.powi(i32::from(places))).round() as u64;
+    // A value never counts least increments: it has a point wherever the address takes one.
+    Some(Number { mantissa, decimals: places, digits: 8, points: u8::from(places > 0) })
+}

@@ -1,0 +1,167 @@
+//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (semantics §3.8); and what G10 writes (§3.10).
+//!
+//! In: the words of a block. Out: rapids, and changed tables.
+
+use super::*;
+use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
+
+impl Interpreter {
+    /// A reference point in the work frame.
+    fn reference_point(&self) -> Point {
+        let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
+        Point::new(home.x / 2.0 - offset.x, home.z - offset.z)
+    }
+
+    /// G28, and G30 to the other reference points: over the intermediate point.
+    pub(super) fn home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        if request.one_shot == Some(OneShot::OtherHome)
+            && let Some(word) = words.get(b'P')
+            && !matches!(plain(word), Some(2.0 | 3.0 | 4.0))
+        {
+            let message = Message::ReferenceNumber { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span));
+            request.drop = true;
+            return;
+        }
+        self.other_axes(text, words);
+        let turns = words.has_any(TURNS);
+        if !words.has_any(AXES) && !turns {
+            if !words.has_any(letters(b"YV")) {
+                self.tell(Diagnostic::new(Message::G28NoAxis, block.words_span()));
+            }
+            return;
+        }
+        // Homing is what connects C on many machines.
+        self.state.c_axis |= turns;
+        let middle = self.target(text, words);
+        self.state.intermediate = Some(middle);
+        let c = self.turn_target(words);
+        let motion = self.motion(MotionKind::Rapid, middle);
+        let motion = self.turning(motion, c);
+        self.push(block, motion);
+        let (from, home) = (self.state.position, self.reference_point());
+        let to = Point::new(
+            if words.has_any(letters(b"XU")) { home.x } else { from.x },
+            if words.has_any(letters(b"ZW")) { home.z } else { from.z },
+        );
+        let motion = self.motion(MotionKind::Rapid, to);
+        let motion = self.turning(motion, turns.then_some(0.0));
+        self.push(block, motion);
+    }
+
+    /// G27: goes to a point and checks that it is the reference point (PS0092).
+    pub(super) fn check_home(&mut self, text: &[u8], block: &Block, words: &Words) {
+        let to = self.target(text, words);
+        self.push(block, self.motion(MotionKind::Rapid, to));
+        let home = self.reference_point();
+        let off = |named: u32, a: f64, b: f64| words.has_any(named) && (a - b).abs() > 0.001;
+        if off(letters(b"XU"), to.x, home.x) || off(letters(b"ZW"), to.z, home.z) {
+            let message = Message::NotAtReference { x: 2.0 * home.x, z: home.z };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+    }
+
+    /// G29: over the intermediate point of G28 to the end.
+    pub(super) fn from_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        let Some(middle) = self.state.intermediate else {
+            self.tell(Diagnostic::new(Message::NoIntermediate, block.words_span()));
+            request.drop = true;
+            return;
+        };
+        let to = self.target(text, words);
+        self.push(block, self.motion(MotionKind::Rapid, middle));
+        self.push(block, self.motion(MotionKind::Rapid, to));
+    }
+
+    /// G53: a rapid in machine coordinates; incremental words do not count.
+    pub(super) fn machine_move(&mut self, block: &Block, words: &Words) {
+        let reading = self.reading();
+        let x = words.get(b'X').and_then(|word| reading.radius(word));
+        let z = words.get(b'Z').and_then(|word| reading.length(word));
+        if x.is_none() && z.is_none() {
+            return;
+        }
+        let (from, offset) = (self.state.position, self.state.frames.offset());
+        // Most machines count from their reference point, where the slides are as far out as they go: what lies at
+        // zero or below is counted from there, for in the frame of the work it would be inside the chuck.
+        let from_reference = x.unwrap_or(0.0) <= 0.0 && z.unwrap_or(0.0) <= 0.0;
+        let zero = match from_reference {
+            true => self.reference_point(),
+            false => Point::new(-offset.x, -offset.z),
+        };
+        if from_reference && self.state.told.first(Once::MachineZero) {
+            let home = self.dialect.ref_point;
+            self.tell(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
+        }
+        let to = Point::new(x.map_or(from.x, |x| zero.x + x), z.map_or(from.z, |z| zero.z + z));
+        self.push(block, self.motion(MotionKind::Rapid, to));
+    }
+
+    /// G10: offsets and zero points written by the program; L3, L50 and the like read data up to G11.
+    pub(super) fn write_data(&mut self, text: &[u8], request: &mut Request, words: &Words) {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let number = words.get(b'P').and_then(plain);
+        let kind = words.get(b'L').and_then(plain).map(|kind| kind as u32);
+        let (x, z) = (length(b'X'), length(b'Z'));
+        let (u, w) = (length(b'U'), length(b'W'));
+        let zero = |point: &mut Point| {
+            point.x = x.map_or(point.x + u.unwrap_or(0.0) / 2.0, |x| x / 2.0);
+            point.z = z.unwrap_or(point.z + w.unwrap_or(0.0));
+        };
+        match (kind, number.map(|number| number as u32)) {
+            (None, Some(0)) => self.state.change_frame(|frames| zero(&mut frames.external)),
+            (Some(2), Some(0)) => self.state.change_frame(|frames| zero(&mut frames.external)),
+            (Some(2), Some(frame @ 1..=6)) => {
+                self.state.change_frame(|frames| zero(frames.work_mut(frame as u16 - 1)));
+            }
+            (Some(20), Some(frame)) if (1..=u32::from(EXTENDED_FRAMES)).contains(&frame) => {
+                let frame = STANDARD_FRAMES + frame as u16 - 1;
+                self.state.change_frame(|frames| zero(frames.work_mut(frame)));
+            }
+            (None | Some(1 | 10..=13), Some(number)) => {
+                let (geometry, offset) = match (kind, number) {
+                    (None, 10_001..) => (true, number - 10_000),
+                    (None, _) => (false, number),
+                    (Some(kind), _) => (kind == 10 || kind == 12, number),
+                };
+                if !(1..=u32::from(OFFSETS)).contains(&offset) {
+                    self.bad_data(text, request, words, b'P');
+                    return;
+                }
+                self.write_offset(offset as u16, geometry, words);
+            }
+            // Tool life, parameters and other tables: no motion depends on them.
+            (Some(_), _) => {
+                self.state.data_input = true;
+                self.tell(Diagnostic::new(Message::DataPassedOver, words.span(b'L')));
+            }
+            (None, None) => self.bad_data(text, request, words, b'P'),
+        }
+    }
+
+    fn bad_data(&mut self, text: &[u8], request: &mut Request, words: &Words, address: u8) {
+        let word = words.get(address).map_or("G10".to_owned(), |word| quote(text, word.span));
+        self.tell(Diagnostic::new(Message::OffsetNumber { word }, words.span(address)));
+        request.drop = true;
+    }
+
+    fn write_offset(&mut self, offset: u16, geometry: bool, words: &Words) {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let (x, z, radius) = match geometry {
+            true => (Column::X, Column::Z, Column::Radius),
+            false => (Column::WearX, Column::WearZ, Column::WearRadius),
+        };
+        let entries = [(x, b'X', b'U'), (z, b'Z', b'W'), (radius, b'R', b'C')];
+        for (column, absolute, incremental) in entries {
+            let old = self.state.offsets.get(offset, column).unwrap_or(0.0);
+            if let Some(value) = length(absolute).or(length(incremental).map(|more| old + more)) {
+                self.state.offsets.set(offset, column, value);
+            }
+        }
+        if let Some(tip) = words.get(b'Q').and_then(plain) {
+            self.state.offsets.set(offset, Column::Tip, tip);
+        }
+    }
+}

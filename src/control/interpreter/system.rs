@@ -1,0 +1,208 @@
+//! System variables (#1000 and up): what a program can ask of the control and tell it (semantics §8.4).
+//!
+//! In: numbers of variables. Out: values as a program writes them: X a diameter, lengths in the program's unit.
+
+use super::*;
+use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
+
+/// What a system variable is.
+enum System {
+    /// Modal G code of a group.
+    Group(u32),
+    /// F, M, N, O, S, T in force.
+    Letter(u8),
+    /// X, Z or C of the tip: in the work frame.
+    Work(u32),
+    /// The same in the machine.
+    Machine(u32),
+    /// X or Z of the shift of all frames, or of a frame.
+    External(u32),
+    Frame(u16, u32),
+    /// A column of the offset table.
+    Offset(u16, Column),
+    /// A number that is kept: counters, switches, and what the machine maker's interface is told.
+    Kept,
+}
+
+/// Columns of the offset table in memory A, by the first variable of each.
+const COLUMNS: [(u32, Column); 7] = [
+    (2000, Column::WearX),
+    (2100, Column::WearZ),
+    (2200, Column::WearRadius),
+    (2300, Column::Tip),
+    (2700, Column::X),
+    (2800, Column::Z),
+    (2900, Column::Radius),
+];
+
+/// The same of tables with more than 64 offsets.
+const LONG_COLUMNS: [(u32, Column); 7] = [
+    (10_000, Column::WearX),
+    (11_000, Column::WearZ),
+    (12_000, Column::WearRadius),
+    (13_000, Column::Tip),
+    (15_000, Column::X),
+    (16_000, Column::Z),
+    (17_000, Column::Radius),
+];
+
+impl System {
+    fn of(variable: u32) -> Option<Self> {
+        let column = |table: &[(u32, Column)], last: u32| {
+            let found = table.iter().find(|(first, _)| (first + 1..=first + last).contains(&variable));
+            found.map(|&(first, column)| Self::Offset((variable - first) as u16, column))
+        };
+        match variable {
+            1000..=1999 | 3001..=3008 | 3901 | 3902 => Some(Self::Kept),
+            2000..=2999 => column(&COLUMNS, 99),
+            10_000..=17_999 => column(&LONG_COLUMNS, 999),
+            4001..=4030 => Some(Self::Group(variable - 4000)),
+            4201..=4230 => Some(Self::Group(variable - 4200)),
+            4109 | 4309 => Some(Self::Letter(b'F')),
+            4114 | 4314 => Some(Self::Letter(b'N')),
+            4115 | 4315 => Some(Self::Letter(b'O')),
+            4119 | 4319 => Some(Self::Letter(b'S')),
+            4120 | 4320 => Some(Self::Letter(b'T')),
+            5001..=5003 | 5041..=5043 | 5061..=5063 => Some(Self::Work(variable % 20)),
+            5021..=5023 => Some(Self::Machine(variable % 20)),
+            5081..=5083 => Some(Self::Kept),
+            5201 | 5202 => Some(Self::External(variable - 5200)),
+            5221..=5339 if (1..=2).contains(&(variable % 20)) => {
+                Some(Self::Frame(((variable - 5221) / 20) as u16, variable % 20))
+            }
+            7001..
+                if variable < 7001 + 20 * u32::from(EXTENDED_FRAMES)
+                    && (1..=2).contains(&(variable % 20)) =>
+            {
+                let frame = STANDARD_FRAMES + ((variable - 7001) / 20) as u16;
+                Some(Self::Frame(frame, variable % 20))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Interpreter {
+    /// Reads a system variable; one that is not known here is vacant, and told once.
+    pub(super) fn read_system(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
+        let unit = self.state.unit.millimetres();
+        let coordinate = |place: Point, axis: u32| match axis {
+            1 => 2.0 * place.x / unit,
+            _ => place.z / unit,
+        };
+        let Some(system) = System::of(variable) else {
+            self.unknown_system(block, variable);
+            return None;
+        };
+        let state = &self.state;
+        let offset = state.frames.offset();
+        Some(match system {
+            System::Group(group) => f64::from(self.modal_code(group)) / 10.0,
+            System::Letter(b'F') => state.feed.unwrap_or(0.0) / unit,
+            System::Letter(b'S') if state.spindle.surface => state.spindle.cutting_speed,
+            System::Letter(b'S') => state.spindle.rpm,
+            System::Letter(b'T') => f64::from(state.tool.0) * 100.0 + f64::from(state.tool.1),
+            System::Letter(b'N') => f64::from(state.sequence),
+            System::Letter(_) => {
+                let at = block.span.start;
+                f64::from(self.labels(text).number_at(at).unwrap_or(0))
+            }
+            System::Work(3) | System::Machine(3) => state.c,
+            System::Work(axis) => coordinate(state.position, axis),
+            System::Machine(axis) => {
+                let place = Point::new(state.position.x + offset.x, state.position.z + offset.z);
+                coordinate(place, axis)
+            }
+            System::External(axis) => coordinate(state.frames.external, axis),
+            System::Frame(frame, axis) => coordinate(state.frames.work(frame), axis),
+            System::Offset(offset, column) => {
+                let written = state.offsets.get(offset, column);
+                let value = written.unwrap_or_else(|| self.setup_offset(offset, column));
+                if column == Column::Tip { value } else { value / unit }
+            }
+            System::Kept => state.system.get(&variable).copied().unwrap_or(0.0),
+        })
+    }
+
+    /// Writes a system variable; one that is not known here is told once and passed over.
+    pub(super) fn write_system(&mut self, block: &Block, variable: u32, value: Option<f64>) {
+        let unit = self.state.unit.millimetres();
+        let value = value.unwrap_or(0.0);
+        self.trace_write(variable, value);
+        match System::of(variable) {
+            Some(System::External(axis)) => {
+                self.change_zero(|frames| &mut frames.external, axis, value * unit)
+            }
+            Some(System::Frame(frame, axis)) => {
+                self.change_zero(|frames| frames.work_mut(frame), axis, value * unit);
+            }
+            Some(System::Offset(offset, Column::Tip)) => self.state.offsets.set(offset, Column::Tip, value),
+            Some(System::Offset(offset, column)) => self.state.offsets.set(offset, column, value * unit),
+            Some(System::Kept) => {
+                std::sync::Arc::make_mut(&mut self.state.system).insert(variable, value);
+            }
+            Some(System::Group(_) | System::Letter(_) | System::Work(_) | System::Machine(_)) | None => {
+                self.unknown_system(block, variable);
+            }
+        }
+    }
+
+    fn change_zero(
+        &mut self,
+        which: impl FnOnce(&mut crate::control::offsets::Frames) -> &mut Point,
+        axis: u32,
+        value: f64,
+    ) {
+        self.leave_compensation();
+        self.state.change_frame(|frames| {
+            let zero = which(frames);
+            match axis {
+                1 => zero.x = value / 2.0,
+                _ => zero.z = value,
+            }
+        });
+    }
+
+    fn unknown_system(&mut self, block: &Block, variable: u32) {
+        self.tell(Diagnostic::new(Message::SystemVariable { variable }, block.span));
+    }
+
+    /// What the setup says of a tool offset, mm.
+    fn setup_offset(&self, offset: u16, column: Column) -> f64 {
+        let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
+        let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
+        match (tool, column) {
+            (Some(tool), Column::Radius) => tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius),
+            (Some(tool), Column::Tip) => f64::from(tool.tip.unwrap_or(0)),
+            _ => 0.0,
+        }
+    }
+
+    /// Ten times the G code in force of a modal group (semantics §2.1).
+    fn modal_code(&self, group: u32) -> u32 {
+        let state = &self.state;
+        10 * match group {
+            1 => state.motion.number(),
+            2 => 96 + u32::from(!state.spindle.surface),
+            3 => 90 + u32::from(state.incremental),
+            5 => 98 + u32::from(state.feed_mode == FeedMode::PerTurn),
+            6 => 20 + u32::from(state.unit == words::Unit::Millimetre),
+            7 => match state.compensation {
+                Compensation::Off => 40,
+                Compensation::Left => 41,
+                Compensation::Right => 42,
+            },
+            9 => 22,
+            10 => state.hole.as_ref().map_or(80, |hole| hole.kind.number()),
+            12 => 66 + u32::from(state.course.modal.is_none()),
+            14 => 54 + u32::from(state.frames.active.min(STANDARD_FRAMES - 1)),
+            16 => match state.plane {
+                Plane::Xy => 17,
+                Plane::Zx => 18,
+                Plane::Yz => 19,
+            },
+            21 => 113 - u32::from(state.virtual_plane.is_some()),
+            _ => 0,
+        }
+    }
+}

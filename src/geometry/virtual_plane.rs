@@ -1,0 +1,241 @@
+//! Polar (G12.1) and cylindrical (G07.1) interpolation: the virtual plane a program moves in, and what the machine
+//! makes of it.
+//!
+//! In: points of the virtual plane. Out: radius and length of the tool, and the angle of C. In the plane `z` is
+//! the first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for the end face (seen
+//! from the tailstock), Z and the unrolled circumference for the cylinder. Knows nothing of words and blocks.
+
+use super::{Arc, Point, SAME};
+
+/// Which plane it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    /// The end face: G12.1.
+    Face,
+    /// A cylinder about the spindle axis: G07.1.
+    Cylinder {
+        /// Its radius, mm, by which angles are unrolled.
+        radius: f64,
+        /// Seen from inside, so that G02 turns the other way: under G19, whose first axis is C.
+        turned: bool,
+    },
+}
+
+/// Pieces an arc is cut into where only points of it are of use.
+const PIECES: u32 = 180;
+
+/// Most pieces of a curve that is drawn.
+const MOST_PIECES: u32 = 1024;
+
+/// The way of a move in the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// Straight.
+    Line(Point, Point),
+    /// An arc.
+    Arc(Arc),
+}
+
+impl Way {
+    /// The point at a fraction `t` of the way.
+    pub fn at(&self, t: f64) -> Point {
+        match self {
+            Self::Line(from, to) => Point::new(from.x + t * (to.x - from.x), from.z + t * (to.z - from.z)),
+            Self::Arc(arc) => arc.at(t),
+        }
+    }
+
+    fn pieces(&self) -> u32 {
+        match self {
+            Self::Line(..) => 1,
+            Self::Arc(_) => PIECES,
+        }
+    }
+
+    /// Distance of the way from the origin of the plane, mm.
+    pub fn distance_from_center(&self) -> f64 {
+        let origin = Point::default();
+        match *self {
+            Self::Line(from, to) => {
+                let (dx, dz) = (to.x - from.x, to.z - from.z);
+                let square = dx * dx + dz * dz;
+                let t = if square > 0.0 { -(from.x * dx + from.z * dz) / square } else { 0.0 };
+                self.at(t.clamp(0.0, 1.0)).distance(origin)
+            }
+            Self::Arc(_) => (0..=PIECES)
+                .map(|piece| self.at(f64::from(piece) / f64::from(PIECES)).distance(origin))
+                .fold(f64::INFINITY, f64::min),
+        }
+    }
+}
+
+impl Surface {
+    /// The point of the plane where the tool stands, with C at `c` degrees, and its place along the third axis. On
+    /// the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
+    pub fn enter(self, at: Point, c: f64) -> (Point, f64) {
+        match self {
+            Self::Face => (Point::new(0.0, at.x), at.z),
+            Self::Cylinder { radius, .. } => (Point::new(radius * c.to_radians(), at.z), at.x),
+        }
+    }
+
+    /// Where the tool stands in the machine: radius and length, mm; `third` is the place along the axis that is not
+    /// in the plane, mm: Z on the face, X as a radius on the cylinder.
+    pub fn machine(self, plane: Point, third: f64) -> Point {
+        match self {
+            Self::Face => Point::new(plane.x.hypot(plane.z), third),
+            Self::Cylinder { .. } => Point::new(third, plane.z),
+        }
+    }
+
+    /// How far C turns along a way, degrees. On the face the angle is followed from neighbour to neighbour, so that
+    /// a way around the centre turns C around as well.
+    pub fn turn_along(self, way: &Way) -> f64 {
+        match self {
+            Self::Cylinder { radius, .. } => {
+                let (from, to) = (way.at(0.0), way.at(1.0));
+                ((to.x - from.x) / radius).to_degrees()
+            }
+            Self::Face => {
+                let pieces = way.pieces();
+                let mut turned = 0.0;
+                let mut from = way.at(0.0);
+                for piece in 1..=pieces {
+                    let to = way.at(f64::from(piece) / f64::from(pieces));
+                    if from.distance(Point::default()) > SAME && to.distance(Point::default()) > SAME {
+                        let cross = from.z * to.x - from.x * to.z;
+                        let dot = from.z * to.z + from.x * to.x;
+                        turned += cross.atan2(dot).to_degrees();
+                    }
+                    from = to;
+                }
+                turned
+            }
+        }
+    }
+}
+
+/// A move in the virtual plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VirtualMove {
+    /// The plane.
+    pub surface: Surface,
+    /// Its way in the plane.
+    pub way: Way,
+    /// Where it begins and ends along the third axis, mm.
+    pub third: (f64, f64),
+}
+
+impl VirtualMove {
+    /// Where the machine is at a fraction `t` (0 start, 1 end) of the way.
+    pub fn at(&self, t: f64) -> Point {
+        self.surface.machine(self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0))
+    }
+
+    /// Length of the way, mm.
+    pub fn length(&self) -> f64 {
+        let plane = match self.way {
+            Way::Line(from, to) => from.distance(to),
+            Way::Arc(arc) => arc.length(),
+        };
+        plane.hypot(self.third.1 - self.third.0)
+    }
+
+    /// The part from its start to the fraction `t`, and the part from there to its end.
+    pub fn split(&self, t: f64) -> (Self, Self) {
+        let (point, third) = (self.way.at(t), self.third.0 + t * (self.third.1 - self.third.0));
+        let (first, second) = match self.way {
+            Way::Line(from, to) => (Way::Line(from, point), Way::Line(point, to)),
+            Way::Arc(arc) => {
+                // An arc that ends where it starts is a full circle: a part without length must not become one.
+                let part = |arc: Arc, share: f64| match share * self.length() > SAME {
+                    true => Way::Arc(arc),
+                    false => Way::Line(arc.start, arc.end),
+                };
+                (part(Arc { end: point, ..arc }, t), part(Arc { start: point, ..arc }, 1.0 - t))
+            }
+        };
+        (
+            Self { way: first, third: (self.third.0, third), ..*self },
+            Self { way: second, third: (third, self.third.1), ..*self },
+        )
+    }
+
+    /// Points along the way as the machine goes it, from start to end, so near to one another that straight lines
+    /// between them miss the true curve by no more than `chord` mm.
+    pub fn machine_path(&self, chord: f64) -> Vec<Point> {
+        let mut pieces = 4u32;
+        // The curve has no more than a few bends, so doubling finds a fineness that is enough everywhere.
+        while pieces < MOST_PIECES {
+            let miss = |piece: u32| {
+                let at = |t: f64| self.at((f64::from(piece) + t) / f64::from(pieces));
+                let (from, middle, to) = (at(0.0), at(0.5), at(1.0));
+                middle.distance(Point::new((from.x + to.x) / 2.0, (from.z + to.z) / 2.0))
+            };
+            if (0..pieces).map(miss).fold(0.0, f64::max) <= chord {
+                break;
+            }
+            pieces *= 2;
+        }
+        (0..=pieces).map(|piece| self.at(f64::from(piece) / f64::from(pieces))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Turn;
+
+    fn point(x: f64, c: f64) -> Point {
+        Point::new(c, x)
+    }
+
+    #[test]
+    fn c_follows_a_square_around_the_centre() {
+        assert_eq!(Surface::Face.enter(Point::new(35.0, -20.0), 10.0), (point(35.0, 0.0), -20.0));
+        let corners = [(35.0, 0.0), (35.0, 35.0), (-35.0, 35.0), (-35.0, -35.0), (35.0, -35.0), (35.0, 0.0)];
+        let turned: f64 = corners
+            .windows(2)
+            .map(|pair| Way::Line(point(pair[0].0, pair[0].1), point(pair[1].0, pair[1].1)))
+            .map(|way| Surface::Face.turn_along(&way))
+            .sum();
+        assert!((turned - 360.0).abs() < 1e-9);
+        assert_eq!(Surface::Face.machine(point(-30.0, 40.0), -5.0), Point::new(50.0, -5.0));
+    }
+
+    #[test]
+    fn c_turns_once_for_a_circle_around_the_centre_and_comes_back_beside_it() {
+        let circle = |center: Point| {
+            let start = Point::new(center.x, center.z + 10.0);
+            Way::Arc(Arc { start, end: start, center, turn: Turn::Clockwise })
+        };
+        let turned = |way: Way| Surface::Face.turn_along(&way);
+        assert!((turned(circle(Point::default())) + 360.0).abs() < 1e-9);
+        assert!((turned(circle(point(3.0, 4.0))) + 360.0).abs() < 1e-9);
+        assert!(turned(circle(point(30.0, 0.0))).abs() < 1e-9);
+        assert!((circle(point(30.0, 0.0)).distance_from_center() - 20.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_cylinder_unrolls_degrees_into_millimetres() {
+        let surface = Surface::Cylinder { radius: 30.0, turned: false };
+        let (at, third) = surface.enter(Point::new(28.0, -10.0), 90.0);
+        assert!((at.x - 15.0 * std::f64::consts::PI).abs() < 1e-9);
+        let way = Way::Line(at, Point::new(at.x + 30.0f64.to_radians() * 60.0, -20.0));
+        assert!((surface.turn_along(&way) - 60.0).abs() < 1e-9);
+        assert_eq!(surface.machine(way.at(1.0), third), Point::new(28.0, -20.0));
+    }
+
+    #[test]
+    fn the_machine_dips_towards_the_axis_along_a_straight_edge() {
+        let way = Way::Line(point(40.0, 30.0), point(-40.0, 30.0));
+        let edge = VirtualMove { surface: Surface::Face, way, third: (-5.0, -5.0) };
+        let path = edge.machine_path(0.05);
+        let nearest = path.iter().map(|at| at.x).fold(f64::INFINITY, f64::min);
+        assert!((nearest - 30.0).abs() < 1e-9 && path.len() < 200);
+        assert!((way.distance_from_center() - 30.0).abs() < 1e-9);
+        let (first, second) = edge.split(0.25);
+        assert!((first.length() + second.length() - 80.0).abs() < 1e-9);
+        assert!(first.at(1.0).is_same(edge.at(0.25)) && second.at(0.0).is_same(edge.at(0.25)));
+    }
+}
