@@ -239,7 +239,7 @@ pub fn g_code(key: u64, system: GSystem) -> Option<(G, Group)> {
         (790, GSystem::B) | (240, GSystem::C) => 940,
         (700, GSystem::C) => 200,
         (710, GSystem::C) => 210,
-        (720..=780, GSystem::C) if key % 10 == 0 => key - 20,
+        (720..=780, GSystem::C) if key.is_multiple_of(10) => key - 20,
         (330, _) => 320,
         (940, _) => 980,
         (950, _) => 990,

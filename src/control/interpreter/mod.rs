@@ -722,7 +722,7 @@ impl Interpreter {
                 OneShot::Dwell => self.dwell(text, block, words, request),
                 OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
                 OneShot::CheckHome => self.check_home(text, block, words),
-                OneShot::FromHome => self.from_home(text, block, request, words),
+                OneShot::FromHome => self.leave_home(text, block, request, words),
                 OneShot::Machine => self.machine_move(block, words),
                 OneShot::Data => self.write_data(text, request, words),
                 OneShot::Setting => self.setting(words),

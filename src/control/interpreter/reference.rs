@@ -62,7 +62,7 @@ impl Interpreter {
     }
 
     /// G29: over the intermediate point of G28 to the end.
-    pub(super) fn from_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+    pub(super) fn leave_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(middle) = self.state.intermediate else {
             self.tell(Diagnostic::new(Message::NoIntermediate, block.words_span()));
             request.drop = true;
