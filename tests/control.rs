@@ -240,6 +240,12 @@ fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
             .collect()
     };
     assert_eq!(codes("N20 G00 Z2"), [] as [&str; 0]);
-    assert_eq!(codes("N20 G01 Z2"), ["W-NOT-MONOTONE"]);
+    // A control that holds contours to the rule refuses it; others leave the way back out of the passes.
+    assert_eq!(codes("N20 G01 Z2"), [] as [&str; 0]);
+    let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("setup");
+    let refused = analyze(program("N20 G01 Z2").as_bytes(), &strict);
+    assert!(
+        refused.diagnostics.iter().any(|found| found.is_error() && found.message.code() == "W-NOT-MONOTONE")
+    );
     assert_eq!(run("N20 G00 Z2").motions.len(), run("N20 M8").motions.len());
 }

@@ -154,7 +154,8 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
         (cycle("N1 G0 X20\nM30\nN2 G1 X60 Z-30"), "PS0325"),
         (cycle("N1 G0 X20\nO2\nN2 G1 X60 Z-30"), "W-NS-NOT-FOUND"),
     ] {
-        let analysis = run_with("{}", &format!("G0 X60 Z2\n{program}"));
+        let strict = r#"{"dialect": {"strict": true}}"#;
+        let analysis = run_with(strict, &format!("G0 X60 Z2\n{program}"));
         let found = codes(&analysis);
         assert!(found.contains(&code), "{found:?} instead of {code}\n{program}");
         assert!(analysis.motions.len() < 100, "{}\n{program}", analysis.motions.len());

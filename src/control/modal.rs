@@ -255,6 +255,7 @@ pub enum Once {
     PolarAngle,
     PolarCenter,
     AxisNotHere,
+    NoFeed,
     MachineZero,
     PlaneNotHere,
     LetterIInG92,

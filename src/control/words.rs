@@ -4,7 +4,7 @@
 //! rule, inches, and that X counts diameters.
 
 use super::dialect::DecimalRule;
-use crate::diagnostics::{Diagnostic, Message};
+use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::text::block::{Block, Value, Word};
 use crate::text::source::Span;
 
@@ -191,7 +191,10 @@ pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
             Some(Diagnostic::new(Message::MinusNotAllowed { word: quote(text, word.span) }, word.span))
         }
         Form::Count if number.has_point() => {
-            Some(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span))
+            let wrong = Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+            // `S3000.`: some controls take the point, and nobody can mistake the number.
+            let plain = word.address == b'S' && number.decimals == 0;
+            Some(if plain { wrong.graded(Severity::Warning) } else { wrong })
         }
         _ => None,
     }

@@ -34,6 +34,16 @@ pub enum Shape {
     Pockets,
 }
 
+/// How much a contour of type I is held to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Checks {
+    /// Everything that a control may raise an alarm for is a fault.
+    All,
+    /// The axis of depth may turn back, arcs may bulge back along the passes, and the contour may reach beyond the start point by no more than a pass:
+    /// the passes stop at the first wall, and the rest is left to the cut along the contour.
+    Forgiving,
+}
+
 /// What follows the passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LastPass {
@@ -60,6 +70,8 @@ pub struct Roughing {
     pub escape_kind: MotionKind,
     /// What follows the passes.
     pub last_pass: LastPass,
+    /// What the contour is held to.
+    pub checks: Checks,
 }
 
 /// Why a contour cannot be roughed; `piece` counts from 0 in [`Contour::pieces`].
@@ -101,7 +113,7 @@ const DRAWN: f64 = 0.001;
 /// All moves of the cycle, from A to A; no more than `most_moves`.
 pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec<Move>, Fault> {
     let frame = Frame::new(contour, how).ok_or(Fault::NothingToCut)?;
-    let bottom = bottom(contour, &frame, how.shape)?;
+    let bottom = bottom(contour, &frame, how)?;
     if contour.pieces.len() > most_moves {
         return Err(Fault::TooManyMoves);
     }
@@ -201,10 +213,13 @@ impl Frame {
 /// The rough contour in the frame as pieces of which none turns back in either axis; checked.
 ///
 /// Where the first block of type II leads along the passes, it is the first piece: its slope is a wall.
-fn bottom(contour: &Contour, frame: &Frame, shape: Shape) -> Result<Vec<Piece>, Fault> {
+fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>, Fault> {
     // The finished contour seen from A is the rough one seen from C.
     let finished = Frame { origin: contour.start, ..*frame };
     let first = finished.enter(contour.first);
+    let shape = how.shape;
+    let forgiving = how.checks == Checks::Forgiving;
+    let beyond = if forgiving { how.depth } else { DRAWN };
     if first.x < -DRAWN || first.z < -DRAWN {
         return Err(Fault::BeyondStart { piece: None });
     }
@@ -221,14 +236,26 @@ fn bottom(contour: &Contour, frame: &Frame, shape: Shape) -> Result<Vec<Piece>, 
         };
         let known = bottom.len();
         split(&seen, &mut bottom);
+        let bulges = forgiving && seen.arc.is_some();
+        if bulges {
+            // An arc of a little more than a quarter: for the passes it goes no farther back than it began.
+            let mut far = farthest;
+            for part in &mut bottom[known..] {
+                let (from, to) = (part.from.z.max(far), part.to.z.max(far));
+                if (from, to) != (part.from.z, part.to.z) {
+                    (part.from.z, part.to.z, part.arc) = (from, to, None);
+                }
+                far = to;
+            }
+        }
         for end in bottom[known..].iter().map(|part| part.to) {
             if end.z < farthest - DRAWN {
                 return Err(Fault::NotMonotoneAlong { piece: index });
             }
-            if shape == Shape::Monotone && end.x > highest + DRAWN {
+            if shape == Shape::Monotone && end.x > highest + DRAWN && !forgiving {
                 return Err(Fault::NotMonotoneAcross { piece: index });
             }
-            if end.x < -DRAWN {
+            if end.x < -beyond {
                 return Err(Fault::BeyondStart { piece: Some(index) });
             }
             highest = highest.min(end.x);
@@ -533,9 +560,10 @@ impl Tool {
                 self.at = self.frame.enter(rough.to);
             }
             let highest = bottom.iter().map(|piece| piece.from.x).fold(self.at.x, f64::min);
-            if how.shape == Shape::Pockets && highest < self.at.x - SAME {
+            let winds = how.shape == Shape::Pockets || how.checks == Checks::Forgiving;
+            if winds && highest < self.at.x - SAME {
                 // The straight way home would lead through the part.
-                self.go(MotionKind::Rapid, Step::Retract, Point::new(0.0, self.at.z));
+                self.go(MotionKind::Rapid, Step::Retract, Point::new(highest.min(0.0), self.at.z));
             }
         }
         self.moves.push(Move::new(MotionKind::Rapid, Step::Return, 0, contour.start));

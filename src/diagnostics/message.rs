@@ -192,6 +192,8 @@ pub enum Message {
     LetterIInG92 { as_taper: bool },
     /// G28 without an axis.
     G28NoAxis,
+    /// P of G04 with a point.
+    DwellWithPoint { word: String },
     /// G04 without a time.
     DwellNoTime,
 
@@ -270,6 +272,8 @@ pub enum Message {
     ContourFirstBlock { code: &'static str },
     /// A code that may not stand in a contour.
     ContourIllegal { word: String },
+    /// P and Q take in another cycle.
+    ContourReachesOver { code: &'static str, word: String, line: u32 },
     /// A subprogram call in a contour.
     ContourCall { word: String },
     /// The first block names both axes though the second does not move.
@@ -280,6 +284,8 @@ pub enum Message {
     ContourTurnsBack { code: &'static str, axis: char, line: u32 },
     /// The contour goes beyond the start point.
     ContourBeyondStart { code: &'static str, axis: char },
+    /// The contour leaves no depth, or no way to cut along.
+    ContourNothingToCut { code: &'static str },
     /// The contour ends with a corner or an angle that needs a further move.
     ContourOpenEnd { word: String, alarm: &'static str },
     /// The depth of a pass is missing, zero or negative.
@@ -391,6 +397,7 @@ impl Message {
             | Self::SystemVariable { .. }
             | Self::CAxisNotConnected
             | Self::LiveToolStopped
+            | Self::FeedMissing
             | Self::ProgramNotFound { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
@@ -461,6 +468,7 @@ impl Message {
             Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
             Self::LetterIInG92 { .. } => ("W-G92-I", "letter-i-in-g92", Warning, None),
             Self::G28NoAxis => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
+            Self::DwellWithPoint { .. } => ("PS0007", "dwell-with-point", Warning, Some("PS0007")),
             Self::DwellNoTime => ("W-DWELL-NO-TIME", "dwell-without-time", Warning, None),
             Self::AxisNotHere { .. } => ("N-AXIS", "axis-not-supported", Warning, None),
             Self::PlaneNotHere { .. } => ("N-PLANE", "plane-not-supported", Warning, None),
@@ -504,6 +512,9 @@ impl Message {
             Self::ContourNotFound { .. } => ("W-NS-NOT-FOUND", "contour-not-found", Error, Some("PS0063")),
             Self::ContourFirstBlock { .. } => ("PS0065", "contour-first-block", Error, Some("PS0065")),
             Self::ContourIllegal { .. } => ("PS0325", "code-not-allowed-in-contour", Error, Some("PS0325")),
+            Self::ContourReachesOver { .. } => {
+                ("PS0325", "contour-reaches-over-other-cycle", Error, Some("PS0325"))
+            }
             Self::ContourCall { .. } => ("E-SUB-IN-CONTOUR", "call-in-contour", Error, Some("PS0210")),
             Self::ContourBothAxes { .. } => ("W-NS-BOTH-AXES", "contour-names-both-axes", Warning, None),
             Self::ContourTypeTwo { .. } => ("W-NS-BOTH-AXES", "pockets-not-available", Error, Some("PS0323")),
@@ -514,6 +525,7 @@ impl Message {
             Self::ContourBeyondStart { .. } => {
                 ("PS0322", "contour-beyond-start-point", Error, Some("PS0322"))
             }
+            Self::ContourNothingToCut { .. } => ("PS0322", "contour-without-cut", Warning, Some("PS0322")),
             Self::ContourOpenEnd { alarm, .. } => (alarm, "contour-ends-in-corner", Error, Some(alarm)),
             Self::DepthNotPositive { depth: Some(_), .. } => {
                 ("W-G71-U-SIGN", "depth-not-positive", Error, Some("PS0062"))

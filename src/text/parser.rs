@@ -14,7 +14,7 @@
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, Token, TokenKind};
 use super::source::Span;
-use crate::diagnostics::{Diagnostic, Fix, Message};
+use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
 
 /// Most faults of one block that are told; one mistake easily upsets the words behind it.
 const FAULTS_PER_BLOCK: usize = 3;
@@ -73,7 +73,8 @@ impl<'a> Parser<'a> {
         block.line = self.line;
         let end = self.read(block);
         block.span = Span::new(start, end);
-        if behind_semicolon && block.is_broken() && reads_as_prose(block.span.of(self.lexer.text())) {
+        let doubtful = block.is_broken() || (block.words.is_empty() && !block.faults.is_empty());
+        if behind_semicolon && doubtful && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
         }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
@@ -81,8 +82,11 @@ impl<'a> Parser<'a> {
             let span = trimmed(self.lexer.text(), block.span);
             let quote = short_quote(self.lexer.text(), span);
             block.words.clear();
+            let harmless =
+                block.faults.iter().all(|fault| !fault.is_error()) || decorates(span.of(self.lexer.text()));
+            let severity = if harmless { Severity::Warning } else { Severity::Error };
             block.faults.clear();
-            block.fault(Diagnostic::new(Message::PlainText { text: quote }, span));
+            block.fault(Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
         if block.kind == BlockKind::Percent && self.begun {
@@ -150,7 +154,10 @@ impl<'a> Parser<'a> {
                 | TokenKind::PrintedMinus
                 | TokenKind::Unknown => {
                     let quote = short_quote(self.lexer.text(), token.span);
-                    block.fault(Diagnostic::new(Message::NotUnderstood { text: quote }, token.span));
+                    let harmless = decorates(token.span.of(self.lexer.text()));
+                    let severity = if harmless { Severity::Warning } else { Severity::Error };
+                    let message = Message::NotUnderstood { text: quote };
+                    block.fault(Diagnostic::new(message, token.span).graded(severity));
                 }
             }
         }
@@ -372,7 +379,8 @@ impl<'a> Parser<'a> {
             }
             _ => {
                 self.lexer.seek(after);
-                block.fault(Diagnostic::new(Message::NotUnderstood { text: ",".into() }, comma));
+                let message = Message::NotUnderstood { text: ",".into() };
+                block.fault(Diagnostic::new(message, comma).graded(Severity::Warning));
             }
         }
     }
@@ -555,6 +563,17 @@ impl Resume {
     pub fn inside(byte: u32, line: u32) -> Self {
         Self { byte, line, begun: false, after_semicolon: false, ended: false }
     }
+}
+
+/// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between remarks,
+/// words in letters that no address has. Nothing else may be taken for a remark, for a sign may be lost in it.
+fn decorates(bytes: &[u8]) -> bool {
+    const LETTERS: usize = 4;
+    let rule =
+        bytes.len() > 1 && bytes.iter().all(|byte| matches!(byte, b'-' | b'_' | b'=' | b'*' | b' ' | b','));
+    let foreign = bytes.iter().filter(|byte| !byte.is_ascii()).count() >= LETTERS
+        && !bytes.iter().any(|byte| byte.is_ascii_alphanumeric() || *byte == b'?');
+    rule || foreign
 }
 
 /// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters

@@ -45,6 +45,27 @@ pub(super) enum Purpose {
     Finishing,
 }
 
+/// Why a shape could not be read.
+enum Unread {
+    /// It was told what is wrong; nf ends there.
+    Told(Resume),
+    /// It was told that another operation lies in between.
+    OtherOperation,
+    /// nf was not found.
+    NotFound,
+}
+
+/// Whether a block may stand in a contour.
+enum Stands {
+    Well,
+    /// It was told that it is passed over.
+    Skipped,
+    /// It was told that it may not.
+    Not,
+    /// It begins another cycle, by this word.
+    OtherOperation(String),
+}
+
 impl Interpreter {
     /// Reads the shape that P and Q name. `None`: it was told what is wrong; the program goes on behind nf if
     /// that was found.
@@ -63,8 +84,11 @@ impl Interpreter {
         }
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
             let message = Message::CycleWord { code, word: words.quote(text, address) };
-            self.tell(Diagnostic::new(message, words.span(address)));
-            return None;
+            let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
+            self.tell(Diagnostic::new(message, words.span(address)).graded(severity));
+            if severity == Severity::Error {
+                return None;
+            }
         }
         if self.state.plane != Plane::Zx {
             let message = Message::CyclePlane { code, alarm: "PS0327" };
@@ -76,7 +100,14 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
             return None;
         };
-        let Some(begins) = self.labels(text).find(first, block.span.start) else {
+        // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
+        let roughed = self
+            .roughed
+            .iter()
+            .rev()
+            .find(|(named, _)| purpose == Purpose::Finishing && *named == (first, last));
+        let roughed = roughed.map(|(_, begins)| *begins);
+        let Some(begins) = roughed.or_else(|| self.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P')));
             return None;
@@ -105,8 +136,11 @@ impl Interpreter {
         }
         let most = self.limits.moves_per_cycle;
         match read {
-            Ok((.., ends)) if purpose == Purpose::Roughing && no_feed => {
-                self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+            Ok((.., ends))
+                if purpose == Purpose::Roughing
+                    && no_feed
+                    && !self.may_cut(block, words, &mut Request::default()) =>
+            {
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
@@ -123,14 +157,19 @@ impl Interpreter {
                     let (a, b) = (contour.first, contour.last());
                     let (named, roughed) = ((first, last), purpose == Purpose::Roughing);
                     self.landmarks.push(Landmarks { span, start, first: a, last: b, named, roughed });
+                    if roughed {
+                        self.roughed.push(((first, last), begins));
+                    }
                 }
                 Some(shape)
             }
-            Err(Some(ends)) => {
+            Err(Unread::Told(ends)) => {
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
-            Err(None) => {
+            // What is in between is no contour: it runs as it is written.
+            Err(Unread::OtherOperation) => None,
+            Err(Unread::NotFound) => {
                 let word = words.quote(text, b'Q');
                 self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
                 None
@@ -147,7 +186,7 @@ impl Interpreter {
         last: u32,
         code: &'static str,
         purpose: Purpose,
-    ) -> Result<(FirstBlock, Span, Resume), Option<Resume>> {
+    ) -> Result<(FirstBlock, Span, Resume), Unread> {
         if purpose == Purpose::Roughing {
             self.state.compensation = Compensation::Off;
             self.state.tip = None;
@@ -167,7 +206,24 @@ impl Interpreter {
             }
             let is_first = first.is_none();
             let (named, span) = *first.get_or_insert_with(|| (self.first_block(&block), block.span));
-            sound &= self.may_stand_in_contour(text, &block) && !block.is_broken();
+            match self.may_stand_in_contour(text, &block) {
+                Stands::Well => sound &= !block.is_broken(),
+                Stands::Skipped => {
+                    if block.sequence == Some(last) {
+                        sound &= self.end_shape();
+                        let ends = parser.position();
+                        return if sound { Ok((named, span, ends)) } else { Err(Unread::Told(ends)) };
+                    }
+                    continue;
+                }
+                Stands::Not => sound = false,
+                Stands::OtherOperation(word) => {
+                    let line = block.line + 1;
+                    let message = Message::ContourReachesOver { code, word, line };
+                    self.tell(Diagnostic::new(message, cycle.words_span()));
+                    return Err(Unread::OtherOperation);
+                }
+            }
             let moves = self.recorded.as_ref().map_or(0, Vec::len);
             let uncertain = std::mem::replace(&mut self.state.uncertain, false);
             self.run(text, &block, here);
@@ -185,13 +241,13 @@ impl Interpreter {
             if block.sequence == Some(last) {
                 sound &= self.end_shape();
                 let ends = parser.position();
-                return if sound { Ok((named, span, ends)) } else { Err(Some(ends)) };
+                return if sound { Ok((named, span, ends)) } else { Err(Unread::Told(ends)) };
             }
             if block.program.is_some() && !is_first {
                 break;
             }
         }
-        Err(None)
+        Err(Unread::NotFound)
     }
 
     /// The last block is read: nothing may wait for a further move. False: told.
@@ -239,24 +295,35 @@ impl Interpreter {
         first
     }
 
-    /// Only moves may stand in a contour (semantics §7.1 rule 3, PS0325).
-    fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> bool {
+    /// Only moves may stand in a contour (semantics §7.1 rule 3, PS0325). A retreat or setting in between is passed
+    /// over unless the control is strict: many programs name the block behind the contour as its last.
+    fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> Stands {
+        let skips = !self.dialect.strict;
         for word in &block.words {
             let Value::Number { number, .. } = word.value else { continue };
             let quoted = || quote(text, word.span);
-            let message = match (word.address, number.decimals, number.mantissa) {
-                (b'M', _, 98 | 99) => Message::ContourCall { word: quoted() },
+            let (message, severity) = match (word.address, number.decimals, number.mantissa) {
+                (b'M', _, 98 | 99) | (b'G', 0, 65 | 66) => {
+                    (Message::ContourCall { word: quoted() }, Severity::Error)
+                }
                 // The program would end in the middle of the cycle.
-                (b'M', _, 2 | 30) => Message::ContourIllegal { word: quoted() },
-                (b'G', 0, 65 | 66) => Message::ContourCall { word: quoted() },
+                (b'M', _, 2 | 30) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
                 (b'G', 0, 0..=4 | 18 | 40..=42 | 96..=99) => continue,
-                (b'G', ..) => Message::ContourIllegal { word: quoted() },
+                // G70 repeats blocks: some use it to drill a hole again.
+                (b'G', _, 80..=89) if skips && self.purpose == Some(Purpose::Finishing) => {
+                    let message = Message::ContourIllegal { word: quoted() };
+                    self.tell(Diagnostic::new(message, word.span).graded(Severity::Warning));
+                    continue;
+                }
+                (b'G', _, 70..=76 | 81..=90 | 92 | 94) => return Stands::OtherOperation(quoted()),
+                (b'G', ..) if skips => (Message::ContourIllegal { word: quoted() }, Severity::Warning),
+                (b'G', ..) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
                 _ => continue,
             };
-            self.tell(Diagnostic::new(message, word.span));
-            return false;
+            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            return if severity == Severity::Error { Stands::Not } else { Stands::Skipped };
         }
-        true
+        Stands::Well
     }
 }
 

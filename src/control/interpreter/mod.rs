@@ -134,6 +134,8 @@ struct Request {
     macro_call: Option<&'static str>,
     /// A hole cycle stands in the block.
     hole: Option<codes::Hole>,
+    /// G43: H names a length offset.
+    length_offset: bool,
     /// G54.1, whose P names the frame.
     extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
@@ -171,6 +173,8 @@ pub struct Interpreter {
     labels: Option<Labels>,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
+    /// Where the contours of G71 to G73 begin, by P and Q.
+    roughed: Vec<((u32, u32), Resume)>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
     /// First byte of the last block of the main program that was run straight through.
@@ -210,6 +214,7 @@ impl Interpreter {
             purpose: None,
             labels: None,
             landmarks: Vec::new(),
+            roughed: Vec::new(),
             jump: None,
             furthest: 0,
             repeated: 0,
@@ -526,13 +531,17 @@ impl Interpreter {
         word: &Word,
     ) {
         let Value::Number { number, .. } = word.value else { return };
-        if request.macro_call.is_some() {
+        if request.macro_call.is_some() || (word.address == b'H' && request.length_offset) {
             return;
         }
         if let Some(wrong) = words::check(text, word) {
+            let wrong = if self.dialect.strict { wrong.graded(Severity::Error) } else { wrong };
+            request.drop |= wrong.is_error();
+            let carried_out = !wrong.is_error();
             self.tell(wrong);
-            request.drop = true;
-            return;
+            if !carried_out {
+                return;
+            }
         }
         match word.address {
             b'G' => {
@@ -645,6 +654,12 @@ impl Interpreter {
     /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
     fn unknown_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
         let quoted = quote(text, word.span);
+        // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
+        if matches!(key, 430 | 440) {
+            request.length_offset = true;
+            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            return;
+        }
         if matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10) {
             self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
             self.state.uncertain = true;
@@ -709,9 +724,14 @@ impl Interpreter {
             }
             if let (OneShot::Setting | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
                 let message = Message::ToolWithSetting { word: quote(text, word.span) };
-                self.tell(Diagnostic::new(message, word.span));
-                request.drop = true;
-                return;
+                // Old controls take T with G50; it was usual there.
+                let taken = one_shot == OneShot::Setting && !self.dialect.strict;
+                let severity = if taken { Severity::Warning } else { Severity::Error };
+                self.tell(Diagnostic::new(message, word.span).graded(severity));
+                if !taken {
+                    request.drop = true;
+                    return;
+                }
             }
             match one_shot {
                 OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}

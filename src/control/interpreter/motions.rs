@@ -242,8 +242,17 @@ impl Interpreter {
         let center_words = match (given(b'R'), given(up), given(right)) {
             (Some(radius), ..) => CenterWords::Radius(radius),
             (None, None, None) => {
-                self.tell(Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()));
-                request.drop = true;
+                let alarm = self.dialect.strict || self.dialect.control == Control::Gsk;
+                let severity = if alarm { Severity::Error } else { Severity::Warning };
+                self.tell(
+                    Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()).graded(severity),
+                );
+                if alarm {
+                    request.drop = true;
+                } else {
+                    // FANUC goes there in a straight line unless a parameter (3403#5) asks for the alarm.
+                    self.line(text, block, request, words);
+                }
                 return;
             }
             (None, i, k) => CenterWords::Offset { i: i.unwrap_or(0.0), k: k.unwrap_or(0.0) },

@@ -133,6 +133,7 @@ impl Interpreter {
                 G71Retract::Feed => MotionKind::Feed,
             },
             last_pass: roughing::LastPass::Contour,
+            checks: roughing::Checks::All,
         };
         let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
         self.run_cycle(block, cycle.cycle(), None, &moves);
@@ -196,26 +197,27 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
             return None;
         }
-        let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
-        let message = match moves {
-            Ok(moves) => return Some(moves),
-            Err(roughing::Fault::NotMonotoneAlong { piece }) => {
-                Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
+        if !self.dialect.strict
+            && let Err(fault) = moves
+            && let Some(found) = forgiving(contour, shape, &how, most)
+        {
+            // Many such programs run: some controls leave the check out, others allow a tolerance.
+            let message = roughing_message(fault, code, turning, shape, most);
+            self.tell(Diagnostic::new(message, block.words_span()).graded(Severity::Warning));
+            return Some(found);
+        }
+        match moves {
+            Ok(moves) => Some(moves),
+            Err(fault) => {
+                if fault == roughing::Fault::TooManyMoves {
+                    // Found out only after that many moves.
+                    self.spend(most, block);
+                }
+                let message = roughing_message(fault, code, turning, shape, most);
+                self.tell(Diagnostic::new(message, block.words_span()));
+                None
             }
-            Err(roughing::Fault::NotMonotoneAcross { piece }) => {
-                Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
-            }
-            Err(roughing::Fault::BeyondStart { .. } | roughing::Fault::NothingToCut) => {
-                Message::ContourBeyondStart { code, axis: across }
-            }
-            Err(roughing::Fault::TooManyMoves) => {
-                // Found out only after that many moves.
-                self.spend(most, block);
-                Message::TooManyPasses { code, most }
-            }
-        };
-        self.tell(Diagnostic::new(message, block.words_span()));
-        None
+        }
     }
 
     /// G73.
@@ -549,5 +551,38 @@ impl Interpreter {
             self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
         }
         self.spend(moves.len() - (self.kept() - kept), block);
+    }
+}
+
+/// The moves of a contour that is held to less: as it is, or without the last blocks, which lead back.
+fn forgiving(contour: &Contour, shape: &Shape, how: &Roughing, most: usize) -> Option<Vec<Move>> {
+    let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
+    let shorter = |dropped: usize| {
+        let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
+        Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
+    };
+    let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
+    candidates.into_iter().flatten().find_map(|contour| roughing::rough(&contour, &how, most).ok())
+}
+
+/// What to say of a contour that cannot be roughed.
+fn roughing_message(
+    fault: roughing::Fault,
+    code: &'static str,
+    turning: bool,
+    shape: &Shape,
+    most: usize,
+) -> Message {
+    let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
+    match fault {
+        roughing::Fault::NotMonotoneAlong { piece } => {
+            Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
+        }
+        roughing::Fault::NotMonotoneAcross { piece } => {
+            Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
+        }
+        roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
+        roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
+        roughing::Fault::TooManyMoves => Message::TooManyPasses { code, most },
     }
 }

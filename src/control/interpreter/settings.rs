@@ -75,12 +75,22 @@ impl Interpreter {
     pub(super) fn dwell(&mut self, text: &[u8], block: &Block, words: &Words, request: &mut Request) {
         let reading = self.reading();
         let by_seconds = words.get(b'X').or(words.get(b'U')).and_then(|word| reading.seconds(word));
-        let any_number = self.dialect.control == Control::Forum;
-        if !any_number && !words.get(b'P').is_none_or(|word| self.is_whole(text, word)) {
-            request.drop = true;
-            return;
+        let pointed = words
+            .get(b'P')
+            .filter(|word| matches!(word.value, Value::Number { number, .. } if number.has_point()));
+        let forum = self.dialect.control == Control::Forum;
+        if let Some(word) = pointed.filter(|_| !forum) {
+            // Haas reads seconds where there is a point.
+            let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
+            let message = Message::DwellWithPoint { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            if severity == Severity::Error {
+                request.drop = true;
+                return;
+            }
         }
-        let by_milliseconds = words.get(b'P').and_then(plain).map(|value| value / 1000.0);
+        let scale = if pointed.is_some() && !forum { 1.0 } else { 1000.0 };
+        let by_milliseconds = words.get(b'P').and_then(plain).map(|value| value / scale);
         match by_seconds.or(by_milliseconds) {
             Some(seconds) if seconds > 0.0 => {
                 let motion = self.motion(MotionKind::Dwell, self.state.position);

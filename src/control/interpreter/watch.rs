@@ -6,10 +6,14 @@ impl Interpreter {
     /// Checks before a cut at feed: whether there is a feed, and what a teacher would remark.
     #[inline]
     pub(super) fn may_cut(&mut self, block: &Block, words: &Words, request: &mut Request) -> bool {
-        let Some(feed) = self.state.feed.filter(|&feed| feed > 0.0) else {
-            self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
-            request.drop = true;
-            return false;
+        let feed = match self.state.feed {
+            Some(feed) if feed > 0.0 => feed,
+            Some(_) => {
+                self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                request.drop = true;
+                return false;
+            }
+            None => return self.without_feed(block, request),
         };
         if words.has_any(letters(b"F")) {
             let per_turn = self.state.feed_mode == FeedMode::PerTurn;
@@ -24,6 +28,21 @@ impl Interpreter {
         }
         self.watch_spindle(block);
         true
+    }
+
+    /// A cut before any F. Fresh from power-on a control stops there with PS0011; else it cuts with the F of the
+    /// program before. The block is left out as after an error; later ones go on, for it is the same fault.
+    #[cold]
+    pub(super) fn without_feed(&mut self, block: &Block, request: &mut Request) -> bool {
+        let strict = self.dialect.strict;
+        if strict || self.state.told.first(Once::NoFeed) {
+            let severity = if strict { Severity::Error } else { Severity::Warning };
+            self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()).graded(severity));
+            request.drop = true;
+        } else {
+            self.watch_spindle(block);
+        }
+        !request.drop
     }
 
     #[inline]

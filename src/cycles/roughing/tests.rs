@@ -27,6 +27,7 @@ fn how(direction: Direction, shape: Shape, depth: f64, escape: f64, allowance: (
         allowance: at(allowance.0, allowance.1),
         escape_kind: MotionKind::Rapid,
         last_pass: LastPass::Contour,
+        checks: Checks::All,
     }
 }
 
@@ -281,7 +282,7 @@ fn without_a_last_pass_the_tool_goes_home_over_the_work() {
     let contour = straight(Approach::Rapid, (50.0, 2.0), &points);
     check(
         &contour,
-        &Roughing { last_pass: LastPass::Nothing, ..type_two(2.0, 0.5) },
+        &Roughing { last_pass: LastPass::Nothing, checks: Checks::All, ..type_two(2.0, 0.5) },
         "#1 R(50,-10) F(46,-10) F(46,-20) F(50,-20) R(51,-19.5) R(51,-10)
         #2 F(46,-10) F(42,-10) F(42,-20) F(46,-20) R(47,-19.5) R(47,-10)
         #0 R(50,-10) R(50,2)",

@@ -207,8 +207,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             .help("G07.1 C30 begins with a radius of 30 mm, G07.1 C0 ends it. It may not be begun twice."),
         Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` is not allowed in cylindrical interpolation."))
             .help("There only G01 to G04 and G40 to G42 may stand, arcs are given by R, and rapids come before G07.1 or behind G07.1 C0."),
-        Message::FeedMissing => Sentence::new("There is no feed: no F other than zero has been given before this cut.")
-            .help("Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute)."),
+Message::DwellWithPoint { word } => Sentence::new(format!("`{word}` has a point; it was read as seconds."))
+            .help("FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere."),
+                Message::FeedMissing => Sentence::new("There is no feed: no F other than zero has been given before this cut.")
+            .help("Fresh from power-on a control stops here; otherwise it cuts with the F of the program before. Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute)."),
         Message::LeadMissing { code } => Sentence::new(format!("{code} has no lead."))
             .help("F gives the lead of the thread in mm."),
         Message::FeedUnit { feed, per_turn: true } => {
@@ -240,7 +242,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("Every pass must meet the same groove: give a constant speed with G97 S….")
         }
         Message::ArcNoCenter { code } => Sentence::new(format!("{code} has neither R nor I, K."))
-            .help("Give the radius with R, or the centre from the start point with I and K."),
+            .help("Give the radius with R, or the centre from the start point with I and K; or was G01 meant? FANUC goes straight there unless a parameter asks for the alarm."),
         Message::ArcRadiusTooSmall { radius, distance } => Sentence::new(format!(
             "R{} is too small: start and end of the arc are {} mm apart.",
             number(*radius),
@@ -281,6 +283,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::ContourIllegal { word } => Sentence::new(format!("`{word}` may not stand between P and Q."))
             .help("A contour holds moves by G00, G01, G02 and G03 only. The cycle is not carried out."),
+        Message::ContourReachesOver { code, word, line } => {
+            Sentence::new(format!("P and Q of {code} take in another operation: `{word}` in line {line}."))
+                .help("Look at the sequence numbers: one may stand twice, or Q may name a block far behind. The cycle is not carried out.")
+        }
         Message::ContourCall { word } => Sentence::new(format!("`{word}` calls a subprogram inside a contour."))
             .help("Write the moves out between P and Q. The cycle is not carried out."),
         Message::ContourBothAxes { code, other } => {
@@ -299,6 +305,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("The contour of {code} goes beyond the start point in {axis}."))
                 .help("Start the cycle outside the contour.")
         }
+        Message::ContourNothingToCut { code } => Sentence::new(format!("Between the start point and this contour there is nothing for {code} to cut."))
+            .help("The contour needs a depth below the start point and a way along it: more than its first and last block."),
         Message::ContourOpenEnd { word, .. } => Sentence::new(format!("`{word}` in the last block of the contour has no next move."))
             .help("A contour cannot end in a chamfer, a rounded corner or an open angle."),
         Message::DepthNotPositive { code, depth: None } => Sentence::new(format!("{code} has no depth of cut."))

@@ -224,8 +224,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             .help("G07.1 C30 включает с радиусом 30 мм, G07.1 C0 выключает. Дважды включать нельзя."),
         Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` в цилиндрической интерполяции не допускается."))
             .help("Там могут стоять только G01–G04 и G40–G42, дуги задаются через R, а быстрые перемещения – до G07.1 или после G07.1 C0."),
-        Message::FeedMissing => Sentence::new("Не задана подача: до начала резания не было F, отличного от нуля.")
-            .help("Добавьте F, например F0.2 при G99 (мм/об) или F200 при G98 (мм/мин)."),
+Message::DwellWithPoint { word } => Sentence::new(format!("В `{word}` стоит точка; прочитано как секунды."))
+            .help("У FANUC P – миллисекунды без точки, иначе авария; Haas читает секунды. X или U везде задают секунды."),
+                Message::FeedMissing => Sentence::new("Не задана подача: до начала резания не было F, отличного от нуля.")
+            .help("Сразу после включения стойка здесь остановится, иначе будет резать с F прежней программы. Добавьте F, например F0.2 при G99 (мм/об) или F200 при G98 (мм/мин)."),
         Message::LeadMissing { code } => Sentence::new(format!("В {code} не задан ход резьбы."))
             .help("F задаёт ход резьбы в мм; у однозаходной резьбы он равен шагу."),
         Message::FeedUnit { feed, per_turn: true } => {
@@ -259,7 +261,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("Задайте постоянные обороты (G97 S…): каждый проход должен попадать в ту же нитку.")
         }
         Message::ArcNoCenter { code } => Sentence::new(format!("В {code} нет ни R, ни I и K."))
-            .help("Задайте радиус R или центр относительно начальной точки дуги: I и K."),
+            .help("Задайте радиус R или центр относительно начальной точки дуги: I и K; или имелась в виду G01? FANUC идёт прямо, если параметр не требует аварии."),
         Message::ArcRadiusTooSmall { radius, distance } => Sentence::new(format!(
             "Радиус R{} слишком мал: от начала до конца дуги {} мм.",
             number(*radius),
@@ -316,6 +318,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("`{word}` нельзя писать между кадрами P и Q."))
                 .help("Контур задают только кодами G00, G01, G02 и G03. Цикл не выполняется.")
         }
+        Message::ContourReachesOver { code, word, line } => {
+            Sentence::new(format!("P и Q у {code} захватывают другую операцию: `{word}` в строке {line}."))
+                .help("Проверьте номера кадров: один может стоять дважды, или Q называет кадр далеко позади. Цикл не выполняется.")
+        }
         Message::ContourCall { word } => {
             Sentence::new(format!("`{word}` вызывает подпрограмму внутри контура."))
                 .help("Запишите перемещения прямо между кадрами P и Q. Цикл не выполняется.")
@@ -336,6 +342,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("Контур для {code} выходит по {axis} за начальную точку цикла."))
                 .help("Начальная точка цикла должна лежать вне контура.")
         }
+        Message::ContourNothingToCut { code } => Sentence::new(format!("Между начальной точкой и этим контуром {code} нечего снимать."))
+            .help("Контуру нужны глубина от начальной точки и длина: одного первого и последнего кадра мало."),
         Message::ContourOpenEnd { word, .. } => {
             Sentence::new(format!("После `{word}` в последнем кадре контура нет перемещения."))
                 .help("Контур не может кончаться фаской, скруглением или углом без конечной точки.")

@@ -205,8 +205,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             .help("G07.1 C30 以半径 30 mm 开始，G07.1 C0 结束；不能重复开始。"),
         Message::CylinderForbidden { word } => Sentence::new(format!("圆柱插补中不允许使用 `{word}`。"))
             .help("其间只能使用 G01 至 G04 和 G40 至 G42，圆弧用 R 给出，快速移动写在 G07.1 之前或 G07.1 C0 之后。"),
-        Message::FeedMissing => Sentence::new("没有进给速度：切削之前没有给出不为零的 F。")
-            .help("请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。"),
+Message::DwellWithPoint { word } => Sentence::new(format!("`{word}` 带小数点，按秒读取。"))
+            .help("FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。"),
+                Message::FeedMissing => Sentence::new("没有进给速度：切削之前没有给出不为零的 F。")
+            .help("刚开机时系统在此报警；否则按前一个程序的 F 切削。请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。"),
         Message::LeadMissing { code } => Sentence::new(format!("{code} 没有给出导程。"))
             .help("F 指定螺纹导程，单位 mm；单线螺纹的导程就是螺距。"),
         Message::FeedUnit { feed, per_turn: true } => {
@@ -237,7 +239,7 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("每一刀都要切在同一条螺旋槽里，否则会乱牙：请用 G97 S… 指定固定转速。")
         }
         Message::ArcNoCenter { code } => Sentence::new(format!("{code} 既没有 R，也没有 I、K。"))
-            .help("请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标。"),
+            .help("请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标；或者本想写 G01？FANUC 在参数未设报警时走直线。"),
         Message::ArcRadiusTooSmall { radius, distance } => {
             Sentence::new(format!("R{} 太小：圆弧起点与终点相距 {} mm。", number(*radius), number(*distance)))
                 .help(format!("半径至少要 {} mm，即距离的一半。注意 X 是直径值。", number(distance / 2.0)))
@@ -281,6 +283,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::ContourIllegal { word } => Sentence::new(format!("`{word}` 不能写在 P 段到 Q 段之间。"))
             .help("精加工路线只能用 G00、G01、G02、G03 编程。这个循环不执行。"),
+        Message::ContourReachesOver { code, word, line } => {
+            Sentence::new(format!("{code} 的 P、Q 之间包含了其他加工：第 {line} 行的 `{word}`。"))
+                .help("请检查顺序号：可能重复，或 Q 指到了很后面的程序段。该循环不执行。")
+        }
         Message::ContourCall { word } => Sentence::new(format!("`{word}` 在精加工路线中调用了子程序。"))
             .help("请把移动指令直接写在 P 段到 Q 段之间。这个循环不执行。"),
         Message::ContourBothAxes { code, other } => {
@@ -299,6 +305,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("{code} 的精加工路线在 {axis} 向超出了循环起点。"))
                 .help("循环起点要选在轮廓之外。")
         }
+        Message::ContourNothingToCut { code } => Sentence::new(format!("循环起点与该轮廓之间没有可供 {code} 切削的余量。"))
+            .help("轮廓相对循环起点要有深度和长度：除首尾两段外还应有其他程序段。"),
         Message::ContourOpenEnd { word, .. } => {
             Sentence::new(format!("`{word}` 写在精加工路线的最后一段，后面没有移动。"))
                 .help("精加工路线不能以倒角、倒圆或终点未定的角度结束。")

@@ -346,6 +346,7 @@ fn task(shape: Shape) -> impl Strategy<Value = (Contour, Roughing)> {
                 allowance,
                 escape_kind: MotionKind::Rapid,
                 last_pass: LastPass::Contour,
+                checks: Checks::All,
             };
             (contour, how)
         },
