@@ -110,6 +110,7 @@ pub struct MachinePlace {
     /// Diameter, mm.
     pub x: f64,
     /// Angle of C, degrees, not brought back to one turn.
+    #[serde(rename = "c_deg")]
     pub c: f64,
 }
 

@@ -57,8 +57,8 @@ fn message_rows(text: &str, analysis: &Analysis) -> Vec<Value> {
 #[test]
 fn motions_are_the_expected_ones() {
     let mut checked = 0;
-    for program in all().iter().filter(|program| program.needs.is_empty()) {
-        let found = motion_rows(&analysis(program));
+    for program in all() {
+        let found = motion_rows(&analysis(&program));
         compare(&program.motions, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
         if let (Some(last), Some(end)) = (found.last(), program.expect.get("final")) {
             same(end, &last["to"]).unwrap_or_else(|why| panic!("{}: final point: {why}", program.id));
@@ -70,19 +70,19 @@ fn motions_are_the_expected_ones() {
 
 #[test]
 fn messages_are_the_expected_ones() {
-    for program in all().iter().filter(|program| program.needs.is_empty()) {
-        let found = message_rows(&program.text, &analysis(program));
-        check_messages(program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
+    for program in all() {
+        let found = message_rows(&program.text, &analysis(&program));
+        check_messages(&program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
     }
 }
 
 /// A program written out without cycles makes the same motions.
 #[test]
 fn expanded_programs_make_the_same_motions() {
-    for program in all().iter().filter(|program| program.needs.is_empty()) {
+    for program in all() {
         let setup = Setup::from_json(&program.setup).expect(&program.id);
         let plain = expand(program.text.as_bytes(), &setup);
-        let (before, after) = (analysis(program), analyze(plain.as_bytes(), &setup));
+        let (before, after) = (analysis(&program), analyze(plain.as_bytes(), &setup));
         let id = &program.id;
         assert_eq!(before.motions.len(), after.motions.len(), "{id}:\n{plain}");
         for (a, b) in before.motions.iter().zip(after.motions.iter()) {
@@ -93,17 +93,6 @@ fn expanded_programs_make_the_same_motions() {
             let plain = b.cycle.is_none() && (b.programmed.is_none() || b.virtual_move().is_some());
             assert!(plain, "{id}: not plain");
         }
-    }
-}
-
-/// What is not done yet is said to be so, and is never called the user's mistake.
-#[test]
-fn later_codes_are_answered_as_not_supported_yet() {
-    for program in all().iter().filter(|program| !program.needs.is_empty()) {
-        let found = message_rows(&program.text, &analysis(program));
-        assert!(found.iter().any(|row| row["code"] == "N-NOT-YET"), "{}", program.id);
-        let errors: Vec<&Value> = found.iter().filter(|row| row["severity"] == "error").collect();
-        assert!(errors.is_empty(), "{}: {errors:?}", program.id);
     }
 }
 

@@ -318,6 +318,12 @@ impl<'a> Parser<'a> {
             return;
         }
         let quote = short_quote(self.lexer.text(), span);
+        if !self.has_digit(span) {
+            // A full stop behind a remark.
+            let message = Message::NotUnderstood { text: quote };
+            block.fault(Diagnostic::new(message, span).graded(Severity::Warning));
+            return;
+        }
         block.fault(Diagnostic::new(Message::AddressMissing { number: quote }, span));
     }
 

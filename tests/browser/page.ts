@@ -19,9 +19,9 @@ export function motionCount(id: string): number {
 }
 
 /** The programs of the gallery, in its order. */
-export const examples: readonly { readonly id: string; readonly needs: readonly string[] }[] = (
+export const examples: readonly { readonly id: string }[] = (
   JSON.parse(read('.', 'gallery.json')) as string[]
-).map((id) => ({ id, needs: (JSON.parse(read(id, 'about.json')) as { needs: string[] }).needs }));
+).map((id) => ({ id }));
 
 export const editor = (page: Page): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
 export const status = (page: Page): Locator => page.getByRole('status');

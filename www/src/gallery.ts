@@ -15,14 +15,11 @@ export interface Example {
   readonly title: Translated;
   /** One sentence: what this program is here for. */
   readonly shows: Translated;
-  /** What the interpreter still has to learn to draw all of it. */
-  readonly needs: readonly string[];
 }
 
 interface About {
   readonly title?: Partial<Translated>;
   readonly shows?: Partial<Translated>;
-  readonly needs?: readonly string[];
 }
 
 const FOLDER = '../../tests/programs';
@@ -42,7 +39,6 @@ export const examples: readonly Example[] = (order[`${FOLDER}/gallery.json`] ?? 
       setup: setups[`${FOLDER}/${id}/setup.json`] ?? '{}',
       title: translated(about?.title, id),
       shows: translated(about?.shows, ''),
-      needs: about?.needs ?? [],
     },
   ];
 });

@@ -91,10 +91,7 @@ export interface Strings {
   readonly page: {
     readonly title: string;
     readonly example: string;
-    readonly complete: string;
-    readonly partial: string;
     readonly ownProgram: string;
-    readonly needs: (what: string) => string;
     readonly control: string;
     readonly language: string;
     readonly theme: string;
@@ -205,10 +202,7 @@ const en: Strings = {
   page: {
     title: 'G-code playground',
     example: 'Example',
-    complete: 'Ready to play',
-    partial: 'Partly supported so far',
     ownProgram: 'My own program',
-    needs: (what) => `Not drawn completely yet: ${what} is still to come.`,
     control: 'Control',
     language: 'Language',
     theme: 'Theme',
@@ -309,10 +303,7 @@ const zh: Strings = {
   page: {
     title: 'G 代码演练场',
     example: '示例',
-    complete: '可完整演示',
-    partial: '目前部分支持',
     ownProgram: '我的程序',
-    needs: (what) => `图形尚不完整：${what} 将在以后支持。`,
     control: '数控系统',
     language: '语言',
     theme: '主题',
@@ -414,10 +405,7 @@ const ru: Strings = {
   page: {
     title: 'Песочница G-кода',
     example: 'Пример',
-    complete: 'Готовы к показу',
-    partial: 'Пока поддержаны частично',
     ownProgram: 'Моя программа',
-    needs: (what) => `Нарисовано ещё не всё: ${what} — в планах.`,
     control: 'Система ЧПУ',
     language: 'Язык',
     theme: 'Тема',

@@ -176,7 +176,6 @@ function showAbove(what: Above): void {
   const own = playground.file !== undefined;
   if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
-    if (example.needs.length > 0) lines.push(make('p', {}, texts.page.needs(example.needs.join(', '))));
   }
   if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
@@ -216,14 +215,9 @@ function showLanguage(): void {
 }
 
 function showExamples(): void {
-  const texts = strings(language).page;
-  const group = (title: string, members: readonly Example[]): HTMLOptGroupElement =>
-    make('optgroup', { label: title }, ...members.map(({ id, title: titles }) => make('option', { value: id }, titles[language])));
-  const complete = examples.filter((one) => one.needs.length === 0);
-  const partial = examples.filter((one) => one.needs.length > 0);
-  exampleSelect.replaceChildren();
-  if (complete.length > 0) exampleSelect.append(group(texts.complete, complete));
-  if (partial.length > 0) exampleSelect.append(group(texts.partial, partial));
+  exampleSelect.replaceChildren(
+    ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),
+  );
   exampleSelect.value = example?.id ?? '';
 }
 

@@ -47,6 +47,10 @@ impl Interpreter {
         let start = self.state.position;
         let memory = self.state.memory;
         let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));
+        if end.is_same(start) && memory.taper == 0.0 {
+            // `U0 W0` behind a header with G90: nothing to cut.
+            return;
+        }
         let taper_span = taper.map_or_else(|| block.words_span(), |word| word.span);
         if !self.taper_fits(cycle, start, end, taper_span) {
             request.drop = true;

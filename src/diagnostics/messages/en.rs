@@ -335,7 +335,7 @@ Message::DwellWithPoint { word } => Sentence::new(format!("`{word}` has a point;
         }
         Message::ReliefNegative { word } => Sentence::new(format!("The relief `{word}` cannot be negative here."))
             .help("Its direction follows from the steps."),
-        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` was read as millimetres."))
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` was read as mm (inches under G20)."))
             .help("FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide."),
         Message::ThreadAngle { angle } => Sentence::new(format!("{}° is no tool angle of G76.", number(*angle)))
             .help("FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P."),

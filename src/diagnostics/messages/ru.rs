@@ -381,7 +381,7 @@ Message::DwellWithPoint { word } => Sentence::new(format!("В `{word}` стои�
             Sentence::new(format!("Отвод в сторону `{word}` здесь не может быть отрицательным."))
                 .help("Его направление следует из направления смещения.")
         }
-        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` прочитано в миллиметрах."))
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` прочитано в мм (при G20 в дюймах)."))
             .help("Стойки FANUC и GSK считают P и Q в микрометрах, без точки: 5 мм — это 5000. Единицу задаёт настройка pqUnit."),
         Message::ThreadAngle { angle } => {
             Sentence::new(format!("Угол инструмента {}° в G76 недопустим.", number(*angle)))

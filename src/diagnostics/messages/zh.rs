@@ -341,7 +341,7 @@ Message::DwellWithPoint { word } => Sentence::new(format!("`{word}` 带小数点
         }
         Message::ReliefNegative { word } => Sentence::new(format!("这里的让刀量 `{word}` 不能是负值。"))
             .help("让刀方向由每次移动的方向决定。"),
-        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` 已按 mm 读取。")).help(
+        Message::AmountInMillimetres { word } => Sentence::new(format!("`{word}` 已按 mm（G20 时按英寸）读取。")).help(
             "FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
         ),
         Message::ThreadAngle { angle } => {
