@@ -441,23 +441,49 @@ impl Chunk {
 
     /// Adds a motion of the block at `span` on `line` (from 0).
     pub fn push(&mut self, motion: &Motion, span: Span, line: u32) {
+        let index = self.kind.len() as u32;
+        self.push_move(motion.kind, motion.from, motion.to, motion.center, &motion.process, span, line);
+        if let Some(programmed) = motion.programmed {
+            self.programmed.push((index, programmed));
+        }
+        if let Some(rotary) = motion.rotary {
+            self.rotary.push((index, rotary));
+        }
+        if let Some(step) = motion.cycle {
+            self.cycle[index as usize] = pack_cycle(step);
+        }
+        if let Some(number) = motion.lead.or(motion.seconds).filter(|_| motion.center.is_none()) {
+            if self.numbers.last() != Some(&number) {
+                self.numbers.push(number);
+            }
+            self.detail[index as usize] = self.numbers.len() as u32 - 1;
+        }
+    }
+
+    /// Adds a motion that is nothing but a move along a line or an arc.
+    #[inline]
+    #[allow(clippy::too_many_arguments, reason = "the columns of a row")]
+    pub fn push_move(
+        &mut self,
+        kind: MotionKind,
+        from: Point,
+        to: Point,
+        center: Option<Point>,
+        process: &Process,
+        span: Span,
+        line: u32,
+    ) {
         let index = self.kind.len();
         let previous = match index {
             0 => self.start,
             _ => Point::new(self.x[index - 1], self.z[index - 1]),
         };
-        if motion.from != previous {
-            self.starts.push((index as u32, motion.from));
+        if from != previous {
+            self.starts.push((index as u32, from));
         }
-        if let Some(programmed) = motion.programmed {
-            self.programmed.push((index as u32, programmed));
-        }
-        if let Some(rotary) = motion.rotary {
-            self.rotary.push((index as u32, rotary));
-        }
-        self.kind.push(motion.kind as u8);
-        self.x.push(motion.to.x);
-        self.z.push(motion.to.z);
+        self.kind.push(kind as u8);
+        self.x.push(to.x);
+        self.z.push(to.z);
         let place = BlockPlace {
             start: span.start.wrapping_sub(self.base) as i32,
             len: span.len() as u32,
@@ -467,21 +493,17 @@ impl Chunk {
             self.blocks.push(place);
         }
         self.block.push(self.blocks.len() as u32 - 1);
-        self.cycle.push(motion.cycle.map_or(0, pack_cycle));
-        if self.processes.last() != Some(&motion.process) {
-            self.processes.push(motion.process);
+        self.cycle.push(0);
+        if self.processes.last() != Some(process) {
+            self.processes.push(*process);
         }
         self.process.push(self.processes.len() as u32 - 1);
-        self.detail.push(if let Some(center) = motion.center {
-            self.centers.push(center);
-            self.centers.len() as u32 - 1
-        } else if let Some(number) = motion.lead.or(motion.seconds) {
-            if self.numbers.last() != Some(&number) {
-                self.numbers.push(number);
+        self.detail.push(match center {
+            Some(center) => {
+                self.centers.push(center);
+                self.centers.len() as u32 - 1
             }
-            self.numbers.len() as u32 - 1
-        } else {
-            NONE
+            None => NONE,
         });
     }
 

@@ -37,6 +37,9 @@ const LOOKED_AT: usize = 100_000;
 
 /// The text of a file as UTF-8, and what it was written in; encoding it again gives the very same bytes.
 pub fn decode(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
+    if bytes.is_ascii() {
+        return (bytes, Encoding::Utf8);
+    }
     if std::str::from_utf8(&bytes).is_ok() && !is_rather_chinese(&bytes) {
         return (bytes, Encoding::Utf8);
     }

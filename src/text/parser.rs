@@ -104,6 +104,13 @@ impl<'a> Parser<'a> {
                     self.lexer.seek(self.lexer.position() + 1);
                     continue;
                 }
+                Some(b'\n') => {
+                    let at = self.lexer.position();
+                    self.lexer.seek(at + 1);
+                    self.line += 1;
+                    self.after_semicolon = false;
+                    return at;
+                }
                 Some(b'A'..=b'Z' | b'a'..=b'z') => {
                     if let Some(plain) = self.lexer.plain_word() {
                         self.store(block, plain.letter, false, plain.negative, plain.number, plain.span);

@@ -781,9 +781,11 @@ impl Interpreter {
                 let to = self.target(text, words);
                 request.moved = words.has_any(AXES);
                 let c = self.turn_target(words);
-                let motion = self.motion(MotionKind::Rapid, to);
-                let motion = self.turning(motion, c);
-                self.travel(block, motion, None);
+                if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
+                    let motion = self.motion(MotionKind::Rapid, to);
+                    let motion = self.turning(motion, c);
+                    self.travel(block, motion, None);
+                }
             }
             MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
                 self.line(text, block, request, words);

@@ -130,6 +130,9 @@ impl Interpreter {
             }
             _ => Point::new(x.from(from.x), z.from(from.z)),
         };
+        if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
+            return;
+        }
         let motion = self.motion(MotionKind::Feed, to);
         let motion = self.turning(motion, c);
         self.travel(block, motion, joint);
@@ -153,6 +156,11 @@ impl Interpreter {
         request: &Request,
         words: &Words,
     ) -> Result<Option<Joint>, ()> {
+        // Most moves have no such word.
+        const CORNERS: u32 = letters(b"CDIKLR");
+        if request.comma == [None; 3] && !words.has_any(CORNERS) {
+            return Ok(None);
+        }
         let straight = self.state.motion == MotionMode::Line && self.state.virtual_plane.is_none();
         let gsk = self.dialect.control == Control::Gsk;
         let [chamfer, round, _] = request.comma;
@@ -282,6 +290,9 @@ impl Interpreter {
         };
         match arcs::center(from, to, turn, center_words) {
             Ok(Some(center)) => {
+                if joint.is_none() && self.travel_plainly(block, kind, to, Some(center)) {
+                    return;
+                }
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
                 self.travel(block, motion, joint);
             }

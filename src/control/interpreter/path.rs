@@ -42,6 +42,37 @@ impl Interpreter {
         }
     }
 
+    /// A move while nothing waits, is compensated or recorded: straight into the motion list, as nearly all moves of
+    /// long programs. False: it has to go the whole way.
+    #[inline]
+    pub(super) fn travel_plainly(
+        &mut self,
+        block: &Block,
+        kind: MotionKind,
+        to: Point,
+        center: Option<Point>,
+    ) -> bool {
+        let state = &self.state;
+        let plain = state.compensation == Compensation::Off
+            && state.compensating.is_none()
+            && state.pending.is_none()
+            && state.virtual_plane.is_none()
+            && state.tip.is_none()
+            && self.recorded.is_none()
+            && !self.full
+            && self.kept() < self.limits.motions;
+        if !plain {
+            return false;
+        }
+        let from = state.position;
+        if !from.is_same(to) || center.is_some() {
+            let process = state.process();
+            self.chunk.push_move(kind, from, to, center, &process, block.span, block.line);
+        }
+        self.state.position = to;
+        true
+    }
+
     /// A move known by its angle alone, until the next block gives its end.
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
