@@ -32,7 +32,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
         if self.state.course.calls.is_empty() && block.span.start >= self.furthest {
-            self.furthest = block.span.start;
+            self.furthest = block.span.start + 1;
             return true;
         }
         self.count_repeat(block)

@@ -173,7 +173,7 @@ pub struct Interpreter {
     landmarks: Vec<Landmarks>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
-    /// First byte of the last block of the main program that was run straight through.
+    /// Blocks of the main program from this byte on have not been run yet.
     furthest: u32,
     /// Blocks carried out through jumps, loops and calls.
     repeated: usize,
