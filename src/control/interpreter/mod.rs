@@ -505,12 +505,8 @@ impl Interpreter {
     /// M02, M30.
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
-        if self.state.virtual_plane.is_some() {
-            let end = block.words.iter().find(|word| word.address == b'M');
-            let span = end.map_or_else(|| block.words_span(), |word| word.span);
-            let code = quote(text, span);
-            self.tell(Diagnostic::new(Message::PolarLeftOn { code }, span));
-        }
+        let end = block.words.iter().find(|word| word.address == b'M');
+        self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
         self.state.compensation = Compensation::Off;
     }
 
@@ -572,7 +568,7 @@ impl Interpreter {
         if group == 1 {
             self.note_motion_word(text, request, word.span);
         }
-        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, key, word) {
+        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, code, word) {
             request.drop = true;
             return;
         }
@@ -594,6 +590,7 @@ impl Interpreter {
                     state.motion = hole.before;
                 }
             }
+            G::HoleReturn(level) => state.hole_return = level,
             G::MacroCall(code) => request.macro_call = Some(code),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
@@ -666,6 +663,7 @@ impl Interpreter {
 
     fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
+        state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match codes::m_code(number) {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
@@ -691,7 +689,6 @@ impl Interpreter {
     /// Coordinate systems, motion, cycles.
     fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
-            self.state.hole = None;
             self.enter(mode, block, words);
         }
         if let Some(span) = request.extended_frame {
@@ -707,9 +704,15 @@ impl Interpreter {
             if one_shot != OneShot::Dwell {
                 self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
             }
-            if let (OneShot::Setting | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
+            if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) =
+                (one_shot, words.get(b'T'))
+            {
                 let message = Message::ToolWithSetting { word: quote(text, word.span) };
                 self.tell(Diagnostic::new(message, word.span));
+                request.drop = true;
+                return;
+            }
+            if !self.may_stand_with_hole(text, block, one_shot) {
                 request.drop = true;
                 return;
             }
@@ -721,9 +724,9 @@ impl Interpreter {
             match one_shot {
                 OneShot::Dwell => self.dwell(text, block, words, request),
                 OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
-                OneShot::CheckHome => self.check_home(text, block, words),
+                OneShot::CheckHome => self.check_home(text, block, request, words),
                 OneShot::FromHome => self.leave_home(text, block, request, words),
-                OneShot::Machine => self.machine_move(block, words),
+                OneShot::Machine => self.machine_move(block, request, words),
                 OneShot::Data => self.write_data(text, request, words),
                 OneShot::Setting => self.setting(words),
                 OneShot::LocalFrame => self.local_frame(words),
@@ -782,6 +785,7 @@ impl Interpreter {
     /// A code of group 01 comes into force.
     fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
         let state = &mut self.state;
+        state.hole = None;
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
                 // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
