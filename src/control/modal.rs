@@ -255,6 +255,7 @@ pub enum Once {
     PolarAngle,
     PolarCenter,
     PlaneRapid,
+    HoleInForce,
     AxisNotHere,
     MachineZero,
     PlaneNotHere,

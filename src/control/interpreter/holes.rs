@@ -22,6 +22,9 @@ impl Interpreter {
             let code = kind.code();
             self.tell(Diagnostic::new(Message::HoleOfOthers { code }, span));
         }
+        if self.state.hole.is_none() {
+            self.state.told.forget(Once::HoleInForce);
+        }
         self.state.hole = Some(match self.state.hole {
             // What was given holds until G80, for a cycle along the same axis.
             Some(hole) if hole.kind.is_face() == kind.is_face() => HoleMemory { kind, ..hole },
@@ -38,6 +41,9 @@ impl Interpreter {
             _ => return true,
         };
         let Some(hole) = self.state.hole else { return true };
+        if !self.state.told.first(Once::HoleInForce) {
+            return false;
+        }
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());

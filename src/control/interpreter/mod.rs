@@ -20,7 +20,7 @@ mod singles;
 mod system;
 mod watch;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
@@ -169,6 +169,8 @@ pub struct Interpreter {
     purpose: Option<contours::Purpose>,
     /// Sequence numbers, made when first asked for.
     labels: Option<Labels>,
+    /// Where loops go on behind their END, by the first byte of their DO; found when first asked for.
+    ends: BTreeMap<u32, Option<Resume>>,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
     /// Where the program goes on after the block.
@@ -209,6 +211,7 @@ impl Interpreter {
             recorded: None,
             purpose: None,
             labels: None,
+            ends: BTreeMap::new(),
             landmarks: Vec::new(),
             jump: None,
             furthest: 0,
@@ -394,21 +397,7 @@ impl Interpreter {
             self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
             return Flow::Next;
         }
-        if !block.has_expressions {
-            return self.words(text, block, here);
-        }
-        match self.evaluated(text, block) {
-            Some(own) => {
-                if self.trace.is_some() {
-                    self.trace_values(&own);
-                }
-                self.words(text, &own, here)
-            }
-            None => {
-                self.state.uncertain = true;
-                Flow::Next
-            }
-        }
+        self.words_of(text, block, here)
     }
 
     /// Carries out a block of words.
@@ -462,11 +451,6 @@ impl Interpreter {
     fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.kept();
         let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
-        let steers = |word: &Word| match word.address {
-            b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
-            b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
-            _ => false,
-        };
         let steers = !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(steers);
         trace.push(Executed { at: here.at, first, values: None, steers });
     }
@@ -494,11 +478,20 @@ impl Interpreter {
             let Value::Number { number, negative } = word.value else { continue };
             let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
             let space = if values.is_empty() { "" } else { " " };
-            let point = if number.has_point() && number.decimals == 0 { "." } else { "" };
+            let whole = number.value().fract() == 0.0;
+            let point = if number.has_point() && whole { "." } else { "" };
             values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
         }
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
+            last.steers = !block.is_broken() && block.words.iter().any(steers);
+        }
+    }
+
+    /// The last block was not carried out, for want of a value.
+    fn trace_nothing(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            (last.values, last.steers) = (Some(String::new()), false);
         }
     }
 
@@ -904,6 +897,15 @@ fn without_optional(block: &Block) -> Block {
         rest.words.truncate(first);
     }
     rest
+}
+
+/// Whether a word only steers the program.
+fn steers(word: &Word) -> bool {
+    match word.address {
+        b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
+        b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
+        _ => false,
+    }
 }
 
 fn is_prose(fault: &Diagnostic) -> bool {
