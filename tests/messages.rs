@@ -185,6 +185,8 @@ fn macros() {
     check("#1=123456789\nG0 Z5 X#1\n//    ^^^ PS0003");
     check("   WHILE[1EQ1]DO1\n// ^^^^^^^^^^^^^^ PS0124\nG0 X1");
     check("WHILE[#1LT2]DO1\n   DO1\n// ^^^ PS0126\n#1=#1+1\nGOTO 5\nEND1\nN5\nEND1");
+    check("WHILE[1]DO1\n//   ^^^ PS0114\nG0 X1\nEND1");
+    check("   DO4\n//   ^ PS0126\nG0 X1\nEND4");
     check("IF[1EQ1]THEN G0 X5 ?\n//                 ^ PS0009");
     let contour =
         "M3 S1 F9\nG0 X50 Z2\nG71 U1 R1\nG71 P1 Q2\nN1 G0 X30\n   GOTO 2\n// ^^^^^^ PS0325\nN2 G1 Z-5";

@@ -5,7 +5,7 @@
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
 use super::*;
-use crate::control::course::{CallKind, Loop, ModalCall};
+use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
@@ -47,7 +47,7 @@ impl Interpreter {
         let action = match macros::statement(statement, &mut store) {
             Ok(action) => action,
             Err(fault) => {
-                self.tell_fault(&fault, span);
+                self.faulty_statement(text, block, here, &fault);
                 return Flow::Next;
             }
         };
@@ -100,6 +100,34 @@ impl Interpreter {
         }
     }
 
+    /// A statement that is wrong. A loop that it begins is run once, so that its END needs no message of its own.
+    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &Fault) {
+        let mark = loop_mark(text, block);
+        if matches!(mark, Some((Mark::End, _)))
+            && let Some(open) = self.loop_that_ends(here)
+            && self.state.course.loops()[open].rounds == Rounds::One
+        {
+            self.state.course.loops().truncate(open);
+            return;
+        }
+        self.tell_fault(fault, statement_span(block));
+        if let Some((Mark::Do, number)) = mark {
+            let end = self.find_end(text, block, number, here);
+            self.ends.insert(here.at.byte, end);
+            self.leave_loop(here);
+            self.state.course.loops().push(Loop { number, head: here.at, rounds: Rounds::One });
+        }
+    }
+
+    /// Which of the loops under way ends in this block.
+    fn loop_that_ends(&mut self, here: Here) -> Option<usize> {
+        let ends = &self.ends;
+        let is_own = |own: &Loop| {
+            ends.get(&own.head.byte).copied().flatten().is_some_and(|end| end.byte == here.next.byte)
+        };
+        self.state.course.loops().iter().rposition(is_own)
+    }
+
     fn tell_fault(&mut self, fault: &Fault, within: Span) {
         let at = |place: usize| within.start + place as u32;
         self.tell_macro(fault.kind, Span { start: at(fault.at.start), end: at(fault.at.end) });
@@ -132,7 +160,7 @@ impl Interpreter {
                 self.state.course.loops().truncate(old);
             }
         }
-        self.state.course.loops().push(Loop { number, head });
+        self.state.course.loops().push(Loop { number, head, rounds: Rounds::All });
         Flow::Next
     }
 
@@ -145,16 +173,16 @@ impl Interpreter {
 
     /// END: back to the beginning of the loop.
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
-        let ends = &self.ends;
-        let is_own = |own: &Loop| {
-            ends.get(&own.head.byte).copied().flatten().is_some_and(|end| end.byte == here.next.byte)
-        };
-        let loops = self.state.course.loops();
-        let Some(old) = loops.iter().rposition(is_own) else {
+        let Some(old) = self.loop_that_ends(here) else {
             self.tell_macro(FaultKind::LoopNumber, statement_span(block));
             return Flow::Next;
         };
-        let head = loops[old].head;
+        let loops = self.state.course.loops();
+        let Loop { head, rounds, .. } = loops[old];
+        if rounds == Rounds::One {
+            loops.truncate(old);
+            return Flow::Next;
+        }
         loops.truncate(old + 1);
         self.wandered = true;
         self.jumped_by = Some(block.span);
