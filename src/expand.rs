@@ -401,7 +401,9 @@ impl Writer<'_> {
         }
         self.line(&after);
         let last_is_cycle = own.clone().last().is_some_and(|index| self.motions.get(index).cycle.is_some());
-        self.moved_start = !own.is_empty() && !last_is_cycle;
+        if !own.is_empty() {
+            self.moved_start = !last_is_cycle;
+        }
     }
 
     fn line(&mut self, words: &str) {

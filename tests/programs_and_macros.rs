@@ -126,6 +126,19 @@ fn g99_of_system_b_goes_back_to_the_r_point() {
 }
 
 #[test]
+fn a_move_behind_a_corner_and_a_call_is_written_out_whole() {
+    let program = "M3 S5 F9\nG0 X50 Z2\nG1 X40 ,C1\nM98 P2\nM30\nO2\nG1 W-5\nX50\nM99";
+    check(program, "R(50,2) F(42,2) F(40,1) F(40,-3) F(50,-3)");
+}
+
+#[test]
+fn g10_under_g91_adds_to_the_zero_point() {
+    let setup = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "B"}}"#;
+    let program = "G90 G10 L2 P1 X10\nG91 G10 L2 P1 X10\n#1=#5221\nG90 G0 X0 Z#1\nM30";
+    check_with(setup, program, "R(0,20)");
+}
+
+#[test]
 fn g91_of_system_b_counts_c_and_stands_in_polar_interpolation() {
     let setup = r#"{"initial": {"x": 60, "z": 5}, "dialect": {"gSystem": "B", "feedMode": "G98"}}"#;
     check_with(setup, "M45\nG90 G0 C30\nG91 C10\nM30", "R(60,5,C30) R(60,5,C40)");

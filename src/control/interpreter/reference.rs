@@ -133,6 +133,9 @@ impl Interpreter {
         let kind = words.get(b'L').and_then(plain).map(|kind| kind as u32);
         let (x, z) = (length(b'X'), length(b'Z'));
         let (u, w) = (length(b'U'), length(b'W'));
+        // Under G91 of systems B and C the plain letters add as well.
+        let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
+        let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
         let zero = |point: &mut Point| {
             point.x = x.map_or(point.x + u.unwrap_or(0.0) / 2.0, |x| x / 2.0);
             point.z = z.unwrap_or(point.z + w.unwrap_or(0.0));
