@@ -65,7 +65,9 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
     for (index, executed) in trace.iter().enumerate() {
         end = read(executed.at, &mut block);
         let range = own[index].clone();
-        if let Some(values) = executed.values.as_ref().filter(|_| block.kind == BlockKind::Words) {
+        // What stands behind THEN is a block of its own; a macro statement with values writes to a table.
+        let words = |values: &&String| block.kind == BlockKind::Words || !values.starts_with('#');
+        if let Some(values) = executed.values.as_ref().filter(words) {
             with_values(&mut block, values);
         }
         let is_last = index + 1 == trace.len();
@@ -83,6 +85,12 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
         } else if writer.must_write(&block, range.clone()) {
             writer.write(&block, range.clone());
         } else {
+            if executed.values.as_ref().is_some_and(String::is_empty) {
+                // None of its words has a value.
+                writer.remark(&block);
+                writer.comments(&block);
+                continue;
+            }
             let bytes = match &executed.values {
                 Some(_) => None,
                 None => Some(&text[executed.at.byte as usize..end.byte as usize]),
@@ -128,6 +136,7 @@ fn with_values(block: &mut Block, values: &str) {
     Parser::new(values.as_bytes()).next_block(&mut own);
     // The words are looked at for their letters and values only; their places are those of the block.
     let span = block.words_span();
+    block.kind = BlockKind::Words;
     block.words = own.words.iter().map(|word| Word { span, ..*word }).collect();
 }
 
@@ -164,9 +173,15 @@ impl Writer<'_> {
         block.words.iter().filter_map(move |word| code(word, system))
     }
 
+    /// Whether a block is one of those between G12.1 and G13.1, or on a cylinder.
+    fn is_in_plane(&self, own: &Range<usize>) -> bool {
+        let moved = own.clone().next().map(|index| self.motions.get(index).rotary);
+        moved.map_or(self.in_plane, |rotary| rotary.is_some_and(|rotary| rotary.virtual_move.is_some()))
+    }
+
     /// Whether a block is more than plain moves.
     fn must_write(&self, block: &Block, own: Range<usize>) -> bool {
-        if block.kind != BlockKind::Words || block.is_broken() || self.in_plane {
+        if block.kind != BlockKind::Words || block.is_broken() || self.is_in_plane(&own) {
             return false;
         }
         let multiple = self.codes(block).find_map(|code| match code {
@@ -276,6 +291,27 @@ impl Writer<'_> {
         } else if block.kind == BlockKind::Macro && own.is_empty() {
             self.remark(block);
             self.comments(block);
+        } else if !own.is_empty() && self.is_in_plane(&own) {
+            // Its move, as it is, and its call as a remark.
+            self.remark(block);
+            self.comments(block);
+            let is_call = |word: &&Word| {
+                matches!((word.address, value(word)), (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)))
+                    || matches!(word.address, b'P' | b'L' | b'Q')
+            };
+            let words: Vec<String> = match values {
+                Some(values) => {
+                    let mut own = Block::default();
+                    Parser::new(values.as_bytes()).next_block(&mut own);
+                    let kept = own.words.iter().filter(|word| !is_call(word));
+                    kept.map(|word| word.span.quote(values.as_bytes())).collect()
+                }
+                None => {
+                    let kept = block.words.iter().filter(|word| !is_call(word));
+                    kept.map(|word| word.span.quote(self.text)).collect()
+                }
+            };
+            self.line(&words.join(" "));
         } else {
             self.write(block, own);
         }
@@ -365,7 +401,9 @@ impl Writer<'_> {
         }
         self.line(&after);
         let last_is_cycle = own.clone().last().is_some_and(|index| self.motions.get(index).cycle.is_some());
-        self.moved_start = !own.is_empty() && !last_is_cycle;
+        if !own.is_empty() {
+            self.moved_start = !last_is_cycle;
+        }
     }
 
     fn line(&mut self, words: &str) {

@@ -233,10 +233,15 @@ impl Run {
     fn restart(&mut self, main: Resume) {
         let (setup, limits) = (self.interpreter.setup().clone(), self.interpreter.limits());
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
+        let is_guess = |told: &&Diagnostic| matches!(told.message, Message::SystemGuessed { .. });
+        let guess = self.interpreter.diagnostics().iter().find(is_guess).cloned();
         self.interpreter = Interpreter::new(setup, limits);
         self.interpreter.set_system(system);
         if traced {
             self.interpreter.keep_trace();
+        }
+        if let Some(guess) = guess {
+            self.interpreter.tell(guess);
         }
         self.begun = false;
         self.begin_at(main);

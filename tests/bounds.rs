@@ -118,3 +118,22 @@ fn compensation_of_a_long_contour_runs() {
     assert!(analysis.motions.len() > 49_000, "{:?}", &analysis.diagnostics);
     run("rapids", setup, &format!("{head}G70 P1 Q2\nM30\n{}", cone.replace("G1", "G0")));
 }
+
+#[test]
+fn texts_that_repeat_one_thing_are_read_in_one_pass() {
+    let programs: String = (10..100_000).map(|number| format!("O{number}\nM98 P10\nM99\n")).collect();
+    run("programs", "{}", &programs);
+    let calls = format!("O1\n{}M30\n{programs}O2\nM99\n", "M98 P2\n".repeat(100_000));
+    run("calls", "{}", &calls);
+    for part in ["(()", "X1(()", "[(()", "IF[1EQ1AND"] {
+        run(part, "{}", &part.repeat(300_000));
+    }
+}
+
+#[test]
+fn loops_without_end_are_told() {
+    for text in ["N1 GOTO 1", "DO1\nEND1", "O1\nN1 M99 P1", "O1\n#100=#100+1\nM99"] {
+        let analysis = run(text, "{}", text);
+        assert!(codes(&analysis).contains(&"W-ENDLESS"), "{text}: {:?}", codes(&analysis));
+    }
+}

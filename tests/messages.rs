@@ -171,3 +171,53 @@ fn cycles_and_corners() {
     check_with(strict, &format!("{start}G1 X40 Z-20 C2\n//          ^^ PS0054\nZ-30"));
     check(&format!("{start}G1 X40 Z-20 C2\nZ-30"));
 }
+
+#[test]
+fn calls_and_jumps() {
+    check("O1\nM98 P2 Q30\n//     ^^^ PS0128\nM30\nO2\nN20 W-1\nM99");
+    check("O1\nM97 P30\n//  ^^^ PS0128\nM30");
+    check("O1\nM98 P2.5\n//  ^^^^ PS0007\nM30");
+}
+
+#[test]
+fn macros() {
+    check("   N#3 G0 X5\n// ^^^ PS0114");
+    check("#1=123456789\nG0 Z5 X#1\n//    ^^^ PS0003");
+    check("   WHILE[1EQ1]DO1\n// ^^^^^^^^^^^^^^ PS0124\nG0 X1");
+    check("WHILE[#1LT2]DO1\n   DO1\n// ^^^ PS0126\n#1=#1+1\nGOTO 5\nEND1\nN5\nEND1");
+    check("WHILE[1]DO1\n//   ^^^ PS0114\nG0 X1\nEND1");
+    check("   DO4\n//   ^ PS0126\nG0 X1\nEND4");
+    check("IF[1EQ1]THEN G0 X5 ?\n//                 ^ PS0009");
+    let contour =
+        "M3 S1 F9\nG0 X50 Z2\nG71 U1 R1\nG71 P1 Q2\nN1 G0 X30\n   GOTO 2\n// ^^^^^^ PS0325\nN2 G1 Z-5";
+    check(contour);
+}
+
+#[test]
+fn data_and_reference_points() {
+    check("G10 P1 R0.4 T0101\n//          ^^^^^ PS0245");
+    check("G10 L2 P7 X1\n//     ^^ PS0030");
+    check("G10 P-1 X5\n//  ^^^ PS0030");
+    check("G10 P1 Q15\n//     ^^^ PS0032");
+    check("G54.1 P0\n//    ^^ PS0030");
+}
+
+#[test]
+fn hole_cycles() {
+    let head = "M13 S500 F100\nG0 X0 Z5\n";
+    check(&format!("{head}G83 Z-20 Q0\n//       ^^ PS0045"));
+    check(&format!("{head}G83 Z-20\n   G28 U0\n// ^^^ PS0044\nG27 X0"));
+    check(&format!("{head}G83 Z-20\n   G71 U1 R1\n// ^^^ PS0327"));
+    // A code of group 01 ends it, even in a block that cannot be carried out.
+    check(&format!("{head}G83 Z-20\nG0 X5 S1.5\n//    ^^^^ PS0007\nX10"));
+}
+
+#[test]
+fn virtual_planes() {
+    let head = "M45\nM13 S500 F100\nG0 X80 Z5\n";
+    check(&format!("{head}G12.1\n   X60\n// ^^^ E-G121-GCODE\nC10\nG1 X50\nG13.1"));
+    check(&format!("{head}G42\n   G12.1\n// ^^^^^ E-G121-COMP\nG13.1"));
+    check(&format!("{head}G1 X70 T0101\nG42\n   G7.1 C30\n// ^^^^^^^^ E-G121-COMP\nG7.1 C0"));
+    check(&format!("{head}G1 X70\nG12.1\nX50\n   T0202\n// ^^^^^ W-POLAR-END\nG13.1"));
+    check(&format!("{head}G1 X70\nG7.1 C30\nC10\n   M30\n// ^^^ W-POLAR-END"));
+}

@@ -41,6 +41,8 @@ pub enum G {
     },
     /// G80 to G89.
     Hole(Hole),
+    /// G98, G99 of systems B and C.
+    HoleReturn(HoleReturn),
     /// G80.
     NoHole,
     /// G65 and G66.
@@ -130,6 +132,15 @@ impl Hole {
             Self::G89 => Cycle::SideBoring,
         }
     }
+}
+
+/// Where the tool goes behind a hole (G98 and G99 of systems B and C; system A knows only the first).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HoleReturn {
+    /// To the initial level.
+    Initial,
+    /// To the R point.
+    RPoint,
 }
 
 /// The multiple cycles.
@@ -246,8 +257,8 @@ pub fn g_code(key: u64, system: GSystem) -> Option<(G, Group)> {
         (920, _) => 500,
         (900, _) => return Some((G::Distance { incremental: false }, 3)),
         (910, _) => return Some((G::Distance { incremental: true }, 3)),
-        // Level the tool returns to behind a hole: the initial one is taken.
-        (980 | 990, _) => return Some((G::Idle, 11)),
+        (980, _) => return Some((G::HoleReturn(HoleReturn::Initial), 11)),
+        (990, _) => return Some((G::HoleReturn(HoleReturn::RPoint), 11)),
         (320 | 500 | 770 | 780 | 790, _) => return None,
         _ => key,
     };

@@ -41,6 +41,17 @@ pub struct Loop {
     pub number: u32,
     /// Its first block.
     pub head: Resume,
+    /// How often it is run.
+    pub rounds: Rounds,
+}
+
+/// How often a loop is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounds {
+    /// As long as its condition holds.
+    All,
+    /// Once: its DO is wrong, which was told.
+    One,
 }
 
 /// A macro that G66 has every block with a move call.

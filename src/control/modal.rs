@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::codes::{Compensation, Hole, MotionMode, Plane};
+use super::codes::{Compensation, Hole, HoleReturn, MotionMode, Plane};
 use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::course::Course;
@@ -254,6 +254,8 @@ pub enum Once {
     PolarRadius,
     PolarAngle,
     PolarCenter,
+    PlaneRapid,
+    HoleInForce,
     AxisNotHere,
     NoFeed,
     MachineZero,
@@ -300,6 +302,8 @@ pub struct State {
     pub motion: MotionMode,
     /// Group 10: the hole cycle in force.
     pub hole: Option<HoleMemory>,
+    /// Group 11 of systems B and C.
+    pub hole_return: HoleReturn,
     /// Group 03 of systems B and C: G91.
     pub incremental: bool,
     /// Group 16.
@@ -344,6 +348,8 @@ pub struct State {
     pub system: Arc<BTreeMap<u32, f64>>,
     /// The last sequence number.
     pub sequence: u32,
+    /// The last M code.
+    pub m_code: u32,
     /// Blocks are data for the control's tables (G10 L3, L50), up to G11.
     pub data_input: bool,
     /// A block was not carried out: what follows may be wrong.
@@ -366,6 +372,7 @@ impl State {
             intermediate: None,
             motion: MotionMode::Rapid,
             hole: None,
+            hole_return: HoleReturn::Initial,
             incremental: false,
             plane: Plane::Zx,
             unit: Unit::Millimetre,
@@ -396,6 +403,7 @@ impl State {
             variables: Variables::default(),
             system: Arc::default(),
             sequence: 0,
+            m_code: 0,
             data_input: false,
             uncertain: false,
             told: Told::default(),

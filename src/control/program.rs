@@ -3,6 +3,8 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 
@@ -40,6 +42,10 @@ pub struct Labels {
     labels: Vec<Label>,
     /// In order of the text; the first begins with the text.
     programs: Vec<Program>,
+    /// The first program of each number.
+    by_number: BTreeMap<u32, usize>,
+    /// Numbers of all programs that are called.
+    called: BTreeSet<u32>,
 }
 
 impl Labels {
@@ -48,12 +54,18 @@ impl Labels {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let first = Program { number: None, head: Resume::default(), calls: Vec::new() };
-        let mut labels = Self { labels: Vec::new(), programs: vec![first] };
+        let mut labels = Self { programs: vec![first], ..Self::default() };
         let mut begun = false;
         loop {
             let at = parser.position();
             if !parser.next_block(&mut block) {
                 labels.labels.sort_unstable_by_key(Label::key);
+                for (index, program) in labels.programs.iter().enumerate() {
+                    labels.called.extend(&program.calls);
+                    if let Some(number) = program.number {
+                        labels.by_number.entry(number).or_insert(index);
+                    }
+                }
                 return labels;
             }
             if let Some((number, _)) = block.program {
@@ -88,7 +100,7 @@ impl Labels {
 
     /// The first block of the O program of a number.
     pub fn program(&self, number: u32) -> Option<Resume> {
-        self.programs.iter().find(|program| program.number == Some(number)).map(|program| program.head)
+        self.by_number.get(&number).map(|&index| self.programs[index].head)
     }
 
     /// The O program that byte `at` belongs to.
@@ -103,7 +115,7 @@ impl Labels {
 
     /// Whether a program of the text calls the program of a number.
     pub fn is_called(&self, number: u32) -> bool {
-        self.programs.iter().any(|program| program.calls.contains(&number))
+        self.called.contains(&number)
     }
 
     /// The first program that calls the one of a number and is called by none itself.

@@ -1,6 +1,6 @@
 //! Hole cycles: G83 to G85 into the face, G87 to G89 into the side (semantics §10).
 //!
-//! In: the points of one hole. Out: its moves, from the initial level and back to it. One axis moves; which one
+//! In: the points of one hole. Out: its moves, from the initial level and back to it or to the R point. One axis moves; which one
 //! follows from the points. Knows nothing of words, and nothing of C.
 
 use super::{Move, sign};
@@ -33,8 +33,24 @@ pub struct Hole {
     pub clearance: f64,
     /// Whether the tool waits at the bottom.
     pub waits: bool,
+    /// Where the tool ends: at the initial level or at the R point.
+    pub back_to: Point,
     /// How it leaves.
     pub exit: Exit,
+}
+
+impl Hole {
+    /// The same hole at another place.
+    pub fn moved_by(self, way: Point) -> Self {
+        let moved = |point: Point| Point::new(point.x + way.x, point.z + way.z);
+        Self {
+            initial: moved(self.initial),
+            r: moved(self.r),
+            bottom: moved(self.bottom),
+            back_to: moved(self.back_to),
+            ..self
+        }
+    }
 }
 
 /// More moves than allowed.
@@ -81,7 +97,7 @@ pub fn drill(hole: &Hole, most: usize) -> Result<Vec<Move>, TooManyMoves> {
     if hole.exit != Exit::Rapid {
         moves.push(Move::new(out, Step::Retract, pecks, hole.r));
     }
-    moves.push(Move::new(MotionKind::Rapid, Step::Return, 0, hole.initial));
+    moves.push(Move::new(MotionKind::Rapid, Step::Return, 0, hole.back_to));
     Ok(moves)
 }
 
@@ -97,6 +113,7 @@ mod tests {
         peck: None,
         clearance: 1.0,
         waits: false,
+        back_to: Point { x: 0.0, z: 5.0 },
         exit: Exit::Rapid,
     };
 
@@ -106,6 +123,7 @@ mod tests {
 
     #[test]
     fn a_drill_goes_down_and_comes_back() {
+        check(&Hole { back_to: HOLE.r, ..HOLE }, "#0 R(0,2)\n#1 F(0,-10)\n#0 R(0,2)");
         check(&HOLE, "#0 R(0,2)\n#1 F(0,-10)\n#0 R(0,5)");
     }
 
@@ -123,6 +141,7 @@ mod tests {
             initial: Point { x: 30.0, z: -10.0 },
             r: Point { x: 27.0, z: -10.0 },
             bottom: Point { x: 20.0, z: -10.0 },
+            back_to: Point { x: 30.0, z: -10.0 },
             exit: Exit::Feed,
             ..HOLE
         };

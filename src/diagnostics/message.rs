@@ -128,6 +128,8 @@ pub enum Message {
     NotRun { number: u32 },
 
     // Macros
+    /// A variable behind N or O.
+    NumberFromVariable { word: String },
     /// A macro statement or expression that cannot be carried out.
     Macro { kind: FaultKind },
     /// `#3000`: the program itself raises an alarm.
@@ -152,10 +154,16 @@ pub enum Message {
     MachineZero { x: f64, z: f64 },
     /// P of G10 or G54.1 names no entry.
     OffsetNumber { word: String },
+    /// Q of G10 is no tip direction.
+    TipNumber { word: String },
     /// Data for the control's tables.
     DataPassedOver,
 
     // Hole cycles
+    /// A code that may not stand while a hole cycle is in force, and its alarm.
+    HoleInForce { word: String, hole: &'static str, alarm: &'static str },
+    /// Q of a peck cycle is zero.
+    PeckZero { word: String },
     /// A hole cycle without its depth.
     HoleNoDepth { code: &'static str },
     /// A hole cycle system A does not have.
@@ -213,7 +221,7 @@ pub enum Message {
     /// G12.1 or G13.1 with other words.
     PolarNotAlone { code: &'static str, other: String },
     /// G12.1 or G13.1 under compensation.
-    PolarCompensation { code: &'static str },
+    PlaneCompensation { code: &'static str },
     /// Feed per turn in polar interpolation.
     PolarFeedPerTurn,
     /// Compensation without a cutter radius.
@@ -223,7 +231,7 @@ pub enum Message {
     /// The path comes too near to the centre.
     PolarCenter { distance: f64 },
     /// Polar interpolation is still on.
-    PolarLeftOn { code: String },
+    PlaneLeftOn { code: String, off: &'static str },
     /// G07.1 is not written as it should be.
     CylinderFormat,
     /// Something that may not stand in cylindrical interpolation.
@@ -438,6 +446,7 @@ impl Message {
             Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
             Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
             Self::NotRun { .. } => ("I-NOT-RUN", "program-not-run", Info, None),
+            Self::NumberFromVariable { .. } => ("PS0114", "number-from-variable", Error, Some("PS0114")),
             Self::Macro { kind } => (kind.alarm(), kind.slug(), Error, Some(kind.alarm())),
             Self::MacroAlarm { .. } => ("E-MACRO-ALARM", "macro-alarm", Error, None),
             Self::SystemVariable { .. } => ("W-MACRO-SYSTEM", "unknown-system-variable", Info, None),
@@ -448,6 +457,9 @@ impl Message {
             Self::NoIntermediate => ("PS0305", "no-intermediate-point", Error, Some("PS0305")),
             Self::MachineZero { .. } => ("I-MACHINE-ZERO", "machine-zero-unknown", Info, None),
             Self::OffsetNumber { .. } => ("PS0030", "offset-number", Error, Some("PS0030")),
+            Self::TipNumber { .. } => ("PS0032", "tip-number", Error, Some("PS0032")),
+            Self::HoleInForce { alarm, .. } => (alarm, "code-with-hole-cycle", Error, Some(alarm)),
+            Self::PeckZero { .. } => ("PS0045", "peck-zero", Error, Some("PS0045")),
             Self::DataPassedOver => ("N-DATA", "data-passed-over", Info, None),
             Self::HoleNoDepth { .. } => ("W-HOLE-NO-DEPTH", "hole-without-depth", Error, None),
             Self::HoleOfOthers { .. } => {
@@ -481,14 +493,14 @@ impl Message {
                 ("E-G121-COORD", "coordinates-changed-in-polar", Error, Some("PS0146"))
             }
             Self::PolarNotAlone { .. } => ("E-G121-NOT-ALONE", "polar-not-alone-in-block", Error, None),
-            Self::PolarCompensation { .. } => {
+            Self::PlaneCompensation { .. } => {
                 ("E-G121-COMP", "polar-with-compensation", Error, Some("PS0146"))
             }
             Self::PolarFeedPerTurn => ("W-POLAR-FEEDMODE", "polar-with-feed-per-turn", Warning, None),
             Self::PolarNoRadius => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
             Self::PolarAngle { .. } => ("W-POLAR-ANGLE", "polar-c-like-degrees", Warning, None),
             Self::PolarCenter { .. } => ("W-POLAR-CENTER", "polar-near-centre", Warning, None),
-            Self::PolarLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
+            Self::PlaneLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
             Self::CylinderFormat => ("PS0175", "cylinder-not-well-formed", Error, Some("PS0175")),
             Self::CylinderForbidden { .. } => {
                 ("PS0176", "code-not-allowed-on-cylinder", Error, Some("PS0176"))

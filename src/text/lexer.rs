@@ -3,6 +3,8 @@
 //! In: the bytes of a program, any bytes at all. Out: [`Token`]s. Never fails: what is not understood becomes
 //! a token too. Knows nothing of words, blocks or codes.
 
+use std::ops::Range;
+
 use super::source::Span;
 
 /// An unsigned number exactly as written.
@@ -148,12 +150,15 @@ pub struct Token {
 pub struct Lexer<'a> {
     text: &'a [u8],
     at: usize,
+    /// A part of a line in which brackets were found not to balance: there the first `)` ends a comment, so that the
+    /// rest of the line is not searched again and again for an end that never comes.
+    unbalanced: Range<usize>,
 }
 
 impl<'a> Lexer<'a> {
     /// Starts at byte `at` of `text`.
     pub fn new(text: &'a [u8], at: usize) -> Self {
-        Self { text, at }
+        Self { text, at, unbalanced: 0..0 }
     }
 
     /// The text.
@@ -280,6 +285,8 @@ impl<'a> Lexer<'a> {
     /// Reads a comment whose opening bracket is `skip` bytes long at the current place (0: already taken).
     fn comment(&mut self, skip: usize) -> TokenKind {
         self.at += skip;
+        let start = self.at;
+        let balances = !self.unbalanced.contains(&start);
         let mut depth = 1u32;
         let mut nested = false;
         let mut first_close = None;
@@ -300,12 +307,13 @@ impl<'a> Lexer<'a> {
             if close {
                 depth -= 1;
                 first_close.get_or_insert(self.at);
-                if depth == 0 {
+                if depth == 0 || !balances {
                     return if nested { TokenKind::NestedComment } else { TokenKind::Comment };
                 }
             }
         }
         // Never balanced: the first closing bracket ends it, as on a control; without one the line does.
+        self.unbalanced = start..self.at;
         match first_close {
             Some(end) => {
                 self.at = end;
@@ -392,6 +400,8 @@ mod tests {
         assert_eq!(kinds("(A)X"), [Comment, Letter(b'X')]);
         assert_eq!(kinds("(A(B)C)"), [NestedComment]);
         assert_eq!(kinds("(A\nX"), [OpenComment, LineEnd, Letter(b'X')]);
+        assert_eq!(kinds("((A)X(B)(C"), [NestedComment, Letter(b'X'), Comment, OpenComment]);
+        assert_eq!(kinds(&"(()".repeat(3)), [NestedComment; 3]);
         assert_eq!(kinds("（外圆）；"), [Comment, Semicolon]);
     }
 

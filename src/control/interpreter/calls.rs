@@ -32,7 +32,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
         if self.state.course.calls.is_empty() && block.span.start >= self.furthest {
-            self.furthest = block.span.start;
+            self.furthest = block.span.start + 1;
             return true;
         }
         self.count_repeat(block)
@@ -69,16 +69,37 @@ impl Interpreter {
                     self.state.uncertain = true;
                     return Flow::Next;
                 };
-                let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
-                let (head, packed) = match passage {
-                    Passage::LocalCall => (self.sequence(text, block, named as u32), 1),
-                    _ => self.subprogram(text, named, words.get(b'Q').and_then(plain)),
-                };
-                let Some(head) = head else {
-                    let word = words.quote(text, b'P');
-                    self.tell(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
+                if ![b'P', b'Q', b'L']
+                    .into_iter()
+                    .all(|address| words.get(address).is_none_or(|word| self.is_whole(text, word)))
+                {
                     self.state.uncertain = true;
                     return Flow::Next;
+                }
+                let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
+                let (head, packed) = if passage == Passage::LocalCall {
+                    let Some(head) = self.sequence(text, block, named as u32) else {
+                        self.sequence_not_found(named as u32, words.span(b'P'));
+                        return Flow::Next;
+                    };
+                    (head, 1)
+                } else {
+                    let (Some(head), packed) = self.subprogram(text, named) else {
+                        let word = words.quote(text, b'P');
+                        self.tell(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
+                        self.state.uncertain = true;
+                        return Flow::Next;
+                    };
+                    // Q: the block of that number in the subprogram.
+                    let begin = words.get(b'Q').and_then(plain).map(|sequence| sequence as u32);
+                    match begin.map(|begin| (begin, self.labels(text).find(begin, head.byte))) {
+                        Some((begin, None)) => {
+                            self.sequence_not_found(begin, words.span(b'Q'));
+                            return Flow::Next;
+                        }
+                        Some((_, Some(begin))) => (begin, packed),
+                        None => (head, packed),
+                    }
                 };
                 match repeats.unwrap_or(packed) {
                     0 => Flow::Next,
@@ -88,19 +109,14 @@ impl Interpreter {
         }
     }
 
-    /// The head of a subprogram, or its block of sequence number `begin`; and the repeats packed into the number.
-    fn subprogram(&mut self, text: &[u8], named: u64, begin: Option<f64>) -> (Option<Resume>, u32) {
+    /// The head of a subprogram, and the repeats packed into the number.
+    fn subprogram(&mut self, text: &[u8], named: u64) -> (Option<Resume>, u32) {
         let labels = self.labels(text);
         let whole = u32::try_from(named).ok().and_then(|number| labels.program(number));
         let (number, repeats) = program_and_repeats(named);
-        let (head, repeats) = match whole {
+        match whole {
             Some(head) => (Some(head), 1),
             None => (labels.program(number), repeats),
-        };
-        let begin = begin.map(|sequence| sequence as u32);
-        match (head, begin) {
-            (Some(head), Some(sequence)) => (labels.find(sequence, head.byte), repeats),
-            (head, _) => (head, repeats),
         }
     }
 

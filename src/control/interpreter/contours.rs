@@ -226,7 +226,13 @@ impl Interpreter {
             }
             let moves = self.recorded.as_ref().map_or(0, Vec::len);
             let uncertain = std::mem::replace(&mut self.state.uncertain, false);
-            self.run(text, &block, here);
+            let flow = self.run(text, &block, here);
+            if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
+                let span = Span { start: block.statement, end: block.span.end };
+                let word = shortened(&span.quote(text));
+                self.tell(Diagnostic::new(Message::ContourIllegal { word }, span));
+                sound = false;
+            }
             sound &= !self.state.uncertain;
             self.state.uncertain |= uncertain;
             if is_first {

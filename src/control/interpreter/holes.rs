@@ -4,7 +4,7 @@
 //! `cycles::drilling`; here are the words, their memory and their alarms.
 
 use super::*;
-use crate::control::codes::Hole;
+use crate::control::codes::{Hole, HoleReturn};
 use crate::control::modal::HoleMemory;
 use crate::cycles::drilling::{self, Exit};
 use crate::cycles::units;
@@ -18,15 +18,37 @@ const MOST_REPEATS: f64 = 9_999.0;
 impl Interpreter {
     /// A hole cycle comes into force, or is spelled once more.
     pub(super) fn enter_hole(&mut self, kind: Hole, span: Span) {
-        let (before, level) = match &self.state.hole {
-            Some(hole) => (hole.before, hole.level),
-            None => (self.state.motion, self.state.position),
-        };
         if matches!(kind, Hole::G81 | Hole::G82 | Hole::G86) && self.dialect.g_system == GSystem::A {
             let code = kind.code();
             self.tell(Diagnostic::new(Message::HoleOfOthers { code }, span));
         }
-        self.state.hole = Some(HoleMemory::at(kind, level, before));
+        if self.state.hole.is_none() {
+            self.state.told.forget(Once::HoleInForce);
+        }
+        self.state.hole = Some(match self.state.hole {
+            // What was given holds until G80, for a cycle along the same axis.
+            Some(hole) if hole.kind.is_face() == kind.is_face() => HoleMemory { kind, ..hole },
+            Some(hole) => HoleMemory::at(kind, self.state.position, hole.before),
+            None => HoleMemory::at(kind, self.state.position, self.state.motion),
+        });
+    }
+
+    /// Whether a one-shot code may stand while a hole cycle is in force (PS0044, PS0327). False: told.
+    pub(super) fn may_stand_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
+        let alarm = match one_shot {
+            OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::FromHome => "PS0044",
+            OneShot::Multiple(_) => "PS0327",
+            _ => return true,
+        };
+        let Some(hole) = self.state.hole else { return true };
+        if !self.state.told.first(Once::HoleInForce) {
+            return false;
+        }
+        let word = block.words.iter().rev().find(|word| word.address == b'G');
+        let span = word.map_or_else(|| block.words_span(), |word| word.span);
+        let (word, hole) = (quote(text, span), hole.kind.code());
+        self.tell(Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span));
+        false
     }
 
     /// A block while a hole cycle is in force.
@@ -53,9 +75,10 @@ impl Interpreter {
             return;
         }
         // The initial level is where the tool stood when the cycle came into force.
-        let at = match (face, place) {
-            (true, place) => Point::new(place.from(self.state.position.x), memory.level.z),
-            (false, place) => Point::new(memory.level.x, place.from(self.state.position.z)),
+        let from = self.state.position;
+        let at = match face {
+            true => Point::new(place.from(from.x), memory.level.z),
+            false => Point::new(memory.level.x, place.from(from.z)),
         };
         let turn = if face || !words.has_any(depth_words) || words.has_any(TURNS) {
             self.turn_target(words)
@@ -83,9 +106,15 @@ impl Interpreter {
                 return;
             };
             memory.peck = q.map(f64::abs).filter(|&q| q > 0.0);
+            if memory.peck.is_none() && kind.is_drill() {
+                let message = Message::PeckZero { word: words.quote(text, b'Q') };
+                self.tell(Diagnostic::new(message, words.span(b'Q')));
+                request.drop = true;
+                return;
+            }
         }
         self.state.hole = Some(memory);
-        let lead = kind.is_tap().then(|| self.lead(block, words, kind.code())).flatten();
+        let lead = kind.is_tap().then(|| self.tap_lead(block, words, kind)).flatten();
         if (kind.is_tap() && lead.is_none()) || (!kind.is_tap() && !self.may_cut(block, words, request)) {
             request.drop = true;
             return;
@@ -100,6 +129,10 @@ impl Interpreter {
             peck: memory.peck.filter(|_| kind.is_drill()),
             clearance: CLEARANCE,
             waits: memory.dwell > 0.0,
+            back_to: match self.state.hole_return {
+                HoleReturn::Initial => at,
+                HoleReturn::RPoint => point(r_level),
+            },
             exit: if kind.is_tap() {
                 Exit::Thread
             } else if kind.is_drill() {
@@ -111,9 +144,21 @@ impl Interpreter {
         request.moved = true;
         self.leave_compensation();
         let repeats = words.get(b'K').and_then(plain).map_or(1.0, |repeats| repeats.clamp(0.0, MOST_REPEATS));
-        let turned = words.get(b'H').and_then(|word| reading.degrees(word)).unwrap_or(0.0);
+        let turning =
+            if self.state.incremental { words.get(b'C').or(words.get(b'H')) } else { words.get(b'H') };
+        let turned = turning.and_then(|word| reading.degrees(word)).unwrap_or(0.0);
+        // Repeats go on by what is incremental: a row of holes.
+        let step = match place {
+            Target::Incremental(step) if face => Point::new(step, 0.0),
+            Target::Incremental(step) => Point::new(0.0, step),
+            _ => Point::default(),
+        };
+        let mut hole = hole;
         for round in 0..repeats as u32 {
             let c = if round == 0 { turn } else { Some(self.state.c + turned) };
+            if round > 0 {
+                hole = hole.moved_by(step);
+            }
             if !self.one_hole(block, kind, &hole, lead, memory.dwell, c) {
                 return;
             }
@@ -136,6 +181,14 @@ impl Interpreter {
         if absolute || away { place } else { level + r }
     }
 
+    /// The lead of a tap, mm. On FANUC its F is a feed like any other: a minute's feed by the turns of a minute.
+    fn tap_lead(&mut self, block: &Block, words: &Words, kind: Hole) -> Option<f64> {
+        let lead = self.lead(block, words, kind.code())?;
+        let (rpm, gsk) = (self.state.spindle.rpm, self.dialect.control == Control::Gsk);
+        let by_minute = self.state.feed_mode == FeedMode::PerMinute && words.get(b'E').is_none() && !gsk;
+        Some(if by_minute && rpm > 0.0 { lead / rpm } else { lead })
+    }
+
     /// One hole. False: it was refused.
     fn one_hole(
         &mut self,
@@ -154,14 +207,19 @@ impl Interpreter {
             return false;
         };
         let tag = |step: Step, pass: u32| Some(CycleStep { cycle: kind.cycle(), pass, step });
-        let approach =
-            Motion { cycle: tag(Step::Approach, 0), ..self.motion(MotionKind::Rapid, hole.initial) };
+        // Along its own axis the tool moves only in the cycle.
+        let from = self.state.position;
+        let start = match kind.is_face() {
+            true => Point::new(hole.initial.x, from.z),
+            false => Point::new(from.x, hole.initial.z),
+        };
+        let approach = Motion { cycle: tag(Step::Approach, 0), ..self.motion(MotionKind::Rapid, start) };
         let approach = self.turning(approach, c);
         self.push(block, approach);
         let kept = self.kept();
         for step in &moves {
-            let mut motion =
-                Motion { cycle: tag(step.step, step.pass), lead, ..self.motion(step.kind, step.to) };
+            let mut motion = Motion { cycle: tag(step.step, step.pass), ..self.motion(step.kind, step.to) };
+            motion.lead = lead.filter(|_| step.kind == MotionKind::Thread);
             motion.seconds = (step.kind == MotionKind::Dwell).then_some(dwell);
             if step.kind == MotionKind::Feed && step.step == Step::Retract {
                 // A boring tool comes back twice as fast as it went in.

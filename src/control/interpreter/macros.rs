@@ -5,7 +5,7 @@
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
 use super::*;
-use crate::control::course::{CallKind, Loop, ModalCall};
+use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
@@ -41,13 +41,13 @@ impl Interpreter {
             self.tell_macro(FaultKind::WordsBehind, word.span.to(block.span));
             return Flow::Next;
         }
-        let span = Span { start: block.statement, end: block.span.end };
+        let span = statement_span(block);
         let statement = span.of(text);
         let mut store = Store { interpreter: self, text, block };
         let action = match macros::statement(statement, &mut store) {
             Ok(action) => action,
             Err(fault) => {
-                self.tell_fault(&fault, span);
+                self.faulty_statement(text, block, here, &fault);
                 return Flow::Next;
             }
         };
@@ -64,14 +64,20 @@ impl Interpreter {
                 Flow::End
             }
             Action::While { number, enter: true } | Action::Do { number } => {
-                self.begin_loop(number, here);
-                Flow::Next
+                self.begin_loop(text, block, number, here)
             }
             Action::While { number, enter: false } => {
-                self.leave_loop(number);
-                self.behind_end(text, block, number, here)
+                self.leave_loop(here);
+                match self.behind_end(text, block, number, here) {
+                    Some(behind) => {
+                        self.wandered = true;
+                        Flow::Jump(behind)
+                    }
+                    None if self.full => Flow::End,
+                    None => Flow::Next,
+                }
             }
-            Action::End { number } => self.end_loop(block, number),
+            Action::End { .. } => self.end_loop(block, here),
             Action::Words(range) => {
                 let words = within(range);
                 let mut parser =
@@ -83,9 +89,43 @@ impl Interpreter {
                     return Flow::Next;
                 }
                 (own.span, own.statement) = (block.span, block.statement);
-                self.words(text, &own, here)
+                self.tell_faults(&own);
+                match own.is_broken() {
+                    true => self.trace_fault(),
+                    false if self.trace.is_some() => self.trace_values(&own),
+                    false => {}
+                }
+                self.words_of(text, &own, here)
             }
         }
+    }
+
+    /// A statement that is wrong. A loop that it begins is run once, so that its END needs no message of its own.
+    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &Fault) {
+        let mark = loop_mark(text, block);
+        if matches!(mark, Some((Mark::End, _)))
+            && let Some(open) = self.loop_that_ends(here)
+            && self.state.course.loops()[open].rounds == Rounds::One
+        {
+            self.state.course.loops().truncate(open);
+            return;
+        }
+        self.tell_fault(fault, statement_span(block));
+        if let Some((Mark::Do, number)) = mark {
+            let end = self.find_end(text, block, number, here);
+            self.ends.insert(here.at.byte, end);
+            self.leave_loop(here);
+            self.state.course.loops().push(Loop { number, head: here.at, rounds: Rounds::One });
+        }
+    }
+
+    /// Which of the loops under way ends in this block.
+    fn loop_that_ends(&mut self, here: Here) -> Option<usize> {
+        let ends = &self.ends;
+        let is_own = |own: &Loop| {
+            ends.get(&own.head.byte).copied().flatten().is_some_and(|end| end.byte == here.next.byte)
+        };
+        self.state.course.loops().iter().rposition(is_own)
     }
 
     fn tell_fault(&mut self, fault: &Fault, within: Span) {
@@ -99,58 +139,106 @@ impl Interpreter {
         self.state.uncertain = true;
     }
 
-    fn begin_loop(&mut self, number: u32, here: Here) {
+    /// DO: a loop begins, or its next round.
+    fn begin_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
         let head = here.at;
-        let loops = self.state.course.loops();
-        // A jump out of a loop leaves it open: the number counts anew.
-        if let Some(old) = loops.iter().position(|own| own.number == number) {
-            loops.truncate(old);
+        if self.behind_end(text, block, number, here).is_none() {
+            return if self.full { Flow::End } else { Flow::Next };
         }
-        loops.push(Loop { number, head });
+        let loops = self.state.course.loops();
+        if let Some(own) = loops.iter().position(|own| own.head.byte == head.byte) {
+            loops.truncate(own + 1);
+            return Flow::Next;
+        }
+        if let Some(old) = loops.iter().rposition(|own| own.number == number) {
+            let outer = loops[old].head.byte;
+            let end = self.ends.get(&outer).copied().flatten();
+            if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
+                self.tell_macro(FaultKind::LoopNumber, statement_span(block));
+            } else {
+                // A jump out of a loop left it open.
+                self.state.course.loops().truncate(old);
+            }
+        }
+        self.state.course.loops().push(Loop { number, head, rounds: Rounds::All });
+        Flow::Next
     }
 
-    fn leave_loop(&mut self, number: u32) {
+    fn leave_loop(&mut self, here: Here) {
         let loops = self.state.course.loops();
-        if let Some(old) = loops.iter().position(|own| own.number == number) {
+        if let Some(old) = loops.iter().position(|own| own.head.byte == here.at.byte) {
             loops.truncate(old);
         }
     }
 
     /// END: back to the beginning of the loop.
-    fn end_loop(&mut self, block: &Block, number: u32) -> Flow {
-        let loops = self.state.course.loops();
-        let Some(old) = loops.iter().position(|own| own.number == number) else {
-            self.tell_macro(FaultKind::LoopNumber, block.span);
+    fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
+        let Some(old) = self.loop_that_ends(here) else {
+            self.tell_macro(FaultKind::LoopNumber, statement_span(block));
             return Flow::Next;
         };
-        let head = loops[old].head;
+        let loops = self.state.course.loops();
+        let Loop { head, rounds, .. } = loops[old];
+        if rounds == Rounds::One {
+            loops.truncate(old);
+            return Flow::Next;
+        }
         loops.truncate(old + 1);
         self.wandered = true;
         self.jumped_by = Some(block.span);
         Flow::Jump(head)
     }
 
-    /// The block behind the END of a number (PS0124 where there is none).
-    fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
+    /// The block behind the END of a loop that begins here (PS0124 where there is none). `None`: told.
+    fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
+        let found = match self.ends.get(&here.at.byte) {
+            Some(found) => *found,
+            None => {
+                let found = self.find_end(text, block, number, here);
+                self.ends.insert(here.at.byte, found);
+                found
+            }
+        };
+        if found.is_none() && !self.full {
+            self.tell_macro(FaultKind::EndMissing, statement_span(block));
+        }
+        found
+    }
+
+    fn find_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
         let mut parser = Parser::resume(text, here.next);
         let mut other = Block::default();
         let mut depth = 0;
-        while parser.next_block(&mut other) && other.program.is_none() {
-            if !self.count_repeat(block) {
-                return Flow::End;
-            }
+        while parser.next_block(&mut other) && other.program.is_none() && self.count_repeat(block) {
             match loop_mark(text, &other) {
                 Some((Mark::Do, own)) if own == number => depth += 1,
-                Some((Mark::End, own)) if own == number && depth == 0 => {
-                    self.wandered = true;
-                    return Flow::Jump(parser.position());
-                }
+                Some((Mark::End, own)) if own == number && depth == 0 => return Some(parser.position()),
                 Some((Mark::End, own)) if own == number => depth -= 1,
                 _ => {}
             }
         }
-        self.tell_macro(FaultKind::EndMissing, block.span);
-        Flow::Next
+        None
+    }
+
+    /// Carries out a block of words, some of which may take their value from an expression.
+    #[inline]
+    pub(super) fn words_of(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if !block.has_expressions {
+            return self.words(text, block, here);
+        }
+        match self.evaluated(text, block) {
+            Some(own) => {
+                if self.trace.is_some() {
+                    self.trace_values(&own);
+                }
+                self.words(text, &own, here)
+            }
+            None => {
+                self.trace_nothing();
+                self.state.uncertain = true;
+                Flow::Next
+            }
+        }
     }
 
     /// The block with its values in place of expressions; words with a vacant variable are left out. `None`: told.
@@ -159,34 +247,49 @@ impl Interpreter {
         let mut own = block.clone();
         own.has_expressions = false;
         own.words.clear();
+        let mut handed_over = false;
         for word in &block.words {
             if word.value != Value::Expression {
                 own.words.push(*word);
+                handed_over |= calls_macro(word);
                 continue;
             }
-            let (number, negative) = self.value_of(text, block, word)?;
-            own.words
-                .extend(number.map(|number| Word { value: Value::Number { number, negative }, ..*word }));
+            if matches!(word.address, b'N' | b'O') && !handed_over {
+                let message = Message::NumberFromVariable { word: quote(text, word.span) };
+                self.tell(Diagnostic::new(message, word.span));
+                return None;
+            }
+            // Arguments of a macro keep all their digits.
+            let places =
+                (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
+            let (number, negative) = self.value_of(text, block, word, places)?;
+            let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
+            handed_over |= value.as_ref().is_some_and(calls_macro);
+            own.words.extend(value);
         }
         Some(own)
     }
 
-    /// The value of a word's expression, rounded to what its address counts. The outer `None`: told.
-    fn value_of(&mut self, text: &[u8], block: &Block, word: &Word) -> Option<(Option<Number>, bool)> {
+    /// The value of a word's expression, rounded to some places if they are given. The outer `None`: told.
+    fn value_of(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        word: &Word,
+        places: Option<u8>,
+    ) -> Option<(Option<Number>, bool)> {
         // The letter, and perhaps a comma and blanks, stand before the expression.
         let written = word.span.of(text);
         let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;
-        let places = self.places(word.address);
-        let increment = 10f64.powi(-i32::from(places));
+        let increment = 10f64.powi(-i32::from(self.places(word.address)));
         let mut store = Store { interpreter: self, text, block };
         match macros::address_value(&written[letter..], increment, &mut store) {
             Ok(None) => Some((None, false)),
-            Ok(Some(value)) => match number_of(value, places) {
+            Ok(Some(value)) => match number_of(value, places.unwrap_or_else(|| places_of(value))) {
                 Some(number) => Some((Some(number), value < 0.0)),
                 None => {
-                    let word = quote(text, word.span);
-                    self.tell(Diagnostic::new(Message::TooManyDigits { word }, block.words_span()));
-                    self.state.uncertain = true;
+                    let (word, word_span) = (quote(text, word.span), word.span);
+                    self.tell(Diagnostic::new(Message::TooManyDigits { word }, word_span));
                     None
                 }
             },
@@ -222,8 +325,7 @@ impl Interpreter {
             return Flow::Next;
         };
         let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
-        let is_call = |word: &&Word| word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0));
-        let begin = block.words.iter().position(|word| is_call(&word)).map_or(0, |at| at + 1);
+        let begin = block.words.iter().position(calls_macro).map_or(0, |at| at + 1);
         let handed: Vec<&Word> = block.words[begin..]
             .iter()
             .filter(|word| !matches!(word.address, b'P' | b'L') && !word.comma)
@@ -293,7 +395,7 @@ fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     if block.kind != BlockKind::Macro {
         return None;
     }
-    let statement = Span { start: block.statement, end: block.span.end }.of(text);
+    let statement = statement_span(block).of(text);
     let is =
         |head: &[u8], word: &[u8]| head.len() >= word.len() && head[..word.len()].eq_ignore_ascii_case(word);
     let number = |digits: &[u8]| {
@@ -308,6 +410,22 @@ fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     }
     let at = statement.windows(2).rposition(|pair| pair.eq_ignore_ascii_case(b"DO"))?;
     Some((Mark::Do, number(&statement[at + 2..])?))
+}
+
+/// The macro statement of a block.
+fn statement_span(block: &Block) -> Span {
+    Span { start: block.statement, end: block.span.end }
+}
+
+/// Whether a word is G65 or G66.
+fn calls_macro(word: &Word) -> bool {
+    word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0))
+}
+
+/// Decimals that keep all of a double that matters.
+fn places_of(value: f64) -> u8 {
+    const DIGITS: f64 = 15.0;
+    (DIGITS - value.abs().max(1.0).log10().ceil()).clamp(0.0, DIGITS) as u8
 }
 
 /// A value as a number with so many decimals; `None` where it is too large for any address.

@@ -20,7 +20,7 @@ mod singles;
 mod system;
 mod watch;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
@@ -171,13 +171,15 @@ pub struct Interpreter {
     purpose: Option<contours::Purpose>,
     /// Sequence numbers, made when first asked for.
     labels: Option<Labels>,
+    /// Where loops go on behind their END, by the first byte of their DO; found when first asked for.
+    ends: BTreeMap<u32, Option<Resume>>,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
     /// Where the contours of G71 to G73 begin, by P and Q.
     roughed: Vec<((u32, u32), Resume)>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
-    /// First byte of the last block of the main program that was run straight through.
+    /// Blocks of the main program from this byte on have not been run yet.
     furthest: u32,
     /// Blocks carried out through jumps, loops and calls.
     repeated: usize,
@@ -213,6 +215,7 @@ impl Interpreter {
             recorded: None,
             purpose: None,
             labels: None,
+            ends: BTreeMap::new(),
             landmarks: Vec::new(),
             roughed: Vec::new(),
             jump: None,
@@ -399,21 +402,7 @@ impl Interpreter {
             self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
             return Flow::Next;
         }
-        if !block.has_expressions {
-            return self.words(text, block, here);
-        }
-        match self.evaluated(text, block) {
-            Some(own) => {
-                if self.trace.is_some() {
-                    self.trace_values(&own);
-                }
-                self.words(text, &own, here)
-            }
-            None => {
-                self.state.uncertain = true;
-                Flow::Next
-            }
-        }
+        self.words_of(text, block, here)
     }
 
     /// Carries out a block of words.
@@ -467,11 +456,6 @@ impl Interpreter {
     fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.kept();
         let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
-        let steers = |word: &Word| match word.address {
-            b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
-            b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
-            _ => false,
-        };
         let steers = !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(steers);
         trace.push(Executed { at: here.at, first, values: None, steers });
     }
@@ -499,23 +483,28 @@ impl Interpreter {
             let Value::Number { number, negative } = word.value else { continue };
             let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
             let space = if values.is_empty() { "" } else { " " };
-            let point = if number.has_point() && number.decimals == 0 { "." } else { "" };
+            let whole = number.value().fract() == 0.0;
+            let point = if number.has_point() && whole { "." } else { "" };
             values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
         }
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
+            last.steers = !block.is_broken() && block.words.iter().any(steers);
+        }
+    }
+
+    /// The last block was not carried out, for want of a value.
+    fn trace_nothing(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            (last.values, last.steers) = (Some(String::new()), false);
         }
     }
 
     /// M02, M30.
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
-        if self.state.virtual_plane.is_some() {
-            let end = block.words.iter().find(|word| word.address == b'M');
-            let span = end.map_or_else(|| block.words_span(), |word| word.span);
-            let code = quote(text, span);
-            self.tell(Diagnostic::new(Message::PolarLeftOn { code }, span));
-        }
+        let end = block.words.iter().find(|word| word.address == b'M');
+        self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
         self.state.compensation = Compensation::Off;
     }
 
@@ -581,7 +570,7 @@ impl Interpreter {
         if group == 1 {
             self.note_motion_word(text, request, word.span);
         }
-        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, key, word) {
+        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, code, word) {
             request.drop = true;
             return;
         }
@@ -603,6 +592,7 @@ impl Interpreter {
                     state.motion = hole.before;
                 }
             }
+            G::HoleReturn(level) => state.hole_return = level,
             G::MacroCall(code) => request.macro_call = Some(code),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
@@ -681,6 +671,7 @@ impl Interpreter {
 
     fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
+        state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match codes::m_code(number) {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
@@ -706,7 +697,6 @@ impl Interpreter {
     /// Coordinate systems, motion, cycles.
     fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
-            self.state.hole = None;
             self.enter(mode, block, words);
         }
         if let Some(span) = request.extended_frame {
@@ -722,7 +712,9 @@ impl Interpreter {
             if one_shot != OneShot::Dwell {
                 self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
             }
-            if let (OneShot::Setting | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
+            if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) =
+                (one_shot, words.get(b'T'))
+            {
                 let message = Message::ToolWithSetting { word: quote(text, word.span) };
                 // Old controls take T with G50; it was usual there.
                 let taken = one_shot == OneShot::Setting && !self.dialect.strict;
@@ -733,6 +725,10 @@ impl Interpreter {
                     return;
                 }
             }
+            if !self.may_stand_with_hole(text, block, one_shot) {
+                request.drop = true;
+                return;
+            }
             match one_shot {
                 OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
                 OneShot::Multiple(_) => self.arrive_for_cycle(),
@@ -741,9 +737,9 @@ impl Interpreter {
             match one_shot {
                 OneShot::Dwell => self.dwell(text, block, words, request),
                 OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
-                OneShot::CheckHome => self.check_home(text, block, words),
+                OneShot::CheckHome => self.check_home(text, block, request, words),
                 OneShot::FromHome => self.leave_home(text, block, request, words),
-                OneShot::Machine => self.machine_move(block, words),
+                OneShot::Machine => self.machine_move(block, request, words),
                 OneShot::Data => self.write_data(text, request, words),
                 OneShot::Setting => self.setting(words),
                 OneShot::LocalFrame => self.local_frame(words),
@@ -804,6 +800,7 @@ impl Interpreter {
     /// A code of group 01 comes into force.
     fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
         let state = &mut self.state;
+        state.hole = None;
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
                 // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
@@ -922,6 +919,15 @@ fn without_optional(block: &Block) -> Block {
         rest.words.truncate(first);
     }
     rest
+}
+
+/// Whether a word only steers the program.
+fn steers(word: &Word) -> bool {
+    match word.address {
+        b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
+        b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
+        _ => false,
+    }
 }
 
 fn is_prose(fault: &Diagnostic) -> bool {

@@ -34,7 +34,14 @@ impl Interpreter {
         // Homing is what connects C on many machines.
         self.state.c_axis |= turns;
         let middle = self.target(text, words);
-        self.state.intermediate = Some(middle);
+        request.moved = true;
+        // Each axis keeps the intermediate place it was last given.
+        let named = |axes: u32| words.has_any(axes);
+        let kept = self.state.intermediate.unwrap_or(middle);
+        self.state.intermediate = Some(Point::new(
+            if named(letters(b"XU")) { middle.x } else { kept.x },
+            if named(letters(b"ZW")) { middle.z } else { kept.z },
+        ));
         let c = self.turn_target(words);
         let motion = self.motion(MotionKind::Rapid, middle);
         let motion = self.turning(motion, c);
@@ -50,7 +57,8 @@ impl Interpreter {
     }
 
     /// G27: goes to a point and checks that it is the reference point (PS0092).
-    pub(super) fn check_home(&mut self, text: &[u8], block: &Block, words: &Words) {
+    pub(super) fn check_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        request.moved = true;
         let to = self.target(text, words);
         self.push(block, self.motion(MotionKind::Rapid, to));
         let home = self.reference_point();
@@ -68,19 +76,29 @@ impl Interpreter {
             request.drop = true;
             return;
         };
-        let to = self.target(text, words);
-        self.push(block, self.motion(MotionKind::Rapid, middle));
-        self.push(block, self.motion(MotionKind::Rapid, to));
+        request.moved = true;
+        // Incremental words count from the intermediate point; an axis that is not named stays.
+        let from = self.state.position;
+        let x = self.axis(text, words, b'X', b'U', 0.5);
+        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let over = |target: Target, from: f64, middle: f64| match target {
+            Target::Stay => (from, from),
+            target => (middle, target.from(middle)),
+        };
+        let ((over_x, to_x), (over_z, to_z)) = (over(x, from.x, middle.x), over(z, from.z, middle.z));
+        self.push(block, self.motion(MotionKind::Rapid, Point::new(over_x, over_z)));
+        self.push(block, self.motion(MotionKind::Rapid, Point::new(to_x, to_z)));
     }
 
     /// G53: a rapid in machine coordinates; incremental words do not count.
-    pub(super) fn machine_move(&mut self, block: &Block, words: &Words) {
+    pub(super) fn machine_move(&mut self, block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
         let x = words.get(b'X').and_then(|word| reading.radius(word));
         let z = words.get(b'Z').and_then(|word| reading.length(word));
         if x.is_none() && z.is_none() {
             return;
         }
+        request.moved = true;
         let (from, offset) = (self.state.position, self.state.frames.offset());
         // Most machines count from their reference point, where the slides are as far out as they go: what lies at
         // zero or below is counted from there, for in the frame of the work it would be inside the chuck.
@@ -102,9 +120,22 @@ impl Interpreter {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let number = words.get(b'P').and_then(plain);
+        if number.is_some_and(|number| number < 0.0 || number.fract() != 0.0) {
+            self.bad_data(text, request, words, b'P');
+            return;
+        }
+        if let Some(word) = words.get(b'Q').filter(|word| !matches!(plain(word), Some(0.0..=9.0))) {
+            let message = Message::TipNumber { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span));
+            request.drop = true;
+            return;
+        }
         let kind = words.get(b'L').and_then(plain).map(|kind| kind as u32);
         let (x, z) = (length(b'X'), length(b'Z'));
         let (u, w) = (length(b'U'), length(b'W'));
+        // Under G91 of systems B and C the plain letters add as well.
+        let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
+        let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
         let zero = |point: &mut Point| {
             point.x = x.map_or(point.x + u.unwrap_or(0.0) / 2.0, |x| x / 2.0);
             point.z = z.unwrap_or(point.z + w.unwrap_or(0.0));
@@ -131,6 +162,7 @@ impl Interpreter {
                 }
                 self.write_offset(offset as u16, geometry, words);
             }
+            (Some(1 | 2 | 10..=13 | 20), _) => self.bad_data(text, request, words, b'P'),
             // Tool life, parameters and other tables: no motion depends on them.
             (Some(_), _) => {
                 self.state.data_input = true;
@@ -155,7 +187,7 @@ impl Interpreter {
         };
         let entries = [(x, b'X', b'U'), (z, b'Z', b'W'), (radius, b'R', b'C')];
         for (column, absolute, incremental) in entries {
-            let old = self.state.offsets.get(offset, column).unwrap_or(0.0);
+            let old = self.offset_value(offset, column);
             if let Some(value) = length(absolute).or(length(incremental).map(|more| old + more)) {
                 self.state.offsets.set(offset, column, value);
             }

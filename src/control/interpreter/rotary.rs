@@ -19,18 +19,21 @@ const CENTER: f64 = 0.1;
 
 impl Interpreter {
     /// The G codes that may stand in polar or cylindrical interpolation; all others are an alarm.
-    pub(super) fn may_stand_in_plane(&mut self, text: &[u8], key: u64, word: &Word) -> bool {
+    pub(super) fn may_stand_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
-        let own = match plane.surface {
-            Surface::Face => matches!(key, 131 | 1130),
-            Surface::Cylinder { .. } => matches!(key, 71 | 1070),
+        let allowed = match code {
+            G::Polar(Switch::Off) => plane.surface == Surface::Face,
+            G::Cylinder => plane.surface != Surface::Face,
+            G::Motion(mode) => matches!(mode, MotionMode::Line | MotionMode::Arc(_)),
+            G::Dwell | G::Compensation(_) | G::MacroCall(_) | G::NoModalMacro => true,
+            G::Feed(_) | G::Distance { .. } => true,
+            _ => false,
         };
-        let motion = matches!(key, 10 | 20 | 30 | 40 | 400 | 410 | 420 | 650 | 660 | 670 | 980 | 990);
-        if own || motion {
+        if allowed {
             return true;
         }
         let word_text = quote(text, word.span);
-        let frame = matches!(key, 500 | 520 | 530 | 540 | 550 | 560 | 570 | 580 | 590);
+        let frame = matches!(code, G::Setting | G::LocalFrame | G::Machine | G::Frame(_) | G::ExtendedFrame);
         self.tell(Diagnostic::new(
             match plane.surface {
                 Surface::Face if frame => Message::PolarFrame { word: word_text },
@@ -42,6 +45,14 @@ impl Interpreter {
         false
     }
 
+    /// A tool change or the end of the program, while a virtual plane is in force.
+    pub(super) fn plane_left_on(&mut self, text: &[u8], span: Span) {
+        let Some(plane) = self.state.virtual_plane else { return };
+        let (code, face) = (quote(text, span), plane.surface == Surface::Face);
+        let off = if face { "G13.1" } else { "G07.1 C0" };
+        self.tell(Diagnostic::new(Message::PlaneLeftOn { code, off }, span));
+    }
+
     /// G12.1 and G13.1.
     pub(super) fn polar(&mut self, text: &[u8], block: &Block, request: &mut Request, switch: Switch) {
         let code = if switch == Switch::On { "G12.1" } else { "G13.1" };
@@ -51,8 +62,11 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        if self.state.compensation != Compensation::Off {
-            self.tell(Diagnostic::new(Message::PolarCompensation { code }, block.words_span()));
+        if switch == Switch::Off && self.state.virtual_plane.is_none() {
+            // What kept it from being switched on was told.
+            return;
+        }
+        if self.compensates_at(block, code) {
             request.drop = true;
             return;
         }
@@ -65,6 +79,15 @@ impl Interpreter {
         }
     }
 
+    /// Whether compensation is on where a virtual plane begins or ends; told.
+    fn compensates_at(&mut self, block: &Block, code: &'static str) -> bool {
+        let compensates = self.state.compensation != Compensation::Off;
+        if compensates {
+            self.tell(Diagnostic::new(Message::PlaneCompensation { code }, block.words_span()));
+        }
+        compensates
+    }
+
     /// G07.1 with the radius of the cylinder as C; C0 ends it.
     pub(super) fn cylinder(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
@@ -74,6 +97,14 @@ impl Interpreter {
             request.drop = true;
             return;
         };
+        if radius == 0.0 && self.state.virtual_plane.is_none() {
+            // What kept it from being switched on was told.
+            return;
+        }
+        if self.compensates_at(block, "G07.1") {
+            request.drop = true;
+            return;
+        }
         if radius == 0.0 {
             self.leave_plane();
             return;
@@ -97,6 +128,7 @@ impl Interpreter {
     fn enter_plane(&mut self, surface: Surface) {
         self.settle();
         self.state.tip = None;
+        self.state.told.forget(Once::PlaneRapid);
         let (at, third) = surface.enter(self.state.position, self.state.c);
         self.state.position = at;
         self.state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: self.state.c });
@@ -125,7 +157,9 @@ impl Interpreter {
                 Surface::Face => Message::PolarForbidden { word },
                 Surface::Cylinder { .. } => Message::CylinderForbidden { word },
             };
-            self.tell(Diagnostic::new(message, block.words_span()));
+            if self.state.told.first(Once::PlaneRapid) {
+                self.tell(Diagnostic::new(message, block.words_span()));
+            }
             return false;
         }
         self.watch_plane(text, block, words, plane);
@@ -140,6 +174,8 @@ impl Interpreter {
         }
         if self.state.feed_mode == FeedMode::PerTurn && self.state.told.first(Once::PolarFeed) {
             self.tell(Diagnostic::new(Message::PolarFeedPerTurn, block.words_span()));
+            // Not that the old F counts otherwise as well.
+            self.state.feed_is_old = false;
         }
         if self.state.compensation != Compensation::Off
             && self.nose().radius == 0.0
@@ -191,7 +227,10 @@ impl Interpreter {
         let turned = words.get(b'H').and_then(|word| reading.degrees(word));
         let span = words.span(if absolute.is_some() { b'C' } else { b'H' });
         self.watch_c_axis(span);
-        absolute.or(turned.map(|turned| from + turned))
+        match (absolute, turned) {
+            (Some(way), _) if self.state.incremental => Some(from + way),
+            (absolute, turned) => absolute.or(turned.map(|turned| from + turned)),
+        }
     }
 
     /// Gives a motion its part of C, outside a virtual plane.
@@ -218,6 +257,7 @@ impl Interpreter {
                 let reading = self.reading();
                 let unrolled = |word: &Word| reading.degrees(word).map(|angle| radius * angle.to_radians());
                 let up = match (words.get(b'C'), words.get(b'H')) {
+                    (Some(c), _) if self.state.incremental => Target::Incremental(unrolled(c).unwrap_or(0.0)),
                     (Some(c), _) => Target::Absolute(unrolled(c).unwrap_or(0.0)),
                     (None, Some(h)) => Target::Incremental(unrolled(h).unwrap_or(0.0)),
                     (None, None) => Target::Stay,

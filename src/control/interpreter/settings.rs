@@ -31,6 +31,7 @@ impl Interpreter {
             self.state.threads_per_inch = None;
         }
         if let Some(word) = words.get(b'T') {
+            self.plane_left_on(text, word.span);
             self.tool(text, word);
         }
     }
@@ -52,8 +53,13 @@ impl Interpreter {
     /// The T word: station and offset (semantics §8.2).
     pub(super) fn tool(&mut self, text: &[u8], word: &Word) {
         let Value::Number { number, .. } = word.value else { return };
-        let digits = word.span.of(text).iter().filter(|byte| byte.is_ascii_digit()).count();
         let value = number.mantissa;
+        let written = word.span.of(text);
+        let digits = match written.iter().any(|byte| matches!(byte, b'#' | b'[')) {
+            // A value from a variable has no leading zeros.
+            true => value.checked_ilog10().map_or(1, |power| power as usize + 1),
+            false => written.iter().filter(|byte| byte.is_ascii_digit()).count(),
+        };
         let (station, offset) = match digits {
             0..=2 => (0, value),
             3 | 4 => (value / 100, value % 100),
@@ -151,7 +157,10 @@ impl Interpreter {
             }
             _ => {
                 let word = words.get(b'P').map_or(quote(text, span), |word| quote(text, word.span));
-                self.tell(Diagnostic::new(Message::OffsetNumber { word }, span));
+                self.tell(Diagnostic::new(
+                    Message::OffsetNumber { word },
+                    words.get(b'P').map_or(span, |word| word.span),
+                ));
                 request.drop = true;
             }
         }

@@ -59,6 +59,7 @@ impl System {
             4001..=4030 => Some(Self::Group(variable - 4000)),
             4201..=4230 => Some(Self::Group(variable - 4200)),
             4109 | 4309 => Some(Self::Letter(b'F')),
+            4113 | 4313 => Some(Self::Letter(b'M')),
             4114 | 4314 => Some(Self::Letter(b'N')),
             4115 | 4315 => Some(Self::Letter(b'O')),
             4119 | 4319 => Some(Self::Letter(b'S')),
@@ -102,6 +103,7 @@ impl Interpreter {
             System::Letter(b'S') if state.spindle.surface => state.spindle.cutting_speed,
             System::Letter(b'S') => state.spindle.rpm,
             System::Letter(b'T') => f64::from(state.tool.0) * 100.0 + f64::from(state.tool.1),
+            System::Letter(b'M') => f64::from(state.m_code),
             System::Letter(b'N') => f64::from(state.sequence),
             System::Letter(_) => {
                 let at = block.span.start;
@@ -116,8 +118,7 @@ impl Interpreter {
             System::External(axis) => coordinate(state.frames.external, axis),
             System::Frame(frame, axis) => coordinate(state.frames.work(frame), axis),
             System::Offset(offset, column) => {
-                let written = state.offsets.get(offset, column);
-                let value = written.unwrap_or_else(|| self.setup_offset(offset, column));
+                let value = self.offset_value(offset, column);
                 if column == Column::Tip { value } else { value / unit }
             }
             System::Kept => state.system.get(&variable).copied().unwrap_or(0.0),
@@ -165,6 +166,11 @@ impl Interpreter {
 
     fn unknown_system(&mut self, block: &Block, variable: u32) {
         self.tell(Diagnostic::new(Message::SystemVariable { variable }, block.span));
+    }
+
+    /// A column of a tool offset, mm: as the program wrote it, else as the setup says.
+    pub(super) fn offset_value(&self, offset: u16, column: Column) -> f64 {
+        self.state.offsets.get(offset, column).unwrap_or_else(|| self.setup_offset(offset, column))
     }
 
     /// What the setup says of a tool offset, mm.

@@ -95,6 +95,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} is not run: no program calls it."))
             .help("A text with several programs runs the first. Choose another one to see it."),
+        Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`: N and O cannot take their number from a variable."))
+            .help("Write the number out. GOTO, P and Q may name it by a variable."),
         Message::Macro { kind } => macro_fault(*kind),
         Message::MacroAlarm { number, words } => {
             Sentence::new(format!("The program stops itself with alarm {number}: {words}"))
@@ -123,7 +125,12 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("The machine knows where that is, the program does not. Set `refPoint` in the setup to where the slides stand at home.")
         }
         Message::OffsetNumber { word } => Sentence::new(format!("`{word}` names no entry of the offset table.")),
+        Message::TipNumber { word } => Sentence::new(format!("`{word}` is no tip direction: 0 to 9.")),
         Message::DataPassedOver => Sentence::new("What follows up to G11 is data for the control's tables; it is passed over."),
+        Message::HoleInForce { word, hole, .. } => Sentence::new(format!("`{word}` may not stand while {hole} is in force."))
+            .help("Write G80 before it: until then every X, Z or C makes another hole."),
+        Message::PeckZero { word } => Sentence::new(format!("`{word}` is no depth of a peck."))
+            .help("Q is the depth of each peck in micrometres, as in Q5000. Without Q the hole is drilled in one cut."),
         Message::HoleNoDepth { code } => Sentence::new(format!("{code} has no depth."))
             .help("G83 G84 G85 need Z or W, G87 G88 G89 need X or U for the bottom of the hole."),
         Message::HoleOfOthers { code } => Sentence::new(format!("{code} is not in FANUC's system A; it is drawn as on lathes that have it."))
@@ -189,8 +196,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::PolarNotAlone { code, other } => {
             Sentence::new(format!("{code} must stand alone in its block, without `{other}`.")).help("Move the other words to a block of their own.")
         }
-        Message::PolarCompensation { code } => Sentence::new(format!("{code} stands under G41 or G42."))
-            .help("Begin compensation behind G12.1 and end it by G40 before G13.1."),
+        Message::PlaneCompensation { code } => Sentence::new(format!("{code} stands under G41 or G42."))
+            .help("Compensation begins and ends inside: behind G12.1 or G07.1 C…, and by G40 before G13.1 or G07.1 C0."),
         Message::PolarFeedPerTurn => Sentence::new("Feed per turn (G99) makes no sense in polar interpolation.")
             .help("The spindle only positions there: write G98 and F in mm per minute."),
         Message::PolarNoRadius => Sentence::new("G41 or G42 has no cutter radius here, so nothing is compensated.")
@@ -201,8 +208,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("The path comes within {} mm of the spindle axis, where C would have to turn without bound.", number(*distance)))
                 .help("A control slows down there or stops with an alarm. Keep away from the centre.")
         }
-        Message::PolarLeftOn { code } => Sentence::new(format!("Polar interpolation is still on at `{code}`."))
-            .help("Write G13.1 in a block of its own before."),
+        Message::PlaneLeftOn { code, off } => Sentence::new(format!("Interpolation with C is still on at `{code}`."))
+            .help(format!("Write {off} in a block of its own before.")),
         Message::CylinderFormat => Sentence::new("G07.1 needs C with the radius of the cylinder, and nothing else.")
             .help("G07.1 C30 begins with a radius of 30 mm, G07.1 C0 ends it. It may not be begun twice."),
         Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` is not allowed in cylindrical interpolation."))

@@ -103,6 +103,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} не выполняется: её никто не вызывает."))
             .help("Из нескольких программ текста выполняется первая. Чтобы увидеть другую, выберите её."),
+        Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`: номер после N и O нельзя брать из переменной."))
+            .help("Напишите сам номер. Переменной его могут называть GOTO, P и Q."),
         Message::Macro { kind } => macro_fault(*kind),
         Message::MacroAlarm { number, words } => {
             Sentence::new(format!("Программа сама останавливается с аварией {number}: {words}"))
@@ -133,7 +135,12 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("Где этот нуль, знает только станок. Укажите в настройке `refPoint`, где стоят суппорты в исходном положении.")
         }
         Message::OffsetNumber { word } => Sentence::new(format!("`{word}` не называет строки таблицы корректоров.")),
+        Message::TipNumber { word } => Sentence::new(format!("`{word}` — не номер положения вершины: он от 0 до 9.")),
         Message::DataPassedOver => Sentence::new("Отсюда до G11 идут данные для таблиц стойки; они пропущены."),
+        Message::HoleInForce { word, hole, .. } => Sentence::new(format!("`{word}` нельзя писать, пока действует {hole}."))
+            .help("Перед этим напишите G80: до него каждое X, Z или C — ещё одно отверстие."),
+        Message::PeckZero { word } => Sentence::new(format!("`{word}` не годится как глубина за один ход."))
+            .help("Q — глубина каждого хода в микрометрах, например Q5000. Без Q отверстие сверлится за один ход."),
         Message::HoleNoDepth { code } => Sentence::new(format!("У {code} нет глубины."))
             .help("Дно отверстия у G83 G84 G85 задаёт Z или W, у G87 G88 G89 – X или U."),
         Message::HoleOfOthers { code } => {
@@ -206,8 +213,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::PolarNotAlone { code, other } => {
             Sentence::new(format!("{code} должен стоять в кадре один, без `{other}`.")).help("Перенесите остальные слова в отдельный кадр.")
         }
-        Message::PolarCompensation { code } => Sentence::new(format!("{code} стоит под G41 или G42."))
-            .help("Включайте коррекцию после G12.1 и отменяйте её по G40 до G13.1."),
+        Message::PlaneCompensation { code } => Sentence::new(format!("{code} стоит под G41 или G42."))
+            .help("Коррекция начинается и кончается внутри: после G12.1 или G07.1 C… и по G40 до G13.1 или G07.1 C0."),
         Message::PolarFeedPerTurn => Sentence::new("Подача на оборот (G99) в полярной интерполяции не имеет смысла.")
             .help("Шпиндель там лишь поворачивается: напишите G98 и F в мм/мин."),
         Message::PolarNoRadius => Sentence::new("У G41 или G42 здесь нет радиуса фрезы, поэтому коррекции нет.")
@@ -218,8 +225,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("Путь проходит в {} мм от оси шпинделя, где C пришлось бы вращать бесконечно быстро.", number(*distance)))
                 .help("Стойка там замедлится или остановится с аварией. Держитесь дальше от центра.")
         }
-        Message::PolarLeftOn { code } => Sentence::new(format!("К `{code}` полярная интерполяция ещё включена."))
-            .help("Перед этим напишите G13.1 отдельным кадром."),
+        Message::PlaneLeftOn { code, off } => Sentence::new(format!("К `{code}` интерполяция с осью C ещё включена."))
+            .help(format!("Перед этим напишите {off} отдельным кадром.")),
         Message::CylinderFormat => Sentence::new("G07.1 требует C с радиусом цилиндра, и больше ничего.")
             .help("G07.1 C30 включает с радиусом 30 мм, G07.1 C0 выключает. Дважды включать нельзя."),
         Message::CylinderForbidden { word } => Sentence::new(format!("`{word}` в цилиндрической интерполяции не допускается."))

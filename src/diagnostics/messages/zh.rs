@@ -92,6 +92,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} 没有运行：没有程序调用它。"))
             .help("文本中有多个程序时运行第一个。可选择另一个程序查看。"),
+        Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`：N 和 O 的号码不能用变量给出。"))
+            .help("请直接写出号码。GOTO、P、Q 可以用变量指定。"),
         Message::Macro { kind } => macro_fault(*kind),
         Message::MacroAlarm { number, words } => Sentence::new(format!("程序自身发出报警 {number}：{words}"))
             .help("#3000 由程序发出报警，多用于检查数据：请查看它之前的条件和调用时的自变量。"),
@@ -119,7 +121,12 @@ pub(super) fn sentence(message: &Message) -> Sentence {
                 .help("机床零点的位置只有机床知道。请在设置的 `refPoint` 中填写回零后的位置。")
         }
         Message::OffsetNumber { word } => Sentence::new(format!("`{word}` 不是偏置表中的号码。")),
+        Message::TipNumber { word } => Sentence::new(format!("`{word}` 不是刀尖方位号：应为 0 到 9。")),
         Message::DataPassedOver => Sentence::new("从这里到 G11 是写入系统数据表的数据，被跳过。"),
+        Message::HoleInForce { word, hole, .. } => Sentence::new(format!("{hole} 有效时不能写 `{word}`。"))
+            .help("先写 G80：在此之前每个 X、Z 或 C 都会再加工一个孔。"),
+        Message::PeckZero { word } => Sentence::new(format!("`{word}` 不是有效的每次切深。"))
+            .help("Q 是每次啄钻的深度，单位微米，例如 Q5000。不写 Q 则一次钻到底。"),
         Message::HoleNoDepth { code } => Sentence::new(format!("{code} 没有孔深。"))
             .help("G83 G84 G85 用 Z 或 W，G87 G88 G89 用 X 或 U 给出孔底。"),
         Message::HoleOfOthers { code } => Sentence::new(format!("FANUC 体系 A 没有 {code}；按有此代码的车床画出。"))
@@ -187,8 +194,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
         Message::PolarNotAlone { code, other } => {
             Sentence::new(format!("{code} 必须单独一段，不能与 `{other}` 同段。")).help("把其他指令移到另一段。")
         }
-        Message::PolarCompensation { code } => Sentence::new(format!("{code} 处于 G41 或 G42 方式中。"))
-            .help("在 G12.1 之后建立补偿，在 G13.1 之前用 G40 取消。"),
+        Message::PlaneCompensation { code } => Sentence::new(format!("{code} 处于 G41 或 G42 方式中。"))
+            .help("补偿要在方式内部建立和取消：在 G12.1 或 G07.1 C… 之后建立，在 G13.1 或 G07.1 C0 之前用 G40 取消。"),
         Message::PolarFeedPerTurn => Sentence::new("极坐标插补中不能用每转进给（G99）。")
             .help("此时主轴只作定位：请写 G98，F 单位为 mm/min。"),
         Message::PolarNoRadius => Sentence::new("这里 G41 或 G42 没有刀具半径，不起补偿作用。")
@@ -199,8 +206,8 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("轨迹距主轴中心仅 {} mm，C 轴转速将趋于无限大。", number(*distance)))
                 .help("系统会在此减速或报警。请远离中心。")
         }
-        Message::PolarLeftOn { code } => Sentence::new(format!("到 `{code}` 时极坐标插补仍然有效。"))
-            .help("之前请单独一段写 G13.1。"),
+        Message::PlaneLeftOn { code, off } => Sentence::new(format!("到 `{code}` 时带 C 轴的插补仍然有效。"))
+            .help(format!("之前请单独一段写 {off}。")),
         Message::CylinderFormat => Sentence::new("G07.1 需要用 C 给出圆柱半径，且不能有其他指令。")
             .help("G07.1 C30 以半径 30 mm 开始，G07.1 C0 结束；不能重复开始。"),
         Message::CylinderForbidden { word } => Sentence::new(format!("圆柱插补中不允许使用 `{word}`。"))
