@@ -206,7 +206,7 @@ fn data_and_reference_points() {
 fn hole_cycles() {
     let head = "M13 S500 F100\nG0 X0 Z5\n";
     check(&format!("{head}G83 Z-20 Q0\n//       ^^ PS0045"));
-    check(&format!("{head}G83 Z-20\n   G28 U0\n// ^^^ PS0044\nG27 X0"));
+    check(&format!("{head}G83 Z-20\n   G28 U0\n// ^^^ PS0044\nG0 X5"));
     check(&format!("{head}G83 Z-20\n   G71 U1 R1\n// ^^^ PS0327"));
     // A code of group 01 ends it, even in a block that cannot be carried out.
     check(&format!("{head}G83 Z-20\nG0 X5 S1.5\n//    ^^^^ PS0007\nX10"));

@@ -131,6 +131,7 @@ fn drawing_dimensions_and_corners_without_commas() {
 fn remarks_in_all_their_forms() {
     check("G0 X50 Z5 (NOT CLOSED\nX40", &["W-COMMENT-OPEN"], (40.0, 5.0));
     check("G0 X50 (A (B) C) Z5", &["W-COMMENT-NESTED"], (50.0, 5.0));
+    check("(FACE) ROUGH), (TURN)\nG0 X50 Z5", &["W-PLAIN-TEXT"], (50.0, 5.0));
     check("FACE AND TURN\nG0 X50 Z5", &["W-PLAIN-TEXT"], (50.0, 5.0));
     check("G0 X50 Z5; to the start\nG0 X40;", &["W-TEXT-AFTER-EOB"], (40.0, 5.0));
     check("G0 X50;Z5;\nX40", &[], (40.0, 5.0));

@@ -579,14 +579,16 @@ impl Resume {
 }
 
 /// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between remarks,
-/// words in letters that no address has. Nothing else may be taken for a remark, for a sign may be lost in it.
+/// words in letters that no address has, a remark whose brackets do not pair. Nothing else may be taken for a remark, for a sign may be lost in it.
 fn decorates(bytes: &[u8]) -> bool {
     const LETTERS: usize = 4;
     let rule =
         bytes.len() > 1 && bytes.iter().all(|byte| matches!(byte, b'-' | b'_' | b'=' | b'*' | b' ' | b','));
     let foreign = bytes.iter().filter(|byte| !byte.is_ascii()).count() >= LETTERS
         && !bytes.iter().any(|byte| byte.is_ascii_alphanumeric() || *byte == b'?');
-    rule || foreign
+    // `(FACE) ROUGH), (TURN)`: a remark with a bracket too many.
+    let bracketed = bytes.first() == Some(&b'(') && bytes.last() == Some(&b')');
+    rule || foreign || bracketed
 }
 
 /// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters

@@ -41,14 +41,21 @@ impl Interpreter {
             _ => return true,
         };
         let Some(hole) = self.state.hole else { return true };
-        if !self.state.told.first(Once::HoleInForce) {
-            return false;
+        // A control that has G81 often goes home from it all the same.
+        let lenient = alarm == "PS0044" && !self.dialect.strict;
+        if lenient {
+            self.state.motion = hole.before;
+            self.state.hole = None;
         }
+        if !self.state.told.first(Once::HoleInForce) {
+            return lenient;
+        }
+        let severity = if lenient { Severity::Warning } else { Severity::Error };
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());
-        self.tell(Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span));
-        false
+        self.tell(Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity));
+        lenient
     }
 
     /// A block while a hole cycle is in force.
