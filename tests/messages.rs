@@ -56,6 +56,11 @@ fn check_fix(before: &str, after: &str) {
 }
 
 #[test]
+fn an_arc_with_a_radius_and_no_end_point_is_told() {
+    check("M3 S500 F100\nG00 X50 Z5\n   G03 R5\n// ^^^^^^ W-ARC-NOWHERE");
+}
+
+#[test]
 fn writing() {
     check("G00 X12.8. Z5\n//  ^^^^^^ PS0007");
     check("G00 X50 Z\n//      ^ PS0005");

@@ -5,6 +5,7 @@
 
 mod bench;
 mod browser;
+mod compare;
 mod debian;
 mod package;
 mod play;
@@ -24,6 +25,8 @@ const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
 cargo xtask test                          check and test everything
 cargo xtask bench                         measure the interpreter in wasm
+cargo xtask compare-linuxcnc [--programs N] [--seed N]
+                                          compare random programs with LinuxCNC's interpreter
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -33,6 +36,7 @@ enum Task {
     Play(Options),
     Test,
     Bench,
+    Compare(Vec<String>),
     Setup,
     Help,
 }
@@ -52,6 +56,7 @@ fn main() -> ExitCode {
         Task::Play(options) => play::main(options),
         Task::Test => test::main(),
         Task::Bench => bench::main(),
+        Task::Compare(options) => compare::main(&options),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -72,6 +77,9 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
         ["test"] => Ok(Task::Test),
         ["bench"] => Ok(Task::Bench),
+        ["compare-linuxcnc", options @ ..] => {
+            Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
+        }
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),
@@ -106,6 +114,10 @@ mod tests {
         assert_eq!(parse(&["play", "--no-open", "--port", "81"]), play(Some(81), Browser::Leave));
         assert_eq!(parse(&["test"]), Ok(Task::Test));
         assert_eq!(parse(&["test", "--help"]), Ok(Task::Help));
+        assert_eq!(
+            parse(&["compare-linuxcnc", "--seed", "2"]),
+            Ok(Task::Compare(vec!["--seed".into(), "2".into()]))
+        );
         assert!(parse(&["play", "--port", "x"]).is_err());
         assert!(parse(&["play", "--port"]).is_err());
         assert!(parse(&["test", "more"]).is_err());

@@ -115,7 +115,8 @@ fn capture(command: &mut Command) -> Result<Output> {
     command.stdin(Stdio::null()).output().map_err(|error| not_started(command, &error))
 }
 
-fn not_started(command: &Command, error: &std::io::Error) -> String {
+/// What is said of a program that cannot be started.
+pub fn not_started(command: &Command, error: &std::io::Error) -> String {
     format!("cannot start `{}`: {error}", shown(command))
 }
 

@@ -786,7 +786,7 @@ impl Interpreter {
             MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
                 self.line(text, block, request, words);
             }
-            MotionMode::Arc(turn) if words.has_any(AXES | TURNS | letters(b"IJK")) => {
+            MotionMode::Arc(turn) if words.has_any(AXES | TURNS | letters(b"IJKR")) => {
                 self.arc(text, block, request, words, turn)
             }
             MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping if words.has_any(AXES) => {

@@ -1,0 +1,183 @@
+//! A program in the language that lathe controls and LinuxCNC share, before it is written in either.
+//!
+//! Numbers are counts of the least increment of the unit in force: 0.001 mm, 0.0001 inch. X is a diameter, as it is
+//! written; I and R are radius values. Any list of blocks is a program, so that blocks can be deleted one by one.
+
+use gcode_playground::control::compensation::Side;
+use gcode_playground::control::words::Unit;
+use gcode_playground::geometry::Turn;
+
+/// A count of least increments.
+pub type Count = i64;
+
+/// One program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// Where the tool stands at the start: diameter and length, 0.001 mm.
+    pub start: (Count, Count),
+    /// Nose radius of every tool, 0.001 mm.
+    pub nose: Count,
+    /// What it does.
+    pub blocks: Vec<Block>,
+}
+
+/// How one axis is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Not at all.
+    Stay,
+    /// X, Z.
+    To(Count),
+    /// U, W.
+    By(Count),
+}
+
+/// Whether the code of group 01 is written where it is modal already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Code {
+    /// It is.
+    Written,
+    /// It is left out.
+    Modal,
+}
+
+/// A block of its own, or in one block with the move that follows, where that is straight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Joined {
+    /// A block of its own.
+    Alone,
+    /// With the next move; LinuxCNC always gets a block of its own.
+    WithMove,
+}
+
+/// What a straight move is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Straight {
+    /// G00.
+    Rapid,
+    /// G01.
+    Feed,
+    /// G32; G33 in LinuxCNC.
+    Thread,
+}
+
+/// The words that give the centre of an arc.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Center {
+    /// R.
+    pub r: Option<Count>,
+    /// I.
+    pub i: Option<Count>,
+    /// K.
+    pub k: Option<Count>,
+}
+
+/// The unit of F.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedMode {
+    /// G98; G94 in LinuxCNC.
+    PerMinute,
+    /// G99; G95 in LinuxCNC.
+    PerTurn,
+}
+
+/// The word that gives the time of a dwell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DwellWord {
+    /// Seconds.
+    X,
+    /// Seconds.
+    U,
+    /// Milliseconds.
+    P,
+}
+
+/// One block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Block {
+    /// G20, G21.
+    Unit(Unit),
+    /// G98, G99.
+    Feed { mode: FeedMode, feed: Option<Count> },
+    /// G00, G01, G32.
+    Straight { kind: Straight, x: Axis, z: Axis, feed: Option<Count>, code: Code },
+    /// G02, G03.
+    Arc { turn: Turn, x: Axis, z: Axis, center: Center, feed: Option<Count>, code: Code },
+    /// G04.
+    Dwell { milliseconds: Count, word: DwellWord },
+    /// G28: over an intermediate point to the reference point, in the axes that are named.
+    Home { x: Axis, z: Axis },
+    /// G50 X Z or U W: the point where the tool stands gets other coordinates. G92 in LinuxCNC.
+    Preset { x: Axis, z: Axis },
+    /// G52: the frame in force is moved. Added to the frame by G10 L2 in LinuxCNC, whose G52 is a G92 of another kind.
+    Local { x: Option<Count>, z: Option<Count> },
+    /// G54 to G59, from 0.
+    Frame(usize),
+    /// G10 L2: the origin of a frame, from 0.
+    Origin { frame: usize, x: Count, z: Count },
+    /// G41, G42 with a tool of this tip.
+    Nose { side: Side, tip: u8, joined: Joined },
+    /// G40.
+    NoseOff { joined: Joined },
+}
+
+impl Block {
+    /// Whether it moves the tool along a programmed path.
+    pub fn moves(&self) -> bool {
+        matches!(self, Self::Straight { .. } | Self::Arc { .. })
+    }
+}
+
+/// Where a block stands as to compensation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// Compensation is off.
+    Plain,
+    /// In compensation: the side, and the tip.
+    Compensated(Side, u8),
+}
+
+impl Program {
+    /// Where each block stands.
+    pub fn places(&self) -> Vec<Place> {
+        let mut place = Place::Plain;
+        let step = |block: &Block| {
+            match *block {
+                Block::Nose { side, tip, .. } => place = Place::Compensated(side, tip),
+                Block::NoseOff { .. } => place = Place::Plain,
+                _ => {}
+            }
+            place
+        };
+        self.blocks.iter().map(step).collect()
+    }
+}
+
+/// Places after the decimal point of the least increment.
+pub fn places_of(unit: Unit) -> usize {
+    match unit {
+        Unit::Millimetre => 3,
+        Unit::Inch => 4,
+    }
+}
+
+/// A count as it is written, with a point and no needless zeros.
+pub fn written(count: Count, places: usize) -> String {
+    let scale = 10i64.pow(places as u32);
+    let sign = if count < 0 { "-" } else { "" };
+    let text = format!("{sign}{}.{:0places$}", count.abs() / scale, count.abs() % scale);
+    text.trim_end_matches('0').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_written_with_a_point() {
+        assert_eq!(written(1500, 3), "1.5");
+        assert_eq!(written(-20_000, 3), "-20.");
+        assert_eq!(written(-7, 4), "-0.0007");
+        assert_eq!(written(0, 3), "0.");
+    }
+}
