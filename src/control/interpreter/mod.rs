@@ -25,7 +25,7 @@ use std::collections::BTreeSet;
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
-    Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
+    CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
 };
 use super::modal::{CycleMemory, Once, Routed, State, Target};
@@ -299,6 +299,11 @@ impl Interpreter {
         self.dialect.g_system
     }
 
+    /// The G codes in force.
+    pub fn code_list(&self) -> CodeList {
+        self.dialect.code_list()
+    }
+
     /// Reads the program in another G-code system.
     pub fn set_system(&mut self, system: GSystem) {
         self.dialect.g_system = system;
@@ -565,7 +570,7 @@ impl Interpreter {
     }
 
     fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
-        let Some((code, group)) = codes::g_code(key, self.dialect.g_system) else {
+        let Some((code, group)) = codes::g_code(key, self.dialect.code_list()) else {
             self.unknown_g(text, request, key, word);
             return;
         };
@@ -580,11 +585,6 @@ impl Interpreter {
         match code {
             G::Polar(switch) => request.one_shot = Some(OneShot::Polar(switch)),
             G::Cylinder => request.one_shot = Some(OneShot::Cylinder),
-            G::Motion(MotionMode::Tapping) if self.dialect.control != Control::Gsk => {
-                // System A of FANUC has no G33.
-                self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
-                request.drop = true;
-            }
             G::Motion(mode) => {
                 request.motion = Some(mode);
             }
