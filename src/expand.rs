@@ -449,7 +449,7 @@ fn code(word: &Word, list: CodeList) -> Option<G> {
         1 => number.mantissa,
         _ => return None,
     };
-    codes::g_code(key, list).map(|found| found.0)
+    codes::g_code(key, list).map(|found| found.code)
 }
 
 /// The sequence number of a block as it was typed, with a blank behind it.

@@ -5,7 +5,7 @@
 
 mod registry;
 
-pub use registry::{Effect, Function, Row, Section, g_code, m_code, rows};
+pub use registry::{Effect, Function, GCode, Row, Section, g_code, m_code, rows};
 
 use super::dialect::{CodeList, FeedMode};
 use super::words::Unit;
@@ -48,7 +48,7 @@ pub enum G {
     /// G80.
     NoHole,
     /// G65 and G66.
-    MacroCall(&'static str),
+    MacroCall(MacroCall),
     /// G67.
     NoModalMacro,
     /// G40, G41, G42.
@@ -77,6 +77,25 @@ pub enum G {
     Idle,
     /// Recognised; the block's axis words are not carried out.
     NotSupported,
+}
+
+/// How often a macro is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MacroCall {
+    /// G65: in this block.
+    Once,
+    /// G66: after every move.
+    Modal,
+}
+
+impl MacroCall {
+    /// The code.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Once => "G65",
+            Self::Modal => "G66",
+        }
+    }
 }
 
 /// The hole cycles.

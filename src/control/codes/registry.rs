@@ -64,10 +64,12 @@ pub enum Effect {
 const NOT_THERE: u16 = u16::MAX;
 
 /// A G code.
-struct GCode {
+pub struct GCode {
     function: Function,
-    code: G,
-    group: Group,
+    /// What it asks for.
+    pub code: G,
+    /// Two codes of one group exclude each other.
+    pub group: Group,
     /// Ten times its number in each list.
     keys: [u16; CodeList::ALL.len()],
 }
@@ -124,7 +126,7 @@ const fn moved(a: u16, b: u16, function: Function, code: G, group: Group) -> GCo
     spelled([a, b, b, a], function, code, group)
 }
 
-static G_CODES: &[GCode] = &[
+const G_CODES: &[GCode] = &[
     mode(0, Function::Rapid, MotionMode::Rapid),
     mode(10, Function::Line, MotionMode::Line),
     mode(20, Function::ArcClockwise, MotionMode::Arc(Turn::Clockwise)),
@@ -192,8 +194,8 @@ static G_CODES: &[GCode] = &[
     moved(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5),
     same(960, Function::SurfaceSpeed, G::SurfaceSpeed, 2),
     same(970, Function::ConstantSpeed, G::ConstantSpeed, 2),
-    same(650, Function::MacroCall, G::MacroCall("G65"), 0),
-    same(660, Function::ModalMacro, G::MacroCall("G66"), 12),
+    same(650, Function::MacroCall, G::MacroCall(MacroCall::Once), 0),
+    same(660, Function::ModalMacro, G::MacroCall(MacroCall::Modal), 12),
     same(670, Function::ModalMacro, G::NoModalMacro, 12),
     same(220, Function::StrokeCheck, G::Idle, 9),
     same(230, Function::StrokeCheck, G::Idle, 9),
@@ -317,11 +319,26 @@ static M_ROWS: [u8; 714] = {
     rows
 };
 
+/// The row of a key that means the same in all lists.
+const fn everywhere(key: usize) -> &'static GCode {
+    let row = G_ROWS[0][key];
+    assert!(row == G_ROWS[1][key] && row == G_ROWS[2][key] && row == G_ROWS[3][key]);
+    &G_CODES[row as usize]
+}
+
 /// The G code of a word in a list: `key` is ten times the number, so that G12.1 is 121.
 #[inline]
-pub fn g_code(key: u64, list: CodeList) -> Option<(G, Group)> {
+pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
+    // Nearly every block has one of these: as constants they cost nothing to look up.
+    match key {
+        0 => return Some(const { everywhere(0) }),
+        10 => return Some(const { everywhere(10) }),
+        20 => return Some(const { everywhere(20) }),
+        30 => return Some(const { everywhere(30) }),
+        _ => {}
+    }
     let row = *G_ROWS[list as usize].get(usize::try_from(key).ok()?)?;
-    G_CODES.get(usize::from(row)).map(|row| (row.code, row.group))
+    G_CODES.get(usize::from(row))
 }
 
 /// The M code of a number; `None` for one that only some machines know.

@@ -570,11 +570,11 @@ impl Interpreter {
     }
 
     fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
-        let Some((code, group)) = codes::g_code(key, self.dialect.code_list()) else {
+        let Some(found) = codes::g_code(key, self.dialect.code_list()) else {
             self.unknown_g(text, request, key, word);
             return;
         };
-        if group == 1 {
+        if found.group == 1 {
             self.note_motion_word(text, request, word.span);
         }
         if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, key, word) {
@@ -582,7 +582,7 @@ impl Interpreter {
             return;
         }
         let state = &mut self.state;
-        match code {
+        match found.code {
             G::Polar(switch) => request.one_shot = Some(OneShot::Polar(switch)),
             G::Cylinder => request.one_shot = Some(OneShot::Cylinder),
             G::Motion(mode) => {
@@ -594,7 +594,7 @@ impl Interpreter {
                     state.motion = hole.before;
                 }
             }
-            G::MacroCall(code) => request.macro_call = Some(code),
+            G::MacroCall(call) => request.macro_call = Some(call.code()),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
             G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
