@@ -25,7 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
-    Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
+    CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
 };
 use super::modal::{CycleMemory, Once, Routed, State, Target};
@@ -307,6 +307,11 @@ impl Interpreter {
         self.dialect.g_system
     }
 
+    /// The G codes in force.
+    pub fn code_list(&self) -> CodeList {
+        self.dialect.code_list()
+    }
+
     /// Reads the program in another G-code system.
     pub fn set_system(&mut self, system: GSystem) {
         self.dialect.g_system = system;
@@ -563,26 +568,21 @@ impl Interpreter {
     }
 
     fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
-        let Some((code, group)) = codes::g_code(key, self.dialect.g_system) else {
+        let Some(found) = codes::g_code(key, self.dialect.code_list()) else {
             self.unknown_g(text, request, key, word);
             return;
         };
-        if group == 1 {
+        if found.group == 1 {
             self.note_motion_word(text, request, word.span);
         }
-        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, code, word) {
+        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, found.code, word) {
             request.drop = true;
             return;
         }
         let state = &mut self.state;
-        match code {
+        match found.code {
             G::Polar(switch) => request.one_shot = Some(OneShot::Polar(switch)),
             G::Cylinder => request.one_shot = Some(OneShot::Cylinder),
-            G::Motion(MotionMode::Tapping) if self.dialect.control != Control::Gsk => {
-                // System A of FANUC has no G33.
-                self.tell(Diagnostic::new(Message::UnknownG { word: quote(text, word.span) }, word.span));
-                request.drop = true;
-            }
             G::Motion(mode) => {
                 request.motion = Some(mode);
             }
@@ -593,7 +593,7 @@ impl Interpreter {
                 }
             }
             G::HoleReturn(level) => state.hole_return = level,
-            G::MacroCall(code) => request.macro_call = Some(code),
+            G::MacroCall(call) => request.macro_call = Some(call.code()),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
             G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
