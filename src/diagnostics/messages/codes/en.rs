@@ -62,7 +62,7 @@ pub(super) fn describe(function: Function) -> &'static str {
         Function::SideDrilling => "drilling along X, with pecks",
         Function::SideTapping => "tapping along X",
         Function::SideBoring => "boring along X",
-        Function::HoleReturn => "return to the initial level, to the R point; the initial one is taken",
+        Function::HoleReturn => "return to the initial level, to the R point",
         Function::CompensationOff => "compensation off",
         Function::CompensationLeft => "tool left of the path",
         Function::CompensationRight => "tool right of the path",

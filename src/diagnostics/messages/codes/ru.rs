@@ -62,7 +62,7 @@ pub(super) fn describe(function: Function) -> &'static str {
         Function::SideDrilling => "сверление вдоль X, можно с выводом",
         Function::SideTapping => "нарезание метчиком вдоль X",
         Function::SideBoring => "растачивание вдоль X",
-        Function::HoleReturn => "возврат к исходному уровню, к точке R; здесь всегда к исходному",
+        Function::HoleReturn => "возврат к исходному уровню, к точке R",
         Function::CompensationOff => "отмена коррекции",
         Function::CompensationLeft => "инструмент слева от траектории",
         Function::CompensationRight => "инструмент справа от траектории",

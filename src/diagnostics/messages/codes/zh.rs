@@ -62,7 +62,7 @@ pub(super) fn describe(function: Function) -> &'static str {
         Function::SideDrilling => "X 向钻孔，可啄钻",
         Function::SideTapping => "X 向攻丝",
         Function::SideBoring => "X 向镗孔",
-        Function::HoleReturn => "返回初始平面、R 点；这里总返回初始平面",
+        Function::HoleReturn => "返回初始平面、R 点",
         Function::CompensationOff => "取消刀尖半径补偿",
         Function::CompensationLeft => "左补偿（刀具在轨迹左侧）",
         Function::CompensationRight => "右补偿（刀具在轨迹右侧）",
