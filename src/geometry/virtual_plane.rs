@@ -21,9 +21,6 @@ pub enum Surface {
     },
 }
 
-/// Pieces an arc is cut into where only points of it are of use.
-const PIECES: u32 = 180;
-
 /// Most pieces of a curve that is drawn.
 const MOST_PIECES: u32 = 1024;
 
@@ -45,13 +42,6 @@ impl Way {
         }
     }
 
-    fn pieces(&self) -> u32 {
-        match self {
-            Self::Line(..) => 1,
-            Self::Arc(_) => PIECES,
-        }
-    }
-
     /// Distance of the way from the origin of the plane, mm.
     pub fn distance_from_center(&self) -> f64 {
         let origin = Point::default();
@@ -62,9 +52,39 @@ impl Way {
                 let t = if square > 0.0 { -(from.x * dx + from.z * dz) / square } else { 0.0 };
                 self.at(t.clamp(0.0, 1.0)).distance(origin)
             }
-            Self::Arc(_) => (0..=PIECES)
-                .map(|piece| self.at(f64::from(piece) / f64::from(PIECES)).distance(origin))
-                .fold(f64::INFINITY, f64::min),
+            Self::Arc(arc) => {
+                let ends = arc.start.distance(origin).min(arc.end.distance(origin));
+                // The point of the circle nearest to the origin lies on the ray from its centre through it.
+                let toward = (-arc.center.x).atan2(-arc.center.z) - arc.start_angle();
+                let turned = if arc.sweep() < 0.0 { -toward } else { toward };
+                if turned.rem_euclid(std::f64::consts::TAU) <= arc.sweep().abs() {
+                    (arc.center.distance(origin) - arc.radius()).abs().min(ends)
+                } else {
+                    ends
+                }
+            }
+        }
+    }
+
+    /// Angle about the origin from the start to the end of the way, radians, counter-clockwise: all of it, once
+    /// around for a circle about the origin.
+    fn angle_about_center(&self) -> f64 {
+        let (from, to) = (self.at(0.0), self.at(1.0));
+        let (cross, dot) = (from.z * to.x - from.x * to.z, from.z * to.z + from.x * to.x);
+        let straight = cross.atan2(dot);
+        match self {
+            Self::Arc(arc) if arc.center.distance(Point::default()) < arc.radius() - SAME => {
+                // The origin lies within the circle: the way turns about it as about its own centre.
+                let sweep = arc.sweep();
+                let full = std::f64::consts::TAU;
+                match (sweep.abs() >= full - 1e-12, sweep > 0.0) {
+                    (true, _) => sweep,
+                    (false, true) => straight.rem_euclid(full),
+                    (false, false) => -(-straight).rem_euclid(full),
+                }
+            }
+            // Seen from outside, neither a line nor a circle covers half a turn.
+            _ => straight,
         }
     }
 }
@@ -96,21 +116,7 @@ impl Surface {
                 let (from, to) = (way.at(0.0), way.at(1.0));
                 ((to.x - from.x) / radius).to_degrees()
             }
-            Self::Face => {
-                let pieces = way.pieces();
-                let mut turned = 0.0;
-                let mut from = way.at(0.0);
-                for piece in 1..=pieces {
-                    let to = way.at(f64::from(piece) / f64::from(pieces));
-                    if from.distance(Point::default()) > SAME && to.distance(Point::default()) > SAME {
-                        let cross = from.z * to.x - from.x * to.z;
-                        let dot = from.z * to.z + from.x * to.x;
-                        turned += cross.atan2(dot).to_degrees();
-                    }
-                    from = to;
-                }
-                turned
-            }
+            Self::Face => way.angle_about_center().to_degrees(),
         }
     }
 }
@@ -214,6 +220,32 @@ mod tests {
         assert!((turned(circle(point(3.0, 4.0))) + 360.0).abs() < 1e-9);
         assert!(turned(circle(point(30.0, 0.0))).abs() < 1e-9);
         assert!((circle(point(30.0, 0.0)).distance_from_center() - 20.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn angle_and_distance_agree_with_what_is_found_step_by_step() {
+        const STEPS: u32 = 20_000;
+        for number in 0..400u32 {
+            let part = |of: u32| f64::from(number / of % 7) - 3.0;
+            let center = point(4.0 * part(1) + 0.3, 3.0 * part(7) - 0.2);
+            let (radius, begin, sweep) =
+                (1.0 + f64::from(number % 11), f64::from(number), f64::from(number % 23));
+            let on =
+                |angle: f64| Point::new(center.x + radius * angle.sin(), center.z + radius * angle.cos());
+            let turn = if number % 2 == 0 { Turn::Clockwise } else { Turn::Counterclockwise };
+            let way = Way::Arc(Arc { start: on(begin), end: on(begin + sweep), center, turn });
+            let (mut turned, mut nearest, mut from) = (0.0, f64::INFINITY, way.at(0.0));
+            for step in 0..=STEPS {
+                let to = way.at(f64::from(step) / f64::from(STEPS));
+                turned += (from.z * to.x - from.x * to.z).atan2(from.z * to.z + from.x * to.x).to_degrees();
+                nearest = f64::min(nearest, to.distance(Point::default()));
+                from = to;
+            }
+            if nearest > 0.01 {
+                assert!((Surface::Face.turn_along(&way) - turned).abs() < 1e-6, "{way:?} {turned}");
+                assert!((way.distance_from_center() - nearest).abs() < 1e-3, "{way:?} {nearest}");
+            }
+        }
     }
 
     #[test]

@@ -121,7 +121,7 @@ pub fn setup(program: &Program) -> String {
         .collect();
     let [home_x, home_z] = REFERENCE;
     format!(
-        r#"{{"dialect": {{"refPoint": {{"x": {home_x}, "z": {home_z}}}}},
+        r#"{{"dialect": {{"strict": true, "refPoint": {{"x": {home_x}, "z": {home_z}}}}},
 "initial": {{"x": {x}, "z": {z}}},
 "tools": {{{}}}}}"#,
         tools.join(", ")
