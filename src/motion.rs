@@ -409,6 +409,11 @@ impl Chunk {
         }
     }
 
+    /// Gives a chunk without motions another first block.
+    pub fn begin_at(&mut self, base: u32, first_line: u32, start: Point) {
+        (self.base, self.first_line, self.start) = (base, first_line, start);
+    }
+
     /// Number of motions.
     pub fn len(&self) -> usize {
         self.kind.len()

@@ -5,11 +5,13 @@ mod endless;
 
 use std::time::{Duration, Instant};
 
-use endless::{MOST_SECONDS, endless};
+use endless::{MOST_SECONDS, endless, hostile};
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
-use gcode_playground::limits::Limits;
-use gcode_playground::run::Analysis;
+use gcode_playground::diagnostics::Diagnostic;
+use gcode_playground::limits::{Limits, WORDS_PER_BLOCK};
+use gcode_playground::run::{Analysis, Run};
+use gcode_playground::text::source::LineIndex;
 
 /// The one door: what a program gives under a setup, in time.
 #[track_caller]
@@ -39,6 +41,96 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
         let analysis = run_within(most, case.name, case.setup, &case.text);
         assert!(codes(&analysis).contains(&case.code), "{}: {:?}", case.name, codes(&analysis));
         assert_eq!(analysis.motions.len(), 1, "{}", case.name);
+    }
+}
+
+#[test]
+fn hostile_programs_end_with_their_message() {
+    for case in hostile() {
+        let analysis = run(case.name, case.setup, &case.text);
+        let lines = LineIndex::new(case.text.as_bytes());
+        let told = |found: &Diagnostic| (found.message.code(), lines.line_of(found.span.start) + 1);
+        let found: Vec<_> = analysis.diagnostics.iter().map(told).collect();
+        assert!(found.contains(&(case.code, case.line)), "{}: {found:?}", case.name);
+        assert!(found.len() <= Limits::default().messages + 2, "{}", case.name);
+    }
+}
+
+/// Each bound is met by a program that stays just within it, and told of one that goes one step further.
+#[test]
+fn every_bound_is_exact() {
+    let usual = Limits::default();
+    let told = |text: &str, limits: Limits| -> Vec<&'static str> {
+        let mut run = Run::within(text.as_bytes().to_vec(), Setup::default(), limits);
+        while !run.advance(7) {}
+        run.diagnostics().iter().map(|found| found.message.slug()).collect()
+    };
+    let check = |slug: &str, limits: Limits, within: &str, beyond: &str| {
+        let (within, beyond) = (told(within, limits), told(beyond, limits));
+        assert!(!within.contains(&slug), "{slug}: {within:?}");
+        assert!(beyond.contains(&slug), "{slug}: {beyond:?}");
+    };
+    check("text-too-long", Limits { text: 9, ..usual }, "G0X1\nM30\n", "G0 X1\nM30\n");
+    check("too-many-motions", Limits { motions: 2, ..usual }, "X1\nX2\nM30", "X1\nX2\nX3\nM30");
+    let messages = Limits { messages: 2, ..usual };
+    check("more-messages", messages, "X\nX\nM30", "X\nX\nX\nM30");
+    check("block-too-long", usual, &"M0".repeat(WORDS_PER_BLOCK), &"M0".repeat(WORDS_PER_BLOCK + 1));
+    // A peck of 1 mm takes three moves.
+    let hole = |depth: u32| format!("M3 S1 F1 M45\nX0 Z0\nG83 X0 Z-{depth} Q1000\nM30");
+    check("too-many-passes", Limits { moves_per_cycle: 13, ..usual }, &hole(3), &hole(4));
+    // Nine blocks through calls of three blocks each.
+    let calls = |rounds: u32| format!("O1\nM98 P2 L{rounds}\nM30\nO2\nG0 X1\nM99\n");
+    check("too-many-repeats", Limits { repeated_blocks: 9, ..usual }, &calls(3), &calls(4));
+    // `O2`, `G0 X1` and `M99` are ten characters.
+    check("too-much-text-repeated", Limits { repeated_text: 30, ..usual }, &calls(3), &calls(4));
+    let levels = |call: &str, most: u32| -> String {
+        (1..=most).map(|own| format!("O{own}\n{call} P{}\nM99\n", own + 1)).collect::<String>()
+            + &format!("O{}\nM99\n", most + 1)
+    };
+    for (call, most) in [("M98", usual.call_depth), ("G65", usual.macro_depth)] {
+        let most = most as u32;
+        check("calls-too-deep", usual, &levels(call, most), &levels(call, most + 1));
+        assert!(told(&levels(call, most), usual).contains(&"main-program-without-end"), "{call}");
+    }
+    // G70 reads its contour of two blocks each time.
+    let finishing = |rounds: usize| {
+        format!("M3 S1 F1\nX9 Z0\n{}M30\nN1 G0 X1\nN2 G1 Z-1\n", "G70 P1 Q2\n".repeat(rounds))
+    };
+    check("too-much-work", Limits { cycle_work: 6, ..usual }, &finishing(3), &finishing(4));
+}
+
+/// Why a run ends is told even behind as many messages as are kept.
+#[test]
+fn the_reason_for_the_end_is_always_told() {
+    let limits = Limits { messages: 2, repeated_blocks: 99, motions: 2, ..Limits::default() };
+    for (text, code) in [
+        ("X\nX\nX\nN1 GOTO 1\n", "W-ENDLESS"),
+        ("X\nX\nX\nM99\n", "W-ENDLESS"),
+        ("X\nX\nX\nX1\nX2\nX3\n", "E-TOO-MANY-MOTIONS"),
+        ("O1\nX\nX\nX\nM98 P1\n", "PS0077"),
+        ("X\nX\nX\n#3000=1\n", "E-MACRO-ALARM"),
+    ] {
+        let mut run = Run::within(text.as_bytes().to_vec(), Setup::default(), limits);
+        while !run.advance(usize::MAX) {}
+        assert!(run.diagnostics().iter().any(|found| found.message.code() == code), "{text}");
+    }
+}
+
+/// M99 of a main program goes on for as long as something that the program asks for changes.
+#[test]
+fn rounds_of_the_main_program_end_by_what_they_ask_for() {
+    let slugs = |text: &str| -> Vec<&'static str> {
+        run(text, "{}", text).diagnostics.iter().map(|found| found.message.slug()).collect()
+    };
+    for text in [
+        "N1 G0 U-1\nIF[#5041 LT 10]GOTO 9\nM99\nN9 M30\n",
+        "#2001=#2001+1\nIF[#2001 GT 9]GOTO 9\nG0 X1\nM99\nN9 M30\n",
+        "G0 X[#1]\n#1=#1+1\nIF[#1 GT 9]GOTO 9\nM99\nN9 M30\n",
+    ] {
+        assert_eq!(slugs(text), Vec::<&str>::new(), "{text}");
+    }
+    for text in ["G0 U-1\nM99\n", "#1=3\nG0 X#1\nM99\n", "G0 X5\n#1=#5041\nM99\n"] {
+        assert_eq!(slugs(text), ["main-program-without-end"], "{text}");
     }
 }
 

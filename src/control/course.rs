@@ -2,10 +2,7 @@
 //!
 //! Plain values, part of [`super::modal::State`]. What calls and jumps do is in `interpreter/calls`.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
-
-use super::macros::Variables;
+use super::modal::State;
 use crate::text::parser::Resume;
 
 /// What was called, and from where.
@@ -76,8 +73,12 @@ pub struct Course {
     pub modal: Option<ModalCall>,
     /// First block of the main program.
     pub head: Resume,
-    /// The variables at the last M99 of the main program.
-    pub round: Option<(Variables, Arc<BTreeMap<u32, f64>>)>,
+    /// How often M99 of the main program was met.
+    pub rounds: u32,
+    /// The state at one of them, to be compared with a later one.
+    pub round: Option<Box<State>>,
+    /// A macro asked for more than its variables: where the tool stands, what is in force, or a table.
+    pub asks: bool,
 }
 
 impl Course {

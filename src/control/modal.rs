@@ -410,6 +410,15 @@ impl State {
         }
     }
 
+    /// Whether a program that begins in this state may take another course than the one that began in `other`: it
+    /// can see its variables, and all the rest only if it asks for it.
+    pub fn may_differ_from(&self, other: &Self) -> bool {
+        let rest = |state: &Self| Self { course: Course::default(), ..state.clone() };
+        self.variables != other.variables
+            || self.system != other.system
+            || (self.course.asks && rest(self) != rest(other))
+    }
+
     /// Changes the frame and keeps the machine where it is: the tip gets its place in the new frame.
     pub fn change_frame(&mut self, change: impl FnOnce(&mut Frames)) {
         let before = self.frames.offset();

@@ -31,8 +31,6 @@ struct Program {
     number: Option<u32>,
     /// Its first block.
     head: Resume,
-    /// Numbers of the programs it calls.
-    calls: Vec<u32>,
 }
 
 /// All programs and sequence numbers of a text.
@@ -43,9 +41,11 @@ pub struct Labels {
     /// In order of the text; the first begins with the text.
     programs: Vec<Program>,
     /// The first program of each number.
-    by_number: BTreeMap<u32, usize>,
-    /// Numbers of all programs that are called.
+    heads: BTreeMap<u32, Resume>,
+    /// Numbers that some program calls.
     called: BTreeSet<u32>,
+    /// By called number: the first program that calls it and is called by none itself.
+    callers: BTreeMap<u32, Resume>,
 }
 
 impl Labels {
@@ -53,37 +53,42 @@ impl Labels {
     pub fn new(text: &[u8]) -> Self {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
-        let first = Program { number: None, head: Resume::default(), calls: Vec::new() };
-        let mut labels = Self { programs: vec![first], ..Self::default() };
+        let mut labels =
+            Self { programs: vec![Program { number: None, head: Resume::default() }], ..Self::default() };
+        // By index of the program that calls, the number it calls.
+        let mut calls = Vec::new();
         let mut begun = false;
         loop {
             let at = parser.position();
             if !parser.next_block(&mut block) {
-                labels.labels.sort_unstable_by_key(Label::key);
-                for (index, program) in labels.programs.iter().enumerate() {
-                    labels.called.extend(&program.calls);
-                    if let Some(number) = program.number {
-                        labels.by_number.entry(number).or_insert(index);
-                    }
-                }
-                return labels;
+                break;
             }
             if let Some((number, _)) = block.program {
                 match labels.programs.last_mut().filter(|_| !begun) {
                     Some(first) => (first.number, first.head) = (Some(number), at),
-                    None => {
-                        labels.programs.push(Program { number: Some(number), head: at, calls: Vec::new() })
-                    }
+                    None => labels.programs.push(Program { number: Some(number), head: at }),
                 }
             }
             begun |= !block.is_empty();
             if let Some(sequence) = block.sequence {
                 labels.labels.push(Label { sequence, program: labels.programs.len() as u32 - 1, at });
             }
-            if let (Some(called), Some(program)) = (called(&block), labels.programs.last_mut()) {
-                program.calls.push(called);
+            calls.extend(called(&block).map(|called| (labels.programs.len() - 1, called)));
+        }
+        labels.labels.sort_unstable_by_key(Label::key);
+        labels.called = calls.iter().map(|&(_, called)| called).collect();
+        for program in &labels.programs {
+            if let Some(number) = program.number {
+                labels.heads.entry(number).or_insert(program.head);
             }
         }
+        for (caller, called) in calls {
+            let caller = &labels.programs[caller];
+            if caller.number.is_none_or(|own| !labels.called.contains(&own)) {
+                labels.callers.entry(called).or_insert(caller.head);
+            }
+        }
+        labels
     }
 
     /// The block of a sequence number: the first match behind byte `from`, then from the head of the same O
@@ -100,7 +105,7 @@ impl Labels {
 
     /// The first block of the O program of a number.
     pub fn program(&self, number: u32) -> Option<Resume> {
-        self.by_number.get(&number).map(|&index| self.programs[index].head)
+        self.heads.get(&number).copied()
     }
 
     /// The O program that byte `at` belongs to.
@@ -120,10 +125,7 @@ impl Labels {
 
     /// The first program that calls the one of a number and is called by none itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
-        let calls = |program: &&Program| {
-            program.calls.contains(&number) && program.number.is_none_or(|own| !self.is_called(own))
-        };
-        self.programs.iter().find(calls).map(|program| program.head)
+        self.callers.get(&number).copied()
     }
 
     fn index_at(&self, at: u32) -> usize {

@@ -124,6 +124,8 @@ pub enum Message {
     EndlessMain,
     /// Too many blocks through jumps, loops and calls.
     TooManyRepeats { most: usize },
+    /// Too many bytes of such blocks.
+    TooMuchRepeated { most: usize },
     /// A program that nothing calls.
     NotRun { number: u32 },
 
@@ -393,6 +395,7 @@ impl Message {
             | Self::TooManyMotions { .. }
             | Self::TooMuchWork { .. }
             | Self::TooManyRepeats { .. }
+            | Self::TooMuchRepeated { .. }
             | Self::TextTooLong { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
@@ -409,6 +412,21 @@ impl Message {
             | Self::ProgramNotFound { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
+    }
+
+    /// Whether the run ends here, before the program does.
+    pub fn ends_the_run(&self) -> bool {
+        matches!(
+            self,
+            Self::TooManyMotions { .. }
+                | Self::TooMuchWork { .. }
+                | Self::TooManyRepeats { .. }
+                | Self::TooMuchRepeated { .. }
+                | Self::CallTooDeep { .. }
+                | Self::EndlessMain
+                | Self::MacroAlarm { .. }
+                | Self::Stopped { .. }
+        )
     }
 
     fn facts(&self) -> (&'static str, &'static str, Severity, Option<&'static str>) {
@@ -445,6 +463,7 @@ impl Message {
             Self::NoReturn => ("W-NO-RETURN", "subprogram-without-return", Warning, Some("PS5010")),
             Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
             Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
+            Self::TooMuchRepeated { .. } => ("W-ENDLESS", "too-much-text-repeated", Error, None),
             Self::NotRun { .. } => ("I-NOT-RUN", "program-not-run", Info, None),
             Self::NumberFromVariable { .. } => ("PS0114", "number-from-variable", Error, Some("PS0114")),
             Self::Macro { kind } => (kind.alarm(), kind.slug(), Error, Some(kind.alarm())),

@@ -35,19 +35,24 @@ impl Interpreter {
             self.furthest = block.span.start + 1;
             return true;
         }
-        self.count_repeat(block)
+        self.count_repeat(block, block)
     }
 
-    /// Counts a block that is read or carried out once more. False: they were too many.
-    pub(super) fn count_repeat(&mut self, block: &Block) -> bool {
+    /// Counts a block that is read or carried out once more because of another. False: they were too many.
+    pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
         self.repeated += 1;
-        if self.repeated > self.limits.repeated_blocks {
-            let most = self.limits.repeated_blocks;
-            let span = self.jumped_by.unwrap_or_else(|| block.words_span());
-            self.tell_always(Diagnostic::new(Message::TooManyRepeats { most }, span));
-            self.full = true;
-        }
-        !self.full
+        self.repeated_text += block.span.len();
+        let (blocks, bytes) = (self.limits.repeated_blocks, self.limits.repeated_text);
+        let message = if self.repeated > blocks {
+            Message::TooManyRepeats { most: blocks }
+        } else if self.repeated_text > bytes {
+            Message::TooMuchRepeated { most: bytes }
+        } else {
+            return !self.full;
+        };
+        self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| cause.words_span())));
+        self.full = true;
+        false
     }
 
     /// M97, M98, M99.
@@ -224,15 +229,19 @@ impl Interpreter {
             // A subprogram that stands before the program that calls it.
             return Flow::Restart(main);
         }
-        // Only variables can make another round different, and end it.
-        let now = (self.state.variables.clone(), self.state.system.clone());
-        if self.state.course.round.as_ref().unwrap_or(&Default::default()) != &now {
-            self.state.course.round = Some(now);
-            self.wandered = true;
-            self.jumped_by = Some(block.words_span());
-            return Flow::Jump(self.state.course.head);
+        self.state.course.rounds += 1;
+        // Looked at now and then only: there may be many variables to compare.
+        if self.state.course.rounds.is_power_of_two() {
+            let last = self.state.course.round.take();
+            let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
+            if !self.state.may_differ_from(&last) {
+                self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
+                return Flow::End;
+            }
+            self.state.course.round = Some(Box::new(self.state.clone()));
         }
-        self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
-        Flow::End
+        self.wandered = true;
+        self.jumped_by = Some(block.words_span());
+        Flow::Jump(self.state.course.head)
     }
 }

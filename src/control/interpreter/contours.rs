@@ -5,6 +5,7 @@
 
 use super::*;
 use crate::cycles::{Approach, Contour, Piece};
+use crate::limits::BYTES_PER_STEP;
 use crate::text::parser::Parser;
 
 /// Blocks ns to nf as they run.
@@ -201,7 +202,7 @@ impl Interpreter {
                 break;
             }
             let here = Here { at, next: parser.position() };
-            if !self.spend(1, cycle) {
+            if !self.spend(1 + block.span.len() / BYTES_PER_STEP, cycle) {
                 break;
             }
             let is_first = first.is_none();

@@ -209,7 +209,7 @@ impl Interpreter {
         let most = self.moves_left();
         let Ok(moves) = drilling::drill(hole, most) else {
             self.spend(most, block);
-            let message = Message::TooManyPasses { code: kind.code(), most };
+            let message = self.too_many_moves(kind.code(), most);
             self.tell(Diagnostic::new(message, block.words_span()));
             return false;
         };

@@ -112,8 +112,7 @@ impl Interpreter {
         }
         self.tell_fault(fault, statement_span(block));
         if let Some((Mark::Do, number)) = mark {
-            let end = self.find_end(text, block, number, here);
-            self.ends.insert(here.at.byte, end);
+            self.end_of_loop(text, block, number, here);
             self.leave_loop(here);
             self.state.course.loops().push(Loop { number, head: here.at, rounds: Rounds::One });
         }
@@ -191,32 +190,45 @@ impl Interpreter {
 
     /// The block behind the END of a loop that begins here (PS0124 where there is none). `None`: told.
     fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
-        let found = match self.ends.get(&here.at.byte) {
-            Some(found) => *found,
-            None => {
-                let found = self.find_end(text, block, number, here);
-                self.ends.insert(here.at.byte, found);
-                found
-            }
-        };
+        let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.full {
             self.tell_macro(FaultKind::EndMissing, statement_span(block));
         }
         found
     }
 
-    fn find_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
+    /// The block behind the END of a loop that begins here, looked for once. The loops met on the way need no search
+    /// of their own.
+    fn end_of_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
+        if let Some(found) = self.ends.get(&here.at.byte) {
+            return *found;
+        }
         let mut parser = Parser::resume(text, here.next);
         let mut other = Block::default();
-        let mut depth = 0;
-        while parser.next_block(&mut other) && other.program.is_none() && self.count_repeat(block) {
+        // First bytes of the loops that are open, by their number, which is one digit.
+        let mut open: [Vec<u32>; 10] = Default::default();
+        open[number as usize].push(here.at.byte);
+        loop {
+            let at = parser.position();
+            if !parser.next_block(&mut other) || other.program.is_some() {
+                break;
+            }
+            if !self.count_repeat(&other, block) {
+                return None;
+            }
             match loop_mark(text, &other) {
-                Some((Mark::Do, own)) if own == number => depth += 1,
-                Some((Mark::End, own)) if own == number && depth == 0 => return Some(parser.position()),
-                Some((Mark::End, own)) if own == number => depth -= 1,
-                _ => {}
+                Some((Mark::Do, own)) => open[own as usize].push(at.byte),
+                Some((Mark::End, own)) => {
+                    let Some(head) = open[own as usize].pop() else { continue };
+                    self.ends.insert(head, Some(parser.position()));
+                    if head == here.at.byte {
+                        return Some(parser.position());
+                    }
+                }
+                None => {}
             }
         }
+        self.ends.extend(open.into_iter().flatten().map(|head| (head, None)));
         None
     }
 

@@ -183,6 +183,8 @@ pub struct Interpreter {
     furthest: u32,
     /// Blocks carried out through jumps, loops and calls.
     repeated: usize,
+    /// Their bytes.
+    repeated_text: usize,
     /// The block that jumped or called last.
     jumped_by: Option<Span>,
     /// The program has left the straight way through its text.
@@ -221,6 +223,7 @@ impl Interpreter {
             jump: None,
             furthest: 0,
             repeated: 0,
+            repeated_text: 0,
             jumped_by: None,
             wandered: false,
             heads: BTreeSet::new(),
@@ -292,9 +295,10 @@ impl Interpreter {
         self.diagnostics.push(diagnostic);
     }
 
-    /// Tells the user something, unless it was told of the same place before.
+    /// Tells the user something, unless it was told of the same place before. Why the run ends is told even when no
+    /// more messages are kept.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() >= self.limits.messages {
+        if self.diagnostics.len() >= self.limits.messages && !diagnostic.message.ends_the_run() {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
         } else if self.told.insert((diagnostic.span.start, diagnostic.message.slug())) {
@@ -369,18 +373,24 @@ impl Interpreter {
         if self.recorded.is_none() && !self.may_go_on(block) {
             return Flow::End;
         }
+        self.carry_out(text, block, here)
+    }
+
+    fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
             self.tell_faults(block);
             return Flow::Next;
         }
         if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
-            return self.run(text, &without_optional(block), here);
+            return self.carry_out(text, &without_optional(block), here);
         }
         let broken = !block.faults.is_empty() && {
             self.tell_faults(block);
             block.is_broken()
         };
-        if self.recorded.is_none() && (self.chunk.is_empty() || self.chunk.len() >= CHUNK) {
+        if self.recorded.is_none() && self.chunk.is_empty() {
+            self.chunk.begin_at(block.span.start, block.line, self.state.position);
+        } else if self.recorded.is_none() && self.chunk.len() >= CHUNK {
             let next = Chunk::new(block.span.start, block.line, self.state.position);
             self.motions.push(std::mem::replace(&mut self.chunk, next));
         }
@@ -887,7 +897,7 @@ impl Interpreter {
         if self.work > self.limits.cycle_work && !self.full {
             self.full = true;
             let message = Message::TooMuchWork { most: self.limits.cycle_work };
-            self.tell_always(Diagnostic::new(message, block.words_span()));
+            self.tell(Diagnostic::new(message, block.words_span()));
         }
         !self.full
     }

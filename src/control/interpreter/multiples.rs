@@ -199,21 +199,18 @@ impl Interpreter {
         }
         if !self.dialect.strict
             && let Err(fault) = moves
-            && let Some(found) = forgiving(contour, shape, &how, most)
+            && fault != roughing::Fault::TooManyMoves
+            && let Some(found) = self.forgiving(block, contour, shape, &how, most)
         {
             // Many such programs run: some controls leave the check out, others allow a tolerance.
-            let message = roughing_message(fault, code, turning, shape, most);
+            let message = self.roughing_message(block, fault, code, turning, shape, most);
             self.tell(Diagnostic::new(message, block.words_span()).graded(Severity::Warning));
             return Some(found);
         }
         match moves {
             Ok(moves) => Some(moves),
             Err(fault) => {
-                if fault == roughing::Fault::TooManyMoves {
-                    // Found out only after that many moves.
-                    self.spend(most, block);
-                }
-                let message = roughing_message(fault, code, turning, shape, most);
+                let message = self.roughing_message(block, fault, code, turning, shape, most);
                 self.tell(Diagnostic::new(message, block.words_span()));
                 None
             }
@@ -254,7 +251,7 @@ impl Interpreter {
         match pattern::pattern(&shape.contour(self.state.position), &how, most) {
             Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
             Err(_) => {
-                let message = Message::TooManyPasses { code: "G73", most };
+                let message = self.too_many_moves("G73", most);
                 self.tell(Diagnostic::new(message, block.words_span()));
                 return None;
             }
@@ -342,7 +339,7 @@ impl Interpreter {
             Err(grooving::Fault::NegativeStepover) => {
                 (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
             }
-            Err(grooving::Fault::TooManyMoves) => (Message::TooManyPasses { code, most }, block.words_span()),
+            Err(grooving::Fault::TooManyMoves) => (self.too_many_moves(code, most), block.words_span()),
         };
         self.tell(Diagnostic::new(message, span));
         None
@@ -483,7 +480,7 @@ impl Interpreter {
             }
             Err(threading::Fault::NoHeight) => Message::ThreadNoDepth { word: 'P' },
             Err(threading::Fault::NoFirstDepth) => Message::ThreadNoDepth { word: 'Q' },
-            Err(threading::Fault::TooManyMoves) => Message::TooManyPasses { code: "G76", most },
+            Err(threading::Fault::TooManyMoves) => self.too_many_moves("G76", most),
         };
         self.tell(Diagnostic::new(message, block.words_span()));
         None
@@ -542,6 +539,16 @@ impl Interpreter {
         self.limits.moves_per_cycle.min(self.limits.motions.saturating_sub(self.kept()))
     }
 
+    /// What to say of a cycle of more than `most` moves: it has too many by itself, or too few are left for it and
+    /// the run ends.
+    pub(super) fn too_many_moves(&mut self, code: &'static str, most: usize) -> Message {
+        if most == self.limits.moves_per_cycle {
+            return Message::TooManyPasses { code, most };
+        }
+        self.full = true;
+        Message::TooManyMotions { most: self.limits.motions }
+    }
+
     /// Makes the moves of a cycle.
     fn run_cycle(&mut self, block: &Block, cycle: Cycle, lead: Option<f64>, moves: &[Move]) {
         let kept = self.kept();
@@ -552,37 +559,57 @@ impl Interpreter {
         }
         self.spend(moves.len() - (self.kept() - kept), block);
     }
-}
 
-/// The moves of a contour that is held to less: as it is, or without the last blocks, which lead back.
-fn forgiving(contour: &Contour, shape: &Shape, how: &Roughing, most: usize) -> Option<Vec<Move>> {
-    let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
-    let shorter = |dropped: usize| {
-        let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
-        Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
-    };
-    let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
-    candidates.into_iter().flatten().find_map(|contour| roughing::rough(&contour, &how, most).ok())
-}
+    /// The moves of a contour that is held to less: as it is, or without the last blocks, which lead back.
+    fn forgiving(
+        &mut self,
+        block: &Block,
+        contour: &Contour,
+        shape: &Shape,
+        how: &Roughing,
+        most: usize,
+    ) -> Option<Vec<Move>> {
+        let how = Roughing { checks: roughing::Checks::Forgiving, ..*how };
+        let shorter = |dropped: usize| {
+            let left = contour.pieces.len().checked_sub(dropped).filter(|&left| left > 0)?;
+            Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
+        };
+        let candidates = [Some(contour.clone()), shape.without_retreat(contour), shorter(1), shorter(2)];
+        for contour in candidates.into_iter().flatten() {
+            match roughing::rough(&contour, &how, most) {
+                Ok(moves) => return Some(moves),
+                Err(roughing::Fault::TooManyMoves) if !self.spend(most, block) => return None,
+                Err(_) => {}
+            }
+        }
+        None
+    }
 
-/// What to say of a contour that cannot be roughed.
-fn roughing_message(
-    fault: roughing::Fault,
-    code: &'static str,
-    turning: bool,
-    shape: &Shape,
-    most: usize,
-) -> Message {
-    let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
-    match fault {
-        roughing::Fault::NotMonotoneAlong { piece } => {
-            Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
+    /// What to say of a contour that cannot be roughed.
+    fn roughing_message(
+        &mut self,
+        block: &Block,
+        fault: roughing::Fault,
+        code: &'static str,
+        turning: bool,
+        shape: &Shape,
+        most: usize,
+    ) -> Message {
+        let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
+        match fault {
+            roughing::Fault::NotMonotoneAlong { piece } => {
+                Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
+            }
+            roughing::Fault::NotMonotoneAcross { piece } => {
+                Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
+            }
+            roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
+            roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
+            roughing::Fault::TooManyMoves => {
+                // Found out only after that many moves.
+                self.spend(most, block);
+                self.too_many_moves(code, most)
+            }
         }
-        roughing::Fault::NotMonotoneAcross { piece } => {
-            Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
-        }
-        roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
-        roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
-        roughing::Fault::TooManyMoves => Message::TooManyPasses { code, most },
     }
 }

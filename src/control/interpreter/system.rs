@@ -95,6 +95,7 @@ impl Interpreter {
             self.unknown_system(block, variable);
             return None;
         };
+        self.state.course.asks |= !matches!(system, System::Kept);
         let state = &self.state;
         let offset = state.frames.offset();
         Some(match system {

@@ -93,6 +93,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("From here more than {most} blocks were run by jumps, loops and calls; the run ends."))
                 .help("The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call.")
         }
+        Message::TooMuchRepeated { most } => {
+            Sentence::new(format!("From here jumps, loops and calls ran through more than {most} characters of blocks; the run ends."))
+                .help("The loop has no end, or far too many rounds of long blocks. Look at what should end it: its condition, its counter, or L of the call.")
+        }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} is not run: no program calls it."))
             .help("A text with several programs runs the first. Choose another one to see it."),
         Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`: N and O cannot take their number from a variable."))

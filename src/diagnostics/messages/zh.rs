@@ -90,6 +90,10 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。"))
                 .help("循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。")
         }
+        Message::TooMuchRepeated { most } => {
+            Sentence::new(format!("从这里起，跳转、循环和调用执行的程序段超过 {most} 个字符，运行结束。"))
+                .help("循环没有终点，或很长的程序段重复次数太多。请检查循环条件、计数变量或调用的 L。")
+        }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} 没有运行：没有程序调用它。"))
             .help("文本中有多个程序时运行第一个。可选择另一个程序查看。"),
         Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`：N 和 O 的号码不能用变量给出。"))
