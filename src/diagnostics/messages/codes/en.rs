@@ -24,7 +24,7 @@ pub(super) fn note(effect: Effect) -> &'static str {
     match effect {
         Effect::Done => "",
         Effect::Accepted => "no effect on the path",
-        Effect::NotSupported => "not supported yet",
+        Effect::NotSupported => "not supported here",
     }
 }
 

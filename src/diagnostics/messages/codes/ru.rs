@@ -24,7 +24,7 @@ pub(super) fn note(effect: Effect) -> &'static str {
     match effect {
         Effect::Done => "",
         Effect::Accepted => "на траекторию не влияет",
-        Effect::NotSupported => "пока не поддерживается",
+        Effect::NotSupported => "не поддерживается",
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn note(effect: Effect) -> &'static str {
     match effect {
         Effect::Done => "",
         Effect::Accepted => "不影响轨迹",
-        Effect::NotSupported => "暂不支持",
+        Effect::NotSupported => "不支持",
     }
 }
 
