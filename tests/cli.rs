@@ -138,7 +138,7 @@ fn codes_are_listed_for_all_controls_or_one() {
     };
     let all = text(&["codes"]);
     assert_eq!(line(&all, "G90"), "G90 G77 G20 = turning cycle, straight or taper");
-    assert_eq!(line(&all, "G31"), "G31 = = = skip; not supported yet");
+    assert_eq!(line(&all, "G31"), "G31 = = = skip; not supported here");
     assert_eq!(line(&text(&["codes", "--control", "fanuc"]), "G33"), "");
     assert!(line(&text(&["codes", "--control", "gsk", "--lang", "ru"]), "G33").contains("метчиком"));
     let rows = rows(&run(&["codes", "--format", "json"], b""));
