@@ -37,6 +37,7 @@ test('switches show for the levels and programs of the text, and are put into th
   await expect(page.getByRole('switch')).toHaveText(['/', '/2', '/3']);
   await expect(chosen(page).getByRole('option')).toHaveText(['O0001', 'O0007']);
   await expect(chosen(page)).toHaveValue('1');
+  await expect(status(page)).toContainText(/\b3 motions/);
 
   await test.step('by keyboard', async () => {
     await skip(page, '/2').focus();
@@ -55,6 +56,7 @@ test('switches show for the levels and programs of the text, and are put into th
   expect((await setup()).blockSkip).toEqual([1]);
   await expect(page.locator('gcode-playground')).toHaveAttribute('block-skip', '1');
   await expect(page.locator('gcode-playground')).toHaveAttribute('program', '7');
+  await expect(status(page)).toContainText(/\b1 motion/);
   await page.screenshot({ path: info.outputPath('switches.png') });
 
   await test.step('kept with the text', async () => {
