@@ -5,6 +5,8 @@
 
 use serde::Serialize;
 
+use crate::control::codes;
+use crate::control::dialect::CodeList;
 use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
@@ -258,6 +260,112 @@ impl Summary {
             }
         }
         summary
+    }
+}
+
+/// The table of supported codes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Codes {
+    /// The controls, the chosen one first.
+    pub columns: Vec<CodeColumn>,
+    /// What the codes do, in the order of the table.
+    pub rows: Vec<CodeRow>,
+}
+
+/// A control of the table of supported codes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct CodeColumn {
+    /// Where a row has its codes.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"a\" | \"b\" | \"c\" | \"gsk\""))]
+    pub key: &'static str,
+    /// Its name, the same in all languages.
+    pub name: &'static str,
+}
+
+/// A row of the table of supported codes: what codes do, and how controls write them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct CodeRow {
+    /// The heading it stands under.
+    pub section: &'static str,
+    /// The codes in FANUC's system A, blanks between; empty where there is none.
+    pub a: String,
+    /// In system B.
+    pub b: String,
+    /// In system C.
+    pub c: String,
+    /// On GSK 980TD.
+    pub gsk: String,
+    /// What they do.
+    pub does: &'static str,
+    /// Modal group of G codes; 0: not modal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub group: Option<u8>,
+    /// What comes of them here.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"done\" | \"accepted\" | \"unsupported\""))]
+    pub effect: &'static str,
+    /// The same in words; empty for what is carried out.
+    pub note: &'static str,
+}
+
+/// The table of supported codes in a language, a list of codes first.
+pub fn codes(first: CodeList, language: Language) -> Codes {
+    let mut lists = CodeList::ALL;
+    // The others keep their order behind it.
+    lists.sort_by_key(|&list| list != first);
+    let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() });
+    Codes { columns: columns.into(), rows: codes::rows().map(|row| code_row(row, language)).collect() }
+}
+
+fn column_key(list: CodeList) -> &'static str {
+    match list {
+        CodeList::A => "a",
+        CodeList::B => "b",
+        CodeList::C => "c",
+        CodeList::Gsk => "gsk",
+    }
+}
+
+fn code_row(row: codes::Row, language: Language) -> CodeRow {
+    let [a, b, c, gsk] = row.codes;
+    CodeRow {
+        section: row.function.section().title(language),
+        a,
+        b,
+        c,
+        gsk,
+        does: row.function.describe(language),
+        group: row.group,
+        effect: match row.effect {
+            codes::Effect::Done => "done",
+            codes::Effect::Accepted => "accepted",
+            codes::Effect::NotSupported => "unsupported",
+        },
+        note: row.effect.note(language),
+    }
+}
+
+impl CodeRow {
+    /// The codes of a list.
+    pub fn codes(&self, list: CodeList) -> &str {
+        match list {
+            CodeList::A => &self.a,
+            CodeList::B => &self.b,
+            CodeList::C => &self.c,
+            CodeList::Gsk => &self.gsk,
+        }
+    }
+
+    /// The codes of a list for a printed table: `=` where they are those of system A, `–` where it has none.
+    pub fn printed(&self, list: CodeList) -> &str {
+        match self.codes(list) {
+            "" => "–",
+            codes if list != CodeList::A && codes == self.a => "=",
+            codes => codes,
+        }
     }
 }
 

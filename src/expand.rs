@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use crate::control::codes::{self, G, Switch};
-use crate::control::dialect::GSystem;
+use crate::control::dialect::CodeList;
 use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
 use crate::diagnostics::Message;
@@ -35,7 +35,7 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
         text,
         out: String::new(),
         motions: &analysis.motions,
-        system: analysis.system,
+        list: analysis.codes,
         code: None,
         feed: None,
         inch: false,
@@ -151,7 +151,7 @@ struct Writer<'a> {
     text: &'a [u8],
     out: String,
     motions: &'a Motions,
-    system: GSystem,
+    list: CodeList,
     /// The code of group 01 in force in the text written so far.
     code: Option<&'static str>,
     feed: Option<f64>,
@@ -169,8 +169,8 @@ struct Writer<'a> {
 impl Writer<'_> {
     /// The G codes of a block.
     fn codes<'b>(&self, block: &'b Block) -> impl Iterator<Item = G> + use<'b> {
-        let system = self.system;
-        block.words.iter().filter_map(move |word| code(word, system))
+        let list = self.list;
+        block.words.iter().filter_map(move |word| code(word, list))
     }
 
     /// Whether a block is one of those between G12.1 and G13.1, or on a cylinder.
@@ -348,7 +348,7 @@ impl Writer<'_> {
                 (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
-                (b'G', _) => match code(word, self.system) {
+                (b'G', _) => match code(word, self.list) {
                     Some(
                         G::Motion(_)
                         | G::Multiple(_)
@@ -374,7 +374,7 @@ impl Writer<'_> {
         self.line(&before);
         let (inch, incremental) = (self.inch && !own.is_empty(), self.incremental && !own.is_empty());
         if inch {
-            self.line(if self.system == GSystem::C { "G71" } else { "G21" });
+            self.line(if self.list == CodeList::C { "G71" } else { "G21" });
         }
         if incremental {
             self.line("G90");
@@ -396,7 +396,7 @@ impl Writer<'_> {
             self.line("G91");
         }
         if inch {
-            self.line(if self.system == GSystem::C { "G70" } else { "G20" });
+            self.line(if self.list == CodeList::C { "G70" } else { "G20" });
             self.feed = None;
         }
         self.line(&after);
@@ -471,15 +471,15 @@ impl Writer<'_> {
             MotionKind::Feed => "G01",
             MotionKind::ArcClockwise => "G02",
             MotionKind::ArcCounterclockwise => "G03",
-            MotionKind::Thread if self.system == GSystem::A => "G32",
-            MotionKind::Thread => "G33",
+            MotionKind::Thread if matches!(self.list, CodeList::B | CodeList::C) => "G33",
+            MotionKind::Thread => "G32",
             MotionKind::Dwell => return None,
         })
     }
 }
 
 /// The G code of a word.
-fn code(word: &Word, system: GSystem) -> Option<G> {
+fn code(word: &Word, list: CodeList) -> Option<G> {
     let Value::Number { number, .. } = word.value else { return None };
     let key = match number.decimals {
         _ if word.address != b'G' => return None,
@@ -487,7 +487,7 @@ fn code(word: &Word, system: GSystem) -> Option<G> {
         1 => number.mantissa,
         _ => return None,
     };
-    codes::g_code(key, system).map(|found| found.0)
+    codes::g_code(key, list).map(|found| found.code)
 }
 
 /// The sequence number of a block as it was typed, with a blank behind it.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::control::dialect::GSystem;
+use crate::control::dialect::CodeList;
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
 use crate::control::origin;
@@ -29,8 +29,8 @@ pub struct Analysis {
     pub blocks: usize,
     /// The blocks carried out, in order, if the run kept them.
     pub trace: Vec<Executed>,
-    /// The G-code system the program was read in.
-    pub system: GSystem,
+    /// The G codes the program was read with.
+    pub codes: CodeList,
 }
 
 /// A run under way.
@@ -215,12 +215,17 @@ impl Run {
         self.blocks
     }
 
+    /// The G codes the program is read with.
+    pub fn code_list(&self) -> CodeList {
+        self.interpreter.code_list()
+    }
+
     /// What came of the run.
     pub fn into_analysis(self) -> Analysis {
         let mut interpreter = self.interpreter;
-        let (trace, system) = (interpreter.take_trace(), interpreter.system());
+        let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let (motions, diagnostics) = interpreter.into_parts();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, system }
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes }
     }
 
     /// Begins with another program than the first of the text.

@@ -209,6 +209,12 @@ impl Playground {
         crate::expand::expand(self.run.text(), &self.setup)
     }
 
+    /// The table of supported codes, first as the control of this program writes them.
+    #[wasm_bindgen(unchecked_return_type = "Codes")]
+    pub fn codes(&self) -> Result<JsValue, JsValue> {
+        to_js(&api::codes(self.run.code_list(), self.language))
+    }
+
     /// Draws on a canvas from now on.
     #[wasm_bindgen(js_name = attachCanvas)]
     pub fn attach_canvas(&mut self, canvas: OffscreenCanvas) -> Result<(), JsValue> {

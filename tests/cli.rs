@@ -127,6 +127,29 @@ fn motions_have_the_documented_keys() {
 }
 
 #[test]
+fn codes_are_listed_for_all_controls_or_one() {
+    let text = |arguments: &[&str]| String::from_utf8(run(arguments, b"").stdout).expect("UTF-8");
+    let line = |text: &str, code: &str| {
+        let found = text.lines().find(|line| line.trim_start().starts_with(code)).map(|line| {
+            let words: Vec<_> = line.split_whitespace().collect();
+            words.join(" ")
+        });
+        found.unwrap_or_default()
+    };
+    let all = text(&["codes"]);
+    assert_eq!(line(&all, "G90"), "G90 G77 G20 = turning cycle, straight or taper");
+    assert_eq!(line(&all, "G31"), "G31 = = = skip; not supported here");
+    assert_eq!(line(&text(&["codes", "--control", "fanuc"]), "G33"), "");
+    assert!(line(&text(&["codes", "--control", "gsk", "--lang", "ru"]), "G33").contains("метчиком"));
+    let rows = rows(&run(&["codes", "--format", "json"], b""));
+    let turning = rows.iter().find(|row| row["a"] == "G90").expect("G90");
+    assert_eq!(
+        (&turning["b"], &turning["c"], &turning["gsk"], &turning["group"], &turning["effect"]),
+        (&json!("G77"), &json!("G20"), &json!("G90"), &json!(1), &json!("done"))
+    );
+}
+
+#[test]
 fn svg_goes_to_a_file_or_to_standard_output() {
     let program = b"M3 S1\nG0 X20 Z2\nG1 Z-10 F0.2\nM30";
     let output = run(&["svg", "-"], program);

@@ -14,7 +14,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use serde::Serialize;
 
 use crate::api::{self, Places};
-use crate::control::dialect::Control;
+use crate::control::dialect::{CodeList, Control, GSystem};
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
 use crate::run::{Analysis, Run};
@@ -65,6 +65,18 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
+    /// List the codes that are supported.
+    Codes {
+        /// Only those of this control, as it writes them.
+        #[arg(long, value_enum)]
+        control: Option<ControlName>,
+        /// Language of the descriptions.
+        #[arg(long, value_enum, default_value = "en")]
+        lang: LanguageName,
+        /// A table, or one JSON object a line.
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+    },
     /// Draw the toolpath as SVG.
     Svg {
         /// The program; `-` reads standard input.
@@ -92,6 +104,16 @@ enum ControlName {
     Fanuc,
     Gsk,
     Forum,
+}
+
+impl ControlName {
+    fn control(self) -> Control {
+        match self {
+            Self::Fanuc => Control::Fanuc,
+            Self::Gsk => Control::Gsk,
+            Self::Forum => Control::Forum,
+        }
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -148,6 +170,11 @@ fn run(command: Command) -> Result<ExitCode, String> {
             save(output.as_deref(), &encoded(&program, &expanded))?;
             Ok(status(&program.analysis))
         }
+        Command::Codes { control, lang, format } => {
+            let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
+            print(|out| codes(out, list, language(lang), format))?;
+            Ok(ExitCode::SUCCESS)
+        }
         Command::Svg { file, with, output } => {
             let program = program(&file, &with)?;
             let outline = Outline::of(&program.analysis.motions);
@@ -189,6 +216,34 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
     Ok(ExitCode::from(u8::from(any_error)))
 }
 
+/// The table of supported codes: of one list, or of all.
+fn codes(out: &mut dyn Write, only: Option<CodeList>, language: Language, format: Format) -> io::Result<()> {
+    let mut section = "";
+    for row in api::codes(only.unwrap_or_default(), language).rows {
+        if only.is_some_and(|list| row.codes(list).is_empty()) {
+            continue;
+        }
+        if format == Format::Json {
+            write_row(out, &row)?;
+            continue;
+        }
+        if section != row.section {
+            section = row.section;
+            writeln!(out, "\n{section}")?;
+        }
+        match only {
+            Some(list) => write!(out, "  {:<30}", row.codes(list))?,
+            None => {
+                let [a, b, c, gsk] = CodeList::ALL.map(|list| row.printed(list));
+                write!(out, "  {a:<30} {b:<8} {c:<8} {gsk:<4}")?;
+            }
+        }
+        let comma = if row.note.is_empty() { "" } else { "; " };
+        writeln!(out, " {}{comma}{}", row.does, row.note)?;
+    }
+    Ok(())
+}
+
 fn program(file: &Path, with: &With) -> Result<Program, String> {
     program_run(file, with, |run| run)
 }
@@ -204,11 +259,7 @@ fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Resu
         }
     };
     if let Some(control) = with.control {
-        setup.dialect.control = match control {
-            ControlName::Fanuc => Control::Fanuc,
-            ControlName::Gsk => Control::Gsk,
-            ControlName::Forum => Control::Forum,
-        };
+        setup.dialect.control = control.control();
     }
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);

@@ -1,9 +1,13 @@
-//! The table of G and M codes.
+//! G and M codes.
 //!
-//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. System A of a
-//! FANUC 0i-T and GSK 980TD; facts from semantics §2.1 and §8.1.
+//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. Which codes there are,
+//! and how each list of G codes writes them, stands in `registry`; here is what they can ask for.
 
-use super::dialect::{FeedMode, GSystem};
+mod registry;
+
+pub use registry::{Effect, Function, GCode, Row, Section, g_code, m_code, rows};
+
+use super::dialect::{CodeList, FeedMode};
 use super::words::Unit;
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
@@ -46,7 +50,7 @@ pub enum G {
     /// G80.
     NoHole,
     /// G65 and G66.
-    MacroCall(&'static str),
+    MacroCall(MacroCall),
     /// G67.
     NoModalMacro,
     /// G40, G41, G42.
@@ -75,6 +79,25 @@ pub enum G {
     Idle,
     /// Recognised; the block's axis words are not carried out.
     NotSupported,
+}
+
+/// How often a macro is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MacroCall {
+    /// G65: in this block.
+    Once,
+    /// G66: after every move.
+    Modal,
+}
+
+impl MacroCall {
+    /// The code.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Once => "G65",
+            Self::Modal => "G66",
+        }
+    }
 }
 
 /// The hole cycles.
@@ -239,106 +262,6 @@ pub enum Compensation {
 /// Modal group of a code: two codes of one group exclude each other. 0: not modal.
 pub type Group = u8;
 
-/// The G code of a word in a G-code system: `key` is ten times the number, so that G12.1 is 121 (semantics §9).
-pub fn g_code(key: u64, system: GSystem) -> Option<(G, Group)> {
-    if system == GSystem::A {
-        return g_code_a(key);
-    }
-    let in_a = match (key, system) {
-        (770, GSystem::B) | (200, GSystem::C) => 900,
-        (780, GSystem::B) | (210, GSystem::C) => 920,
-        (790, GSystem::B) | (240, GSystem::C) => 940,
-        (700, GSystem::C) => 200,
-        (710, GSystem::C) => 210,
-        (720..=780, GSystem::C) if key.is_multiple_of(10) => key - 20,
-        (330, _) => 320,
-        (940, _) => 980,
-        (950, _) => 990,
-        (920, _) => 500,
-        (900, _) => return Some((G::Distance { incremental: false }, 3)),
-        (910, _) => return Some((G::Distance { incremental: true }, 3)),
-        (980, _) => return Some((G::HoleReturn(HoleReturn::Initial), 11)),
-        (990, _) => return Some((G::HoleReturn(HoleReturn::RPoint), 11)),
-        (320 | 500 | 770 | 780 | 790, _) => return None,
-        _ => key,
-    };
-    g_code_a(in_a)
-}
-
-fn g_code_a(key: u64) -> Option<(G, Group)> {
-    Some(match key {
-        0 => (G::Motion(MotionMode::Rapid), 1),
-        10 => (G::Motion(MotionMode::Line), 1),
-        20 => (G::Motion(MotionMode::Arc(Turn::Clockwise)), 1),
-        30 => (G::Motion(MotionMode::Arc(Turn::Counterclockwise)), 1),
-        40 => (G::Dwell, 0),
-        170 => (G::Plane(Plane::Xy), 16),
-        180 => (G::Plane(Plane::Zx), 16),
-        190 => (G::Plane(Plane::Yz), 16),
-        200 => (G::Unit(Unit::Inch), 6),
-        210 => (G::Unit(Unit::Millimetre), 6),
-        220 | 230 => (G::Idle, 9),
-        100 => (G::Data, 0),
-        110 => (G::EndOfData, 0),
-        270 => (G::CheckHome, 0),
-        280 => (G::Home, 0),
-        290 => (G::FromHome, 0),
-        300 => (G::OtherHome, 0),
-        320 => (G::Motion(MotionMode::Thread), 1),
-        330 => (G::Motion(MotionMode::Tapping), 1),
-        340 => (G::Motion(MotionMode::VariableThread), 1),
-        400 => (G::Compensation(Compensation::Off), 7),
-        410 => (G::Compensation(Compensation::Left), 7),
-        420 => (G::Compensation(Compensation::Right), 7),
-        500 => (G::Setting, 0),
-        520 => (G::LocalFrame, 0),
-        530 => (G::Machine, 0),
-        541 => (G::ExtendedFrame, 14),
-        540 => (G::Frame(0), 14),
-        550 => (G::Frame(1), 14),
-        560 => (G::Frame(2), 14),
-        570 => (G::Frame(3), 14),
-        580 => (G::Frame(4), 14),
-        590 => (G::Frame(5), 14),
-        700 => (G::Multiple(Multiple::Finishing), 0),
-        710 => (G::Multiple(Multiple::RoughTurning), 0),
-        720 => (G::Multiple(Multiple::RoughFacing), 0),
-        730 => (G::Multiple(Multiple::Pattern), 0),
-        740 => (G::Multiple(Multiple::FacePecking), 0),
-        750 => (G::Multiple(Multiple::Grooving), 0),
-        760 => (G::Multiple(Multiple::Threading), 0),
-        900 => (G::Motion(MotionMode::Cycle(Single::Turning)), 1),
-        920 => (G::Motion(MotionMode::Cycle(Single::Threading)), 1),
-        940 => (G::Motion(MotionMode::Cycle(Single::Facing)), 1),
-        960 => (G::SurfaceSpeed, 2),
-        970 => (G::ConstantSpeed, 2),
-        980 => (G::Feed(FeedMode::PerMinute), 5),
-        990 => (G::Feed(FeedMode::PerTurn), 5),
-        121 | 1120 => (G::Polar(Switch::On), 21),
-        131 | 1130 => (G::Polar(Switch::Off), 21),
-        71 | 1070 => (G::Cylinder, 0),
-        800 => (G::NoHole, 10),
-        810 => (G::Hole(Hole::G81), 10),
-        820 => (G::Hole(Hole::G82), 10),
-        830 => (G::Hole(Hole::G83), 10),
-        840 => (G::Hole(Hole::G84), 10),
-        850 => (G::Hole(Hole::G85), 10),
-        860 => (G::Hole(Hole::G86), 10),
-        870 => (G::Hole(Hole::G87), 10),
-        880 => (G::Hole(Hole::G88), 10),
-        890 => (G::Hole(Hole::G89), 10),
-        650 => (G::MacroCall("G65"), 0),
-        660 => (G::MacroCall("G66"), 12),
-        670 => (G::NoModalMacro, 12),
-        // Stops, exact stop and cutting mode; off states of functions this project does not have switched on:
-        // headers are full of them.
-        80 | 90 | 250 | 260 | 490 | 502 | 610 | 630 | 640 | 690 => (G::Idle, 0),
-        // High-speed cutting, skip, automatic offsets, polygon turning, mirror image.
-        50 | 51 | 310 | 360 | 370 | 512 | 680 => (G::NotSupported, 0),
-        _ => return None,
-    })
-}
-
 /// What an M code asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum M {
@@ -371,25 +294,4 @@ pub enum Switch {
     On,
     /// Off.
     Off,
-}
-
-/// The M code of a number (seed 002's table, semantics §8.1); `None` for one that only some machines know.
-pub fn m_code(number: u64) -> Option<M> {
-    Some(match number {
-        0 | 1 => M::Pause,
-        2 | 30 => M::End,
-        3 => M::Spindle(SpindleTurn::Forward),
-        4 => M::Spindle(SpindleTurn::Reverse),
-        5 => M::Spindle(SpindleTurn::Stopped),
-        13 | 14 => M::LiveTool,
-        23 => M::ThreadPullOut(Switch::On),
-        24 => M::ThreadPullOut(Switch::Off),
-        45 => M::CAxis(Switch::On),
-        46 => M::CAxis(Switch::Off),
-        97 => M::LocalCall,
-        98 | 198 => M::Call,
-        99 => M::Return,
-        7..=12 | 19 | 20 | 25 | 26 | 29 | 40..=44 | 68 | 69 | 90 | 91 | 200 | 201 | 712 | 713 => M::Idle,
-        _ => return None,
-    })
 }

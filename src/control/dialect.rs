@@ -55,6 +55,46 @@ pub enum GSystem {
     C,
 }
 
+/// Which G codes there are, and by which numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CodeList {
+    /// FANUC, G-code system A.
+    #[default]
+    A,
+    /// FANUC, system B.
+    B,
+    /// FANUC, system C.
+    C,
+    /// GSK 980TD: as system A, and G33.
+    Gsk,
+}
+
+impl CodeList {
+    /// All lists, in the order of the table of supported codes.
+    pub const ALL: [CodeList; 4] = [Self::A, Self::B, Self::C, Self::Gsk];
+
+    /// The list of a control that is set to a G-code system.
+    #[inline]
+    pub fn new(control: Control, system: GSystem) -> Self {
+        match (system, control) {
+            (GSystem::A, Control::Gsk) => Self::Gsk,
+            (GSystem::A, Control::Fanuc | Control::Forum) => Self::A,
+            (GSystem::B, _) => Self::B,
+            (GSystem::C, _) => Self::C,
+        }
+    }
+
+    /// Its name, the same in all languages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::A => "FANUC A",
+            Self::B => "FANUC B",
+            Self::C => "FANUC C",
+            Self::Gsk => "GSK",
+        }
+    }
+}
+
 /// What a number without a decimal point counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -234,6 +274,12 @@ pub struct Dialect {
 }
 
 impl Dialect {
+    /// The G codes it has.
+    #[inline]
+    pub fn code_list(&self) -> CodeList {
+        CodeList::new(self.control, self.g_system)
+    }
+
     /// The switches of a choice, those not said taken from its control (semantics §0.4).
     pub fn new(choice: &DialectChoice) -> Self {
         let gsk = choice.control == Control::Gsk;

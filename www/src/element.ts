@@ -23,10 +23,11 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// playback play readout doing status notice written-out help.
+// playback play readout doing status notice written-out codes help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
+import { CodesDialog } from './codes';
 import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
 import { Drawing } from './drawing';
@@ -81,6 +82,7 @@ export class GcodePlayground extends HTMLElement {
   #switches!: Switches;
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
+  #codes!: CodesDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
   #cursorKnown = false;
   #hovered: number | undefined;
@@ -289,7 +291,8 @@ export class GcodePlayground extends HTMLElement {
       skipped: (levels) => this.#turn(() => (this.blockSkip = levels.join(','))),
       chosen: (program) => this.#turn(() => (this.program = String(program))),
     });
-    this.#help = new Help(texts);
+    this.#codes = new CodesDialog(texts);
+    this.#help = new Help(texts, () => void this.#showCodes());
     this.#writtenOut = new WrittenOutDialog(root, texts, {
       wanted: () => void this.#writeOut(),
       taken: (text) => this.#takeOver(text),
@@ -304,6 +307,7 @@ export class GcodePlayground extends HTMLElement {
       make('div', { className: 'foot' }, this.#status.element, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
+      this.#codes.element,
     );
     root.append(frame);
     this.#acceptFiles(editor.element);
@@ -340,7 +344,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#writtenOut.open) return;
+    if (this.#writtenOut.open || this.#codes.open) return;
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
@@ -483,6 +487,11 @@ export class GcodePlayground extends HTMLElement {
     if (editor.revision === revision) this.#writtenOut.show(written, text);
   }
 
+  async #showCodes(): Promise<void> {
+    const codes = await this.#line?.client.ask('codes', undefined);
+    if (codes !== undefined) this.#codes.show(codes);
+  }
+
   /** The written out program takes the place of the one in the editor, which undo brings back. */
   #takeOver(text: string): void {
     this.#editor?.rewrite(text);
@@ -560,11 +569,12 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut]) {
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut, this.#codes]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;
     this.#line?.client.send({ kind: 'language', tag: language });
+    if (this.#codes.open) void this.#showCodes();
   }
 
   #changed(): void {

@@ -1,6 +1,6 @@
-// The popover with keys and gestures.
+// The popover with keys and gestures, and the way to the table of codes.
 //
-// In: the language's strings. Out: an element with `toggle`. Must not know: who answers to the keys.
+// In: the language's strings. Out: an element with `toggle`; `codesWanted`. Must not know: who answers to the keys.
 
 import { make, name } from './dom';
 import type { Strings } from './i18n';
@@ -9,7 +9,10 @@ export class Help {
   readonly button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
   readonly element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
 
-  constructor(strings: Strings) {
+  readonly #codesWanted: () => void;
+
+  constructor(strings: Strings, codesWanted: () => void) {
+    this.#codesWanted = codesWanted;
     this.button.popoverTargetElement = this.element;
     this.strings = strings;
   }
@@ -26,7 +29,14 @@ export class Help {
       for (const [i, key] of pressed.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
       keys.append(term, make('dd', {}, what));
     }
-    this.element.replaceChildren(make('h2', {}, strings.helpTitle), close, keys);
+    const codes = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, strings.codes);
+    codes.addEventListener('click', () => {
+      this.element.hidePopover();
+      // The dialog gives the focus back to where it was.
+      this.button.focus();
+      this.#codesWanted();
+    });
+    this.element.replaceChildren(make('h2', {}, strings.helpTitle), close, make('div', { className: 'further' }, codes), keys);
   }
 
   toggle(): void {

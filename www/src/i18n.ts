@@ -82,6 +82,14 @@ export interface Strings {
   readonly copyYourself: string;
   readonly takeOver: string;
   readonly tookOver: string;
+  // the table of codes
+  readonly codes: string;
+  readonly codesAbout: (control: string) => string;
+  readonly codesFilter: string;
+  readonly codesFilterHint: string;
+  readonly codesFound: (n: number) => string;
+  readonly codesWhat: string;
+  readonly codesGroup: string;
   // help
   readonly help: string;
   readonly helpTitle: string;
@@ -183,6 +191,13 @@ const en: Strings = {
   copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
   takeOver: 'Put into the editor',
   tookOver: 'The program is written out. Ctrl Z in the editor brings yours back.',
+  codes: 'Supported codes',
+  codesAbout: (control) => `As ${control} writes them, then the other controls. – : this control has no such code.`,
+  codesFilter: 'Filter',
+  codesFilterHint: 'G92, thread …',
+  codesFound: counter('en', { one: 'row', other: 'rows' }),
+  codesWhat: 'What it does',
+  codesGroup: 'Group',
   help: 'Help',
   helpTitle: 'Keys and gestures',
   shortcuts: [
@@ -226,7 +241,7 @@ const zh: Strings = {
   problemCount: counter('zh', { other: '个问题' }),
   moreProblems: (n) => `……还有 ${n} 个`,
   severity: { error: '错误', warning: '警告', info: '提示' },
-  kind: { wrong: '', unsupported: '此处暂不支持', machine: '取决于机床' },
+  kind: { wrong: '', unsupported: '此处不支持', machine: '取决于机床' },
   alarm: (number) => `报警 ${number}`,
   fix: (title) => `修正：${title}`,
   line: (n) => `第 ${n} 行`,
@@ -284,6 +299,13 @@ const zh: Strings = {
   copyYourself: '此处不允许自动复制。已全部选中，请按 Ctrl C。',
   takeOver: '放入编辑器',
   tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
+  codes: '支持的代码',
+  codesAbout: (control) => `先列 ${control} 的写法，再列其他数控系统。– 表示该系统没有此代码。`,
+  codesFilter: '筛选',
+  codesFilterHint: 'G92、螺纹……',
+  codesFound: counter('zh', { other: '行' }),
+  codesWhat: '功能',
+  codesGroup: '组',
   help: '帮助',
   helpTitle: '按键与手势',
   shortcuts: [
@@ -327,7 +349,7 @@ const ru: Strings = {
   problemCount: counter('ru', { one: 'замечание', few: 'замечания', other: 'замечаний' }),
   moreProblems: (n) => `… и ещё ${n}`,
   severity: { error: 'Ошибка', warning: 'Предупреждение', info: 'Примечание' },
-  kind: { wrong: '', unsupported: 'пока не поддерживается', machine: 'зависит от станка' },
+  kind: { wrong: '', unsupported: 'здесь не поддерживается', machine: 'зависит от станка' },
   alarm: (number) => `сигнал ${number}`,
   fix: (title) => `Исправить: ${title}`,
   line: (n) => `строка ${n}`,
@@ -386,6 +408,13 @@ const ru: Strings = {
   copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
   takeOver: 'Поместить в редактор',
   tookOver: 'Программа расписана. Ctrl Z в редакторе вернёт прежнюю.',
+  codes: 'Поддерживаемые коды',
+  codesAbout: (control) => `Сначала запись для ${control}, затем для других систем. – : такого кода в системе нет.`,
+  codesFilter: 'Поиск',
+  codesFilterHint: 'G92, резьба …',
+  codesFound: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
+  codesWhat: 'Что делает',
+  codesGroup: 'Группа',
   help: 'Справка',
   helpTitle: 'Клавиши и жесты',
   shortcuts: [

@@ -4,11 +4,11 @@
 // up come events. The interpreter's own types are taken from its generated package, never written again.
 // Must not know: how either side does its work.
 
-import type { Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
+import type { Codes, Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
 import type { SwitchesInText } from './switches-in-text';
 
-export type { Diagnostic, Palette, Stroke, Summary };
-export type { Fix } from '../pkg/gcode_playground.js';
+export type { Codes, Diagnostic, Palette, Stroke, Summary };
+export type { CodeRow, Fix } from '../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
 export interface Size {
@@ -55,6 +55,7 @@ export interface Questions {
   /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
   expand: { ask: undefined; answer: WrittenOut };
+  codes: { ask: undefined; answer: Codes };
 }
 
 export type QuestionKind = keyof Questions;

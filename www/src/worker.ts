@@ -140,6 +140,8 @@ function answer(playground: Playground, question: Question): Questions[QuestionK
     }
     case 'expand':
       return writtenOut(playground);
+    case 'codes':
+      return playground.codes();
   }
 }
 

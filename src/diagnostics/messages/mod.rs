@@ -1,5 +1,6 @@
 //! The sentences, one exhaustive match for each language: a message without a translation does not compile.
 
+pub mod codes;
 mod en;
 mod ru;
 mod zh;

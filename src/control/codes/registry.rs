@@ -1,0 +1,426 @@
+//! The registry: every code that is recognised, once.
+//!
+//! In: a number, and the control's list. Out: what the code asks for; for the table of supported codes, its
+//! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code without
+//! a row is not recognised (semantics §2.1, §8.1, §9, §10).
+
+use super::*;
+
+/// Defines the functions under their headings, in the order of the table.
+macro_rules! functions {
+    ($($section:ident { $($function:ident)+ })+) => {
+        /// A heading of the table.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs, reason = "diagnostics::messages::codes says what each is")]
+        pub enum Section { $($section),+ }
+
+        /// What a code does: a row of the table.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs, reason = "diagnostics::messages::codes says what each is")]
+        pub enum Function { $($($function),+),+ }
+
+        impl Function {
+            /// All of them, in the order of the table.
+            pub const ALL: &[Function] = &[$($(Self::$function),+),+];
+
+            /// The heading it stands under.
+            pub fn section(self) -> Section {
+                match self { $($(Self::$function)|+ => Section::$section),+ }
+            }
+        }
+    };
+}
+
+functions! {
+    Moves { Rapid Line ArcClockwise ArcCounterclockwise Dwell Chamfer Rounding GskCorner Angle }
+    Threads { Thread Tapping VariableThread }
+    SingleCycles { TurningCycle ThreadingCycle FacingCycle }
+    MultipleCycles { Finishing RoughTurning RoughFacing Pattern FacePecking Grooving MultiThreading }
+    HoleCycles { NoHole Drilling CounterBoring FaceDrilling FaceTapping FaceBoring BoringStop SideDrilling SideTapping
+        SideBoring HoleReturn }
+    Compensation { CompensationOff CompensationLeft CompensationRight }
+    MilledFaces { PolarOn PolarOff Cylinder }
+    Coordinates { Setting LocalFrame Machine Frame ExtendedFrame Distance CheckHome Home FromHome OtherHome Data }
+    Modes { Plane Unit Feed SurfaceSpeed ConstantSpeed Spindle Tool }
+    Flow { Pause End Call LocalCall CardCall Return MacroCall ModalMacro Variables If Goto While Output BlockSkip }
+    MachineFunctions { Coolant Chuck LiveTool Orientation ThreadPullOut Tailstock RigidTapping Gear CAxis Synchronous
+        Conveyor Interlock OtherMachine }
+    OffStates { StrokeCheck ExactStop SpindleCheck Off }
+    NotYet { HighSpeed Skip AutomaticOffset Polygon Mirror }
+}
+
+/// What comes of a code here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// It is carried out.
+    Done,
+    /// It is accepted; the path does not depend on it.
+    Accepted,
+    /// It is recognised and answered as not supported.
+    NotSupported,
+}
+
+/// A list that does not have the code.
+const NOT_THERE: u16 = u16::MAX;
+
+/// A G code.
+pub struct GCode {
+    function: Function,
+    /// What it asks for.
+    pub code: G,
+    /// Two codes of one group exclude each other.
+    pub group: Group,
+    /// Ten times its number in each list.
+    keys: [u16; CodeList::ALL.len()],
+}
+
+/// An M code.
+struct MCode {
+    function: Function,
+    code: M,
+    number: u16,
+}
+
+/// A G code that has the same number everywhere.
+const fn same(key: u16, function: Function, code: G, group: Group) -> GCode {
+    spelled([key; 4], function, code, group)
+}
+
+/// A G code by its keys in systems A, B, C and on GSK.
+const fn spelled(keys: [u16; 4], function: Function, code: G, group: Group) -> GCode {
+    GCode { function, code, group, keys }
+}
+
+const fn mode(key: u16, function: Function, mode: MotionMode) -> GCode {
+    same(key, function, G::Motion(mode), 1)
+}
+
+const fn cycle(keys: [u16; 4], function: Function, cycle: Single) -> GCode {
+    spelled(keys, function, G::Motion(MotionMode::Cycle(cycle)), 1)
+}
+
+/// G70 to G76, two numbers higher in system C.
+const fn multiple(key: u16, function: Function, cycle: Multiple) -> GCode {
+    spelled([key, key, key + 20, key], function, G::Multiple(cycle), 0)
+}
+
+const fn hole(function: Function, hole: Hole) -> GCode {
+    same(810 + 10 * hole as u16, function, G::Hole(hole), 10)
+}
+
+const fn idle(key: u16, function: Function) -> GCode {
+    same(key, function, G::Idle, 0)
+}
+
+const fn not_supported(key: u16, function: Function) -> GCode {
+    same(key, function, G::NotSupported, 0)
+}
+
+/// In systems B and C only.
+const fn not_in_a(key: u16, function: Function, code: G, group: Group) -> GCode {
+    spelled([NOT_THERE, key, key, NOT_THERE], function, code, group)
+}
+
+/// A number of systems A and GSK, and another of B and C.
+const fn moved(a: u16, b: u16, function: Function, code: G, group: Group) -> GCode {
+    spelled([a, b, b, a], function, code, group)
+}
+
+const G_CODES: &[GCode] = &[
+    mode(0, Function::Rapid, MotionMode::Rapid),
+    mode(10, Function::Line, MotionMode::Line),
+    mode(20, Function::ArcClockwise, MotionMode::Arc(Turn::Clockwise)),
+    mode(30, Function::ArcCounterclockwise, MotionMode::Arc(Turn::Counterclockwise)),
+    same(40, Function::Dwell, G::Dwell, 0),
+    moved(320, 330, Function::Thread, G::Motion(MotionMode::Thread), 1),
+    spelled([NOT_THERE, NOT_THERE, NOT_THERE, 330], Function::Tapping, G::Motion(MotionMode::Tapping), 1),
+    mode(340, Function::VariableThread, MotionMode::VariableThread),
+    cycle([900, 770, 200, 900], Function::TurningCycle, Single::Turning),
+    cycle([920, 780, 210, 920], Function::ThreadingCycle, Single::Threading),
+    cycle([940, 790, 240, 940], Function::FacingCycle, Single::Facing),
+    multiple(700, Function::Finishing, Multiple::Finishing),
+    multiple(710, Function::RoughTurning, Multiple::RoughTurning),
+    multiple(720, Function::RoughFacing, Multiple::RoughFacing),
+    multiple(730, Function::Pattern, Multiple::Pattern),
+    multiple(740, Function::FacePecking, Multiple::FacePecking),
+    multiple(750, Function::Grooving, Multiple::Grooving),
+    multiple(760, Function::MultiThreading, Multiple::Threading),
+    same(800, Function::NoHole, G::NoHole, 10),
+    hole(Function::Drilling, Hole::G81),
+    hole(Function::CounterBoring, Hole::G82),
+    hole(Function::FaceDrilling, Hole::G83),
+    hole(Function::FaceTapping, Hole::G84),
+    hole(Function::FaceBoring, Hole::G85),
+    hole(Function::BoringStop, Hole::G86),
+    hole(Function::SideDrilling, Hole::G87),
+    hole(Function::SideTapping, Hole::G88),
+    hole(Function::SideBoring, Hole::G89),
+    // Level the tool returns to behind a hole: the initial one is taken.
+    not_in_a(980, Function::HoleReturn, G::HoleReturn(HoleReturn::Initial), 11),
+    not_in_a(990, Function::HoleReturn, G::HoleReturn(HoleReturn::RPoint), 11),
+    same(400, Function::CompensationOff, G::Compensation(Compensation::Off), 7),
+    same(410, Function::CompensationLeft, G::Compensation(Compensation::Left), 7),
+    same(420, Function::CompensationRight, G::Compensation(Compensation::Right), 7),
+    same(121, Function::PolarOn, G::Polar(Switch::On), 21),
+    same(1120, Function::PolarOn, G::Polar(Switch::On), 21),
+    same(131, Function::PolarOff, G::Polar(Switch::Off), 21),
+    same(1130, Function::PolarOff, G::Polar(Switch::Off), 21),
+    same(71, Function::Cylinder, G::Cylinder, 0),
+    same(1070, Function::Cylinder, G::Cylinder, 0),
+    moved(500, 920, Function::Setting, G::Setting, 0),
+    same(520, Function::LocalFrame, G::LocalFrame, 0),
+    same(530, Function::Machine, G::Machine, 0),
+    same(540, Function::Frame, G::Frame(0), 14),
+    same(550, Function::Frame, G::Frame(1), 14),
+    same(560, Function::Frame, G::Frame(2), 14),
+    same(570, Function::Frame, G::Frame(3), 14),
+    same(580, Function::Frame, G::Frame(4), 14),
+    same(590, Function::Frame, G::Frame(5), 14),
+    same(541, Function::ExtendedFrame, G::ExtendedFrame, 14),
+    not_in_a(900, Function::Distance, G::Distance { incremental: false }, 3),
+    not_in_a(910, Function::Distance, G::Distance { incremental: true }, 3),
+    same(270, Function::CheckHome, G::CheckHome, 0),
+    same(280, Function::Home, G::Home, 0),
+    same(290, Function::FromHome, G::FromHome, 0),
+    same(300, Function::OtherHome, G::OtherHome, 0),
+    same(100, Function::Data, G::Data, 0),
+    same(110, Function::Data, G::EndOfData, 0),
+    same(170, Function::Plane, G::Plane(Plane::Xy), 16),
+    same(180, Function::Plane, G::Plane(Plane::Zx), 16),
+    same(190, Function::Plane, G::Plane(Plane::Yz), 16),
+    spelled([200, 200, 700, 200], Function::Unit, G::Unit(Unit::Inch), 6),
+    spelled([210, 210, 710, 210], Function::Unit, G::Unit(Unit::Millimetre), 6),
+    moved(980, 940, Function::Feed, G::Feed(FeedMode::PerMinute), 5),
+    moved(990, 950, Function::Feed, G::Feed(FeedMode::PerTurn), 5),
+    same(960, Function::SurfaceSpeed, G::SurfaceSpeed, 2),
+    same(970, Function::ConstantSpeed, G::ConstantSpeed, 2),
+    same(650, Function::MacroCall, G::MacroCall(MacroCall::Once), 0),
+    same(660, Function::ModalMacro, G::MacroCall(MacroCall::Modal), 12),
+    same(670, Function::ModalMacro, G::NoModalMacro, 12),
+    same(220, Function::StrokeCheck, G::Idle, 9),
+    same(230, Function::StrokeCheck, G::Idle, 9),
+    idle(90, Function::ExactStop),
+    idle(610, Function::ExactStop),
+    idle(630, Function::ExactStop),
+    idle(640, Function::ExactStop),
+    idle(250, Function::SpindleCheck),
+    idle(260, Function::SpindleCheck),
+    // Off states of functions this project does not have: headers are full of them.
+    idle(80, Function::Off),
+    idle(490, Function::Off),
+    idle(502, Function::Off),
+    idle(690, Function::Off),
+    not_supported(50, Function::HighSpeed),
+    not_supported(51, Function::HighSpeed),
+    not_supported(310, Function::Skip),
+    not_supported(360, Function::AutomaticOffset),
+    not_supported(370, Function::AutomaticOffset),
+    not_supported(512, Function::Polygon),
+    not_supported(680, Function::Mirror),
+];
+
+const fn m(number: u16, function: Function, code: M) -> MCode {
+    MCode { function, code, number }
+}
+
+/// Seed 002's table, and what else is commonly met.
+static M_CODES: &[MCode] = &[
+    m(3, Function::Spindle, M::Spindle(SpindleTurn::Forward)),
+    m(4, Function::Spindle, M::Spindle(SpindleTurn::Reverse)),
+    m(5, Function::Spindle, M::Spindle(SpindleTurn::Stopped)),
+    m(0, Function::Pause, M::Pause),
+    m(1, Function::Pause, M::Pause),
+    m(2, Function::End, M::End),
+    m(30, Function::End, M::End),
+    m(98, Function::Call, M::Call),
+    m(97, Function::LocalCall, M::LocalCall),
+    m(198, Function::CardCall, M::Call),
+    m(99, Function::Return, M::Return),
+    m(7, Function::Coolant, M::Idle),
+    m(8, Function::Coolant, M::Idle),
+    m(9, Function::Coolant, M::Idle),
+    m(10, Function::Chuck, M::Idle),
+    m(11, Function::Chuck, M::Idle),
+    m(68, Function::Chuck, M::Idle),
+    m(69, Function::Chuck, M::Idle),
+    m(13, Function::LiveTool, M::LiveTool),
+    m(14, Function::LiveTool, M::LiveTool),
+    m(19, Function::Orientation, M::Idle),
+    m(20, Function::Orientation, M::Idle),
+    m(23, Function::ThreadPullOut, M::ThreadPullOut(Switch::On)),
+    m(24, Function::ThreadPullOut, M::ThreadPullOut(Switch::Off)),
+    m(25, Function::Tailstock, M::Idle),
+    m(26, Function::Tailstock, M::Idle),
+    m(29, Function::RigidTapping, M::Idle),
+    m(40, Function::Gear, M::Idle),
+    m(41, Function::Gear, M::Idle),
+    m(42, Function::Gear, M::Idle),
+    m(43, Function::Gear, M::Idle),
+    m(44, Function::Gear, M::Idle),
+    m(45, Function::CAxis, M::CAxis(Switch::On)),
+    m(46, Function::CAxis, M::CAxis(Switch::Off)),
+    m(90, Function::Synchronous, M::Idle),
+    m(91, Function::Synchronous, M::Idle),
+    m(200, Function::Conveyor, M::Idle),
+    m(201, Function::Conveyor, M::Idle),
+    m(712, Function::Interlock, M::Idle),
+    m(713, Function::Interlock, M::Idle),
+    m(12, Function::OtherMachine, M::Idle),
+];
+
+/// What is no G or M code and still has a row, as it is written; whether only GSK has it; what comes of it.
+static OTHERS: &[(Function, &str, bool, Effect)] = &[
+    (Function::Chamfer, ",C C I K", false, Effect::Done),
+    (Function::Rounding, ",R R", false, Effect::Done),
+    (Function::GskCorner, "L D", true, Effect::Done),
+    (Function::Angle, ",A A", false, Effect::Done),
+    (Function::Tool, "T", false, Effect::Done),
+    (Function::Variables, "#", false, Effect::Done),
+    (Function::If, "IF THEN", false, Effect::Done),
+    (Function::Goto, "GOTO", false, Effect::Done),
+    (Function::While, "WHILE DO END", false, Effect::Done),
+    (Function::Output, "POPEN BPRNT DPRNT PCLOS SETVN", false, Effect::Accepted),
+    (Function::BlockSkip, "/ /2…/9", false, Effect::Done),
+];
+
+/// No row.
+const NO_ROW: u8 = u8::MAX;
+
+/// Rows of [`G_CODES`] by list and key.
+static G_ROWS: [[u8; 1131]; CodeList::ALL.len()] = {
+    let mut rows = [[NO_ROW; 1131]; CodeList::ALL.len()];
+    let mut row = 0;
+    while row < G_CODES.len() {
+        let mut list = 0;
+        while list < CodeList::ALL.len() {
+            let key = G_CODES[row].keys[list];
+            if key != NOT_THERE {
+                assert!(rows[list][key as usize] == NO_ROW, "a number has one meaning in a list");
+                rows[list][key as usize] = row as u8;
+            }
+            list += 1;
+        }
+        row += 1;
+    }
+    assert!(row < NO_ROW as usize);
+    rows
+};
+
+/// Rows of [`M_CODES`] by number.
+static M_ROWS: [u8; 714] = {
+    let mut rows = [NO_ROW; 714];
+    let mut row = 0;
+    while row < M_CODES.len() {
+        let number = M_CODES[row].number as usize;
+        assert!(rows[number] == NO_ROW, "a number has one meaning");
+        rows[number] = row as u8;
+        row += 1;
+    }
+    rows
+};
+
+/// The row of a key that means the same in all lists.
+const fn everywhere(key: usize) -> &'static GCode {
+    let row = G_ROWS[0][key];
+    assert!(row == G_ROWS[1][key] && row == G_ROWS[2][key] && row == G_ROWS[3][key]);
+    &G_CODES[row as usize]
+}
+
+/// The G code of a word in a list: `key` is ten times the number, so that G12.1 is 121.
+#[inline]
+pub fn g_code(key: u64, list: CodeList) -> Option<&'static GCode> {
+    // Nearly every block has one of these: as constants they cost nothing to look up.
+    match key {
+        0 => return Some(const { everywhere(0) }),
+        10 => return Some(const { everywhere(10) }),
+        20 => return Some(const { everywhere(20) }),
+        30 => return Some(const { everywhere(30) }),
+        _ => {}
+    }
+    let row = *G_ROWS[list as usize].get(usize::try_from(key).ok()?)?;
+    G_CODES.get(usize::from(row))
+}
+
+/// The M code of a number; `None` for one that only some machines know.
+#[inline]
+pub fn m_code(number: u64) -> Option<M> {
+    let row = *M_ROWS.get(usize::try_from(number).ok()?)?;
+    M_CODES.get(usize::from(row)).map(|row| row.code)
+}
+
+/// A row of the table of supported codes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What the codes do.
+    pub function: Function,
+    /// How they are written in each list of [`CodeList::ALL`], blanks between; empty where it has none.
+    pub codes: [String; CodeList::ALL.len()],
+    /// Modal group; `None` for what is no G code.
+    pub group: Option<Group>,
+    /// What comes of them here.
+    pub effect: Effect,
+}
+
+/// The table of supported codes.
+pub fn rows() -> impl Iterator<Item = Row> {
+    Function::ALL.iter().map(|&function| Row::new(function))
+}
+
+impl Row {
+    fn new(function: Function) -> Self {
+        let mut row = Self { function, codes: Default::default(), group: None, effect: Effect::Accepted };
+        for code in G_CODES.iter().filter(|code| code.function == function) {
+            for (codes, key) in row.codes.iter_mut().zip(code.keys) {
+                if key != NOT_THERE {
+                    spell(codes, 'G', key / 10, key % 10);
+                }
+            }
+            row.group = Some(code.group);
+            row.take(match code.code {
+                G::Idle => Effect::Accepted,
+                G::NotSupported => Effect::NotSupported,
+                _ => Effect::Done,
+            });
+        }
+        for code in M_CODES.iter().filter(|code| code.function == function) {
+            for codes in &mut row.codes {
+                spell(codes, 'M', code.number, 0);
+            }
+            row.take(match code.code {
+                M::Idle | M::Pause => Effect::Accepted,
+                _ => Effect::Done,
+            });
+        }
+        for &(_, written, only_gsk, effect) in OTHERS.iter().filter(|other| other.0 == function) {
+            for (codes, list) in row.codes.iter_mut().zip(CodeList::ALL) {
+                if !only_gsk || list == CodeList::Gsk {
+                    codes.push_str(written);
+                }
+            }
+            row.take(effect);
+        }
+        row
+    }
+
+    fn take(&mut self, effect: Effect) {
+        if effect != Effect::Accepted {
+            self.effect = effect;
+        }
+    }
+}
+
+/// Adds a code as people write it: `G01`, `G12.1`.
+fn spell(codes: &mut String, letter: char, number: u16, decimal: u16) {
+    let digit = |digit: u16| char::from(b'0' + (digit % 10) as u8);
+    if !codes.is_empty() {
+        codes.push(' ');
+    }
+    codes.push(letter);
+    if number >= 100 {
+        codes.push(digit(number / 100));
+    }
+    codes.extend([digit(number / 10), digit(number)]);
+    if decimal > 0 {
+        codes.extend(['.', digit(decimal)]);
+    }
+}

@@ -1,0 +1,254 @@
+//! One block: what it is, what its words ask for, and where the program goes on (order of semantics §1.3).
+//!
+//! In: a block. Out: its [`Request`] carried out.
+
+use super::*;
+
+impl Interpreter {
+    /// Carries out one block.
+    pub fn run(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if self.recorded.is_none() && !self.may_go_on(block) {
+            return Flow::End;
+        }
+        self.carry_out(text, block, here)
+    }
+
+    pub(super) fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
+            self.tell_faults(block);
+            return Flow::Next;
+        }
+        if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
+            return self.carry_out(text, &without_optional(block), here);
+        }
+        let broken = !block.faults.is_empty() && {
+            self.tell_faults(block);
+            block.is_broken()
+        };
+        if self.recorded.is_none() && self.chunk.is_empty() {
+            self.chunk.begin_at(block.span.start, block.line, self.state.position);
+        } else if self.recorded.is_none() && self.chunk.len() >= CHUNK {
+            let next = Chunk::new(block.span.start, block.line, self.state.position);
+            self.motions.push(std::mem::replace(&mut self.chunk, next));
+        }
+        if self.trace.is_some() {
+            self.trace_block(block, here);
+        }
+        self.state.sequence = block.sequence.unwrap_or(self.state.sequence);
+        match block.kind {
+            BlockKind::Percent => return Flow::Next,
+            BlockKind::Macro if broken => {
+                self.state.uncertain = true;
+                return Flow::Next;
+            }
+            BlockKind::Macro => return self.macro_statement(text, block, here),
+            BlockKind::Words => {}
+        }
+        if self.state.data_input {
+            let ends = |word: &Word| word.address == b'G' && plain(word) == Some(11.0);
+            self.state.data_input = !block.words.iter().any(ends);
+            return Flow::Next;
+        }
+        if block.words.is_empty() {
+            // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
+            self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
+            return Flow::Next;
+        }
+        self.words_of(text, block, here)
+    }
+
+    /// Carries out a block of words.
+    #[inline]
+    pub(super) fn words(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        let broken = block.is_broken();
+        let mut request = Request { drop: broken, ..Request::default() };
+        let mut words = Words::new(block);
+        for (index, word) in block.words.iter().enumerate() {
+            self.take(text, block, &mut request, &mut words, index, word);
+        }
+        self.technology(text, &request, &words);
+        if request.drop {
+            self.state.uncertain = true;
+            if let Some(mode) = request.motion {
+                self.enter(mode, block, &words);
+            }
+        } else {
+            self.act(text, block, &mut request, &words);
+            self.state.uncertain |= request.drop;
+        }
+        if !request.moved {
+            self.idle_block();
+        }
+        if request.end {
+            self.end_of_program(text, block);
+        }
+        if request.stop_spindle {
+            self.state.spindle.turn = SpindleTurn::Stopped;
+            self.state.spindle.live_tool = false;
+            self.state.told.forget(Once::SpindleStopped);
+        }
+        match (self.jump.take(), request.passage) {
+            _ if request.end || self.full => Flow::End,
+            (Some(at), _) => Flow::Jump(at),
+            // A call in a contour was told already.
+            (None, _) if self.recorded.is_some() => Flow::Next,
+            (None, Some(passage)) => self.pass(text, block, &words, passage, here),
+            (None, None) => match request.macro_call {
+                Some(code) => self.macro_call(text, block, here, code),
+                None if request.moved && self.state.course.modal.is_some() => {
+                    self.modal_call(block, here.next).unwrap_or(Flow::Next)
+                }
+                None => Flow::Next,
+            },
+        }
+    }
+
+    /// M02, M30.
+    pub(super) fn end_of_program(&mut self, text: &[u8], block: &Block) {
+        self.settle();
+        let end = block.words.iter().find(|word| word.address == b'M');
+        self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
+        self.state.compensation = Compensation::Off;
+    }
+
+    /// Coordinate systems, motion, cycles.
+    pub(super) fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        if let Some(mode) = request.motion {
+            self.enter(mode, block, words);
+        }
+        if let Some(span) = request.extended_frame {
+            self.extended_frame(text, request, words, span);
+        }
+        if let Some(hole) = request.hole {
+            self.enter_hole(hole, block.words_span());
+        }
+        if request.macro_call.is_some() {
+            return;
+        }
+        if let Some(one_shot) = request.one_shot {
+            if one_shot != OneShot::Dwell {
+                self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
+            }
+            if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) =
+                (one_shot, words.get(b'T'))
+            {
+                let message = Message::ToolWithSetting { word: quote(text, word.span) };
+                // Old controls take T with G50; it was usual there.
+                let taken = one_shot == OneShot::Setting && !self.dialect.strict;
+                let severity = if taken { Severity::Warning } else { Severity::Error };
+                self.tell(Diagnostic::new(message, word.span).graded(severity));
+                if !taken {
+                    request.drop = true;
+                    return;
+                }
+            }
+            if !self.may_stand_with_hole(text, block, one_shot) {
+                request.drop = true;
+                return;
+            }
+            match one_shot {
+                OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
+                OneShot::Multiple(_) => self.arrive_for_cycle(),
+                _ => self.leave_compensation(),
+            }
+            match one_shot {
+                OneShot::Dwell => self.dwell(text, block, words, request),
+                OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
+                OneShot::CheckHome => self.check_home(text, block, request, words),
+                OneShot::FromHome => self.leave_home(text, block, request, words),
+                OneShot::Machine => self.machine_move(block, request, words),
+                OneShot::Data => self.write_data(text, request, words),
+                OneShot::Setting => self.setting(words),
+                OneShot::LocalFrame => self.local_frame(words),
+                OneShot::Polar(switch) => self.polar(text, block, request, switch),
+                OneShot::Cylinder => self.cylinder(text, block, request, words),
+                OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
+                OneShot::NotSupported => self.state.uncertain = true,
+            }
+            return;
+        }
+        if self.state.hole.is_some() {
+            self.hole(text, block, request, words);
+            return;
+        }
+        const OTHER_AXES: u32 = letters(b"YV");
+        if words.has_any(OTHER_AXES) && !matches!(self.state.motion, MotionMode::Cycle(_)) {
+            self.other_axes(text, words);
+        }
+        if self.state.virtual_plane.is_some()
+            && words.has_any(AXES | TURNS)
+            && !self.may_move_in_plane(text, block, words)
+        {
+            request.drop = true;
+            return;
+        }
+        match self.state.motion {
+            MotionMode::Rapid if words.has_any(AXES | TURNS) => {
+                self.settle_angle();
+                if let Some(index) = request.comma.into_iter().flatten().next() {
+                    let span = block.words[index].span;
+                    self.tell(Diagnostic::new(Message::CornerNone { word: quote(text, span) }, span));
+                    request.drop = true;
+                    return;
+                }
+                let to = self.target(text, words);
+                request.moved = words.has_any(AXES);
+                let c = self.turn_target(words);
+                if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
+                    let motion = self.motion(MotionKind::Rapid, to);
+                    let motion = self.turning(motion, c);
+                    self.travel(block, motion, None);
+                }
+            }
+            MotionMode::Line if words.has_any(AXES | TURNS | letters(b"A")) || request.comma[2].is_some() => {
+                self.line(text, block, request, words);
+            }
+            MotionMode::Arc(turn) if words.has_any(AXES | TURNS | letters(b"IJKR")) => {
+                self.arc(text, block, request, words, turn)
+            }
+            MotionMode::Thread | MotionMode::VariableThread | MotionMode::Tapping if words.has_any(AXES) => {
+                self.thread(text, block, request, words);
+            }
+            MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
+            _ => {}
+        }
+    }
+
+    /// A code of group 01 comes into force.
+    pub(super) fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
+        let state = &mut self.state;
+        state.hole = None;
+        match (mode, state.motion) {
+            (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
+                // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
+                state.memory.taper = 0.0;
+                if new != old {
+                    state.memory.passes = 0;
+                }
+            }
+            _ => state.memory = CycleMemory::EMPTY,
+        }
+        state.motion = mode;
+        if mode == MotionMode::Cycle(Single::Turning)
+            && !words.has_any(AXES)
+            && state.told.first(Once::G90AsAbsolute)
+        {
+            let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
+            let span = g90.map_or_else(|| block.words_span(), |word| word.span);
+            self.tell(Diagnostic::new(Message::G90AsAbsolute, span));
+        }
+    }
+}
+
+/// The block as it is when the slash within it counts.
+fn without_optional(block: &Block) -> Block {
+    let mut rest = block.clone();
+    if let Some((first, _)) = rest.optional.take() {
+        rest.words.truncate(first);
+    }
+    rest
+}
+
+fn is_prose(fault: &Diagnostic) -> bool {
+    matches!(fault.message, Message::PlainText { .. })
+}

@@ -1,0 +1,96 @@
+//! Motions on their way into the list, and the bounds of that list.
+//!
+//! In: motions. Out: those that have a length, in the coordinates of the machine.
+
+use super::*;
+
+impl Interpreter {
+    pub(super) fn reading(&self) -> Reading {
+        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    pub(super) fn not_supported(&mut self, text: &[u8], span: Span) {
+        let what = format!("`{}`", shortened(&quote(text, span)));
+        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
+    }
+
+    /// A motion from where the tip stands.
+    #[inline]
+    pub(super) fn motion(&self, kind: MotionKind, to: Point) -> Motion {
+        Motion {
+            kind,
+            from: self.state.position,
+            to,
+            center: None,
+            lead: None,
+            seconds: None,
+            programmed: None,
+            rotary: None,
+            cycle: None,
+            process: self.state.process(),
+        }
+    }
+
+    /// Keeps a motion unless it has no length, and puts the tip at its end.
+    #[inline]
+    pub(super) fn push(&mut self, block: &Block, motion: Motion) {
+        self.emit(self.routed(block, motion));
+        self.state.position = motion.to;
+    }
+
+    /// Keeps a motion unless it has no length.
+    #[inline]
+    pub(super) fn emit(&mut self, mut routed: Routed) {
+        if let Some(tip) = self.state.tip.take() {
+            routed.motion.from = tip;
+        }
+        let motion = &routed.motion;
+        let still = motion.from.is_same(motion.to)
+            && motion.center.is_none()
+            && motion.seconds.is_none()
+            && motion.rotary.is_none()
+            && routed.third.is_none_or(|(from, to)| from == to);
+        if still || self.full {
+            return;
+        }
+        if let Some(third) = routed.third {
+            routed = self.on_machine(routed, third);
+        }
+        match &mut self.recorded {
+            // One more than a cycle may have, so that it is refused rather than cut short.
+            Some(recorded) if recorded.len() <= self.limits.moves_per_cycle => recorded.push(routed),
+            Some(_) => {}
+            None => self.store(routed),
+        }
+    }
+
+    /// Counts steps that leave no motion. False: they were too many, and the run ends here.
+    pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
+        self.work = self.work.saturating_add(steps);
+        if self.work > self.limits.cycle_work && !self.full {
+            self.full = true;
+            let message = Message::TooMuchWork { most: self.limits.cycle_work };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+        !self.full
+    }
+
+    /// Motions kept so far.
+    pub(super) fn kept(&self) -> usize {
+        self.motions.len() + self.chunk.len()
+    }
+
+    /// Keeps a motion for good.
+    #[inline]
+    pub(super) fn store(&mut self, routed: Routed) {
+        if self.kept() >= self.limits.motions {
+            if !self.full {
+                self.full = true;
+                let message = Message::TooManyMotions { most: self.limits.motions };
+                self.tell(Diagnostic::new(message, routed.span));
+            }
+            return;
+        }
+        self.chunk.push(&routed.motion, routed.span, routed.line);
+    }
+}

@@ -1,0 +1,188 @@
+//! G and M words: what each changes at once, and what it asks of its block.
+//!
+//! In: one word after the other. Out: the modal state, and the [`Request`] of the block.
+
+use super::*;
+
+impl Interpreter {
+    /// Takes one word: codes change the request and the modal state, data words are kept for later.
+    #[inline]
+    pub(super) fn take<'b>(
+        &mut self,
+        text: &[u8],
+        block: &'b Block,
+        request: &mut Request,
+        words: &mut Words<'b>,
+        index: usize,
+        word: &Word,
+    ) {
+        let Value::Number { number, .. } = word.value else { return };
+        if request.macro_call.is_some() || (word.address == b'H' && request.length_offset) {
+            return;
+        }
+        if let Some(wrong) = words::check(text, word) {
+            let wrong = if self.dialect.strict { wrong.graded(Severity::Error) } else { wrong };
+            request.drop |= wrong.is_error();
+            let carried_out = !wrong.is_error();
+            self.tell(wrong);
+            if !carried_out {
+                return;
+            }
+        }
+        match word.address {
+            b'G' => {
+                let key = match number.decimals {
+                    0 => number.mantissa * 10,
+                    1 => number.mantissa,
+                    _ => u64::MAX,
+                };
+                self.take_g(text, request, key, word);
+            }
+            b'M' => self.take_m(text, request, number.mantissa, word),
+            b'C' if word.comma => request.comma[0] = Some(index),
+            b'R' if word.comma => request.comma[1] = Some(index),
+            b'A' if word.comma => request.comma[2] = Some(index),
+            _ if word.comma => {
+                let text = quote(text, word.span);
+                self.tell(Diagnostic::new(Message::NotUnderstood { text }, word.span));
+                request.drop = true;
+            }
+            address => {
+                if let Some(_before) = words.take(index, word) {
+                    let used = quote(text, block.words[index].span);
+                    self.tell(Diagnostic::new(
+                        Message::DuplicateWord { address: address as char, used },
+                        word.span,
+                    ));
+                }
+            }
+        }
+    }
+
+    pub(super) fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
+        let Some(found) = codes::g_code(key, self.dialect.code_list()) else {
+            self.unknown_g(text, request, key, word);
+            return;
+        };
+        if found.group == 1 {
+            self.note_motion_word(text, request, word.span);
+        }
+        if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, found.code, word) {
+            request.drop = true;
+            return;
+        }
+        let state = &mut self.state;
+        match found.code {
+            G::Polar(switch) => request.one_shot = Some(OneShot::Polar(switch)),
+            G::Cylinder => request.one_shot = Some(OneShot::Cylinder),
+            G::Motion(mode) => {
+                request.motion = Some(mode);
+            }
+            G::Hole(hole) => request.hole = Some(hole),
+            G::NoHole => {
+                if let Some(hole) = state.hole.take() {
+                    state.motion = hole.before;
+                }
+            }
+            G::HoleReturn(level) => state.hole_return = level,
+            G::MacroCall(call) => request.macro_call = Some(call.code()),
+            G::NoModalMacro => state.course.modal = None,
+            G::Distance { incremental } => state.incremental = incremental,
+            G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
+            G::CheckHome => request.one_shot = Some(OneShot::CheckHome),
+            G::FromHome => request.one_shot = Some(OneShot::FromHome),
+            G::Machine => request.one_shot = Some(OneShot::Machine),
+            G::Data => request.one_shot = Some(OneShot::Data),
+            G::EndOfData => {}
+            G::ExtendedFrame => request.extended_frame = Some(word.span),
+            G::Dwell => request.one_shot = Some(OneShot::Dwell),
+            G::Home => request.one_shot = Some(OneShot::Home),
+            G::Setting => request.one_shot = Some(OneShot::Setting),
+            G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
+            G::Multiple(cycle) => request.one_shot = Some(OneShot::Multiple(cycle)),
+            G::Plane(plane) if plane != state.plane && state.compensation != Compensation::Off => {
+                self.tell(Diagnostic::new(Message::CompensationPlane, word.span));
+                request.drop = true;
+            }
+            G::Plane(plane) => state.plane = plane,
+            G::Unit(unit) => state.unit = unit,
+            // Roughing cycles pass over compensation in their contour (semantics §7.1 rule 5).
+            G::Compensation(_) if self.purpose == Some(contours::Purpose::Roughing) => {}
+            G::Compensation(compensation) => {
+                request.switches_compensation = compensation != state.compensation;
+                state.compensation = compensation;
+                state.told.forget(Once::CompensationIdle);
+            }
+            G::Frame(frame) => {
+                self.leave_compensation();
+                let state = &mut self.state;
+                state.change_frame(|frames| frames.active = frame);
+            }
+            G::SurfaceSpeed => request.surface = Some(true),
+            G::ConstantSpeed => request.surface = Some(false),
+            G::Feed(mode) => {
+                state.feed_is_old |= mode != state.feed_mode && state.feed.is_some();
+                state.feed_mode = mode;
+                state.told.forget(Once::FeedUnit);
+            }
+            G::Idle => {}
+            G::NotSupported => {
+                request.one_shot = Some(OneShot::NotSupported);
+                self.not_supported(text, word.span);
+            }
+        }
+    }
+
+    /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
+    pub(super) fn unknown_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
+        let quoted = quote(text, word.span);
+        // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
+        if matches!(key, 430 | 440) {
+            request.length_offset = true;
+            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            return;
+        }
+        if matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10) {
+            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.state.uncertain = true;
+            return;
+        }
+        self.tell(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
+        request.drop = true;
+    }
+
+    /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
+    pub(super) fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
+        if let Some(before) = request.motion_word.replace(span)
+            && quote(text, before) != quote(text, span)
+        {
+            let (dropped, used) = (quote(text, before), quote(text, span));
+            self.tell(Diagnostic::new(Message::SameGroup { dropped, used }, span));
+        }
+    }
+
+    pub(super) fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+        let state = &mut self.state;
+        state.m_code = number.min(u64::from(u32::MAX)) as u32;
+        match codes::m_code(number) {
+            Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
+            Some(M::Spindle(turn)) => {
+                state.spindle.turn = turn;
+                // A spindle that turns is no axis.
+                state.c_axis = false;
+            }
+            Some(M::LiveTool) => state.spindle.live_tool = true,
+            Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
+            Some(M::End) => request.end = true,
+            Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
+            Some(M::Pause | M::Idle) => {}
+            Some(M::Call) => request.passage = Some(Passage::Call),
+            Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
+            Some(M::Return) => request.passage = Some(Passage::Return),
+            None => {
+                state.unknown_m = true;
+                self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
+            }
+        }
+    }
+}

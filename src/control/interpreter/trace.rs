@@ -1,0 +1,65 @@
+//! The blocks that were carried out, kept for whoever writes the program out again.
+//!
+//! In: blocks as they run. Out: [`Executed`]. Costs nothing where it is not asked for.
+
+use super::*;
+
+impl Interpreter {
+    /// Keeps a block that is carried out.
+    #[cold]
+    pub(super) fn trace_block(&mut self, block: &Block, here: Here) {
+        let first = self.kept();
+        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let steers = !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(steers);
+        trace.push(Executed { at: here.at, first, values: None, steers });
+    }
+
+    /// Keeps what the last block wrote into a table of the control.
+    pub(super) fn trace_write(&mut self, variable: u32, value: f64) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            last.values = Some(format!("#{variable}={value}"));
+        }
+    }
+
+    /// The last block could not be carried out, and stays as it is.
+    pub(super) fn trace_fault(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            last.steers = false;
+        }
+    }
+
+    /// Keeps the words of the last block with their values.
+    #[cold]
+    pub(super) fn trace_values(&mut self, block: &Block) {
+        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let mut values = String::new();
+        for word in &block.words {
+            let Value::Number { number, negative } = word.value else { continue };
+            let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
+            let space = if values.is_empty() { "" } else { " " };
+            let whole = number.value().fract() == 0.0;
+            let point = if number.has_point() && whole { "." } else { "" };
+            values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
+        }
+        if let Some(last) = trace.last_mut() {
+            last.values = Some(values);
+            last.steers = !block.is_broken() && block.words.iter().any(steers);
+        }
+    }
+
+    /// The last block was not carried out, for want of a value.
+    pub(super) fn trace_nothing(&mut self) {
+        if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
+            (last.values, last.steers) = (Some(String::new()), false);
+        }
+    }
+}
+
+/// Whether a word only steers the program.
+fn steers(word: &Word) -> bool {
+    match word.address {
+        b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
+        b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
+        _ => false,
+    }
+}

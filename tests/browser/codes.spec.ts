@@ -1,0 +1,99 @@
+// The table of supported codes: opened from the help, the chosen control first, found by what is typed.
+import { expect, test, type Page } from '@playwright/test';
+import { open, type } from './page';
+
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'Supported codes' });
+const headings = (page: Page) => dialog(page).getByRole('columnheader').locator('visible=true');
+const row = (page: Page, code: string) => dialog(page).getByRole('row').filter({ has: page.getByRole('rowheader', { name: code, exact: true }) });
+
+async function openCodes(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  await page.getByRole('button', { name: 'Supported codes' }).click();
+  await expect(dialog(page)).toBeVisible();
+}
+
+test('by keyboard: opened, filtered, read, closed', async ({ page }, info) => {
+  await open(page);
+  await page.getByLabel('Control').selectOption('fanuc');
+  await page.getByRole('button', { name: 'Help (?)' }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('button', { name: 'Supported codes' })).toBeFocused();
+  await page.keyboard.press('Enter');
+  const filter = dialog(page).getByRole('searchbox', { name: 'Filter' });
+  await expect(filter).toBeFocused();
+  await expect(headings(page)).toHaveText(['FANUC A', 'What it does', 'FANUC B', 'FANUC C', 'GSK', 'Group']);
+  await expect(row(page, 'G01')).toContainText('straight cut');
+  await expect(row(page, 'M08')).toHaveCount(0);
+  await expect(row(page, 'M07 M08 M09')).toContainText('no effect on the path');
+  await expect(row(page, 'G31')).toContainText('not supported yet');
+  await page.screenshot({ path: info.outputPath('codes.png') });
+
+  await page.keyboard.type('g1');
+  await expect(dialog(page).getByRole('log')).toHaveText('1 row');
+  await expect(row(page, 'G01')).toBeVisible();
+  await filter.fill('G77');
+  await expect(dialog(page).getByRole('rowheader').locator('visible=true')).toHaveText(['Single cycles', 'G90', 'Multiple cycles', 'G75']);
+  await expect(row(page, 'G90')).toContainText('G77');
+  await filter.fill('thread');
+  await expect(row(page, 'G76')).toBeVisible();
+  await expect(row(page, 'G01')).toBeHidden();
+  await filter.fill('quux');
+  await expect(dialog(page).getByRole('log')).toHaveText('0 rows');
+  await filter.fill('');
+  await expect(row(page, 'G01')).toBeVisible();
+
+  // Tab reaches the table, which the arrow keys then move, and the close button.
+  await page.keyboard.press('Tab');
+  await expect(dialog(page).getByRole('region', { name: 'Supported codes' })).toBeFocused();
+  await page.keyboard.press('Tab');
+  await expect(dialog(page).getByRole('button', { name: 'Close' })).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(dialog(page)).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Help (?)' })).toBeFocused();
+});
+
+test('the control of the program comes first', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Control').selectOption('gsk');
+  await openCodes(page);
+  await expect(headings(page).first()).toHaveText('GSK');
+  await expect(row(page, 'G33')).toContainText('tapping');
+  await dialog(page).getByRole('button', { name: 'Close' }).click();
+
+  // System B, by what is written in it.
+  await page.getByLabel('Control').selectOption('fanuc');
+  await type(page, 'O1\nG21 G95\nG92 S2000\nM3 S500\nG0 X50 Z2\nG77 X40 Z-20 F0.2\nM30\n');
+  await openCodes(page);
+  await expect(headings(page).first()).toHaveText('FANUC B');
+  await expect(row(page, 'G77')).toContainText('turning cycle');
+});
+
+test('in Chinese and Russian, in the dark and on a phone', async ({ page, browser, baseURL }, info) => {
+  await open(page);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.getByLabel('Language').selectOption('zh');
+  await page.getByRole('button', { name: '帮助 (?)' }).click();
+  await page.getByRole('button', { name: '支持的代码' }).click();
+  await expect(page.getByRole('dialog', { name: '支持的代码' })).toContainText('快速定位');
+  await page.screenshot({ path: info.outputPath('codes-dark-zh.png') });
+
+  const context = await browser.newContext({
+    ...(baseURL === undefined ? {} : { baseURL }),
+    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'ru-RU',
+  });
+  const phone = await context.newPage();
+  await open(phone);
+  await phone.getByRole('button', { name: 'Справка (?)' }).tap();
+  await phone.screenshot({ path: info.outputPath('help-phone.png') });
+  await phone.getByRole('button', { name: 'Поддерживаемые коды' }).tap();
+  const table = phone.getByRole('dialog', { name: 'Поддерживаемые коды' });
+  await expect(table).toContainText('ускоренное перемещение');
+  await phone.screenshot({ path: info.outputPath('codes-phone-ru.png') });
+  await table.getByRole('searchbox').fill('G77');
+  await expect(table.getByText('FANUC B: G77')).toBeVisible();
+  await phone.screenshot({ path: info.outputPath('codes-phone-filter.png') });
+  expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  await context.close();
+});
