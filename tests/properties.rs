@@ -8,9 +8,10 @@ use gcode_playground::analyze;
 use gcode_playground::api::Places;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::expand::expand;
 use gcode_playground::limits::Limits;
 use gcode_playground::motion::{Motion, MotionKind};
-use gcode_playground::run::Run;
+use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
@@ -27,7 +28,16 @@ fn check(text: &[u8]) {
         at = token.span.end;
     }
     assert_eq!(at as usize, text.len());
-    let analysis = analyze(text, &Setup::default());
+    let mut last = 0;
+    for (span, _) in highlight(text, 0, text.len()) {
+        assert!(last <= span.start && span.start < span.end && span.end as usize <= text.len());
+        last = span.end;
+    }
+    check_analysis(text, &analyze(text, &Setup::default()));
+}
+
+/// Checks what must always hold of what a program gives.
+fn check_analysis(text: &[u8], analysis: &Analysis) {
     let lines = LineIndex::new(text);
     let places = Places { text, lines: &lines };
     for diagnostic in &analysis.diagnostics {
@@ -44,12 +54,13 @@ fn check(text: &[u8]) {
         let (motion, span) = (analysis.motions.get(index), analysis.motions.span(index));
         assert!(span.end as usize <= text.len() && !span.is_empty());
         assert_eq!(analysis.motions.line(index), lines.line_of(span.start));
-        assert!(motion.to.x.is_finite() && motion.to.z.is_finite());
-    }
-    let mut last = 0;
-    for (span, _) in highlight(text, 0, text.len()) {
-        assert!(last <= span.start && span.start < span.end && span.end as usize <= text.len());
-        last = span.end;
+        let programmed = motion.programmed.map(|programmed| programmed.to);
+        let places = [Some(motion.from), Some(motion.to), motion.center, programmed];
+        for place in places.into_iter().flatten() {
+            assert!(place.x.is_finite() && place.z.is_finite(), "{motion:?}");
+        }
+        let turn = motion.rotary.map_or(0.0, |rotary| rotary.from + rotary.to);
+        assert!(turn.is_finite() && motion.lead.or(motion.seconds).unwrap_or(0.0).is_finite(), "{motion:?}");
     }
     let outline = Outline::of(&analysis.motions);
     let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
@@ -69,8 +80,256 @@ fn piece() -> impl Strategy<Value = String> {
     ]
 }
 
+/// A number as a program writes it: plain, by a variable or an expression, or far too large.
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        8 => "-?[0-9]{1,2}(\\.[0-9]{0,3})?",
+        2 => prop::sample::select(vec!["#1", "-#2", "[#1+1]", "#5041", "#5042", "[#2*#1]", "#100", "[#3-1.5]"])
+            .prop_map(String::from),
+        1 => prop::sample::select(vec!["0", "0.001", "-0", "99999999", "-9999.999", "ROUND[#1/3]", "SIN[#1]"])
+            .prop_map(String::from),
+    ]
+}
+
+/// Some of the words whose letters are given; those that count something seldom have a sign.
+fn words(letters: &'static str) -> impl Strategy<Value = String> {
+    let word = (prop::sample::select(letters.chars().collect::<Vec<_>>()), number(), 1u32..900, 0u32..20);
+    let written = |(letter, number, whole, rare): (char, String, u32, u32)| match letter {
+        'F' => format!("F.{whole} "),
+        'P' | 'Q' | 'S' | 'T' | 'L' if rare > 0 => format!("{letter}{whole} "),
+        _ => format!("{letter}{number} "),
+    };
+    prop::collection::vec(word, 0..4).prop_map(move |words| words.into_iter().map(written).collect())
+}
+
+/// One of some codes, with some words behind it.
+fn coded(codes: &'static [&'static str], letters: &'static str) -> impl Strategy<Value = String> {
+    (prop::sample::select(codes), words(letters)).prop_map(|(code, words)| format!("{code} {words}"))
+}
+
+/// A line of a program that uses all that can steer it.
+fn line() -> impl Strategy<Value = String> {
+    let paths = coded(&["G0", "G1", "G2", "G3", "", "G32"], "XZUWRIKFCHA");
+    let corners = coded(&["G1", ""], "XZUW").prop_flat_map(|line| {
+        prop::sample::select(vec![",R1", ",C1", ",A30", "R2", "C-1", "K1"])
+            .prop_map(move |corner| format!("{line}{corner}"))
+    });
+    let states = coded(
+        &[
+            "G20", "G21", "G40", "G41", "G42", "G90", "G91", "G96", "G97", "G98", "G99", "M3", "M5", "M45",
+            "M46",
+        ],
+        "XZSFT",
+    );
+    let cycles = coded(&["G90", "G92", "G94", "G77", "G78", "G79", "G20", "G21", "G24"], "XZUWRFIKQ");
+    let contours = prop::sample::select(vec![
+        "G71 U1 R1",
+        "G71 P1 Q2 U.5 W.1",
+        "G72 W1 R1",
+        "G72 P1 Q2",
+        "G73 U2 W1 R3",
+        "G73 P1 Q2",
+        "G70 P1 Q2",
+        "G70 P3 Q1",
+        "G71 P10 Q2 D1000",
+        "G76 P010060 Q50 R.1",
+        "G76 X8 Z-9 P900 Q300 F1",
+        "G74 R1",
+        "G74 X1 Z-9 P500 Q700",
+        "G75 X1 Z-9 P500 Q700",
+    ]);
+    let holes = coded(&["G80", "G83", "G84", "G85", "G87", "G88", "G89", "G81", "G82"], "XZUWCHRQPKF");
+    let planes = prop::sample::select(vec![
+        "G12.1", "G13.1", "G112", "G113", "G7.1 C20", "G07.1 C0", "G107 C#1", "G18", "G19", "G17",
+    ]);
+    let places = coded(
+        &[
+            "G28", "G30", "G29", "G27", "G53", "G54", "G55", "G54.1 P3", "G50", "G52", "G92", "G4", "T0101",
+            "T0303",
+        ],
+        "XZUWPSCH",
+    );
+    let data = coded(&["G10 L2", "G10 L20", "G10", "G10 L10", "G10 L11", "G10 L50", "G11"], "PXZUWRQC");
+    let statements = (1u32..=4, number(), 0u32..6, 1u32..=3).prop_map(|(variable, value, form, number)| {
+        let condition = ["EQ", "NE", "GT", "GE", "LT", "LE"][(variable as usize + form as usize) % 6];
+        match form {
+            0 => format!("#{variable}={value}"),
+            1 => format!("#{variable}=#{variable}+1"),
+            2 => format!("IF[#{variable} {condition} {value}]GOTO {number}"),
+            3 => format!("IF[#{variable} {condition} {value}]THEN G1 X{value} F1"),
+            4 => format!("WHILE[#{variable} {condition} {value}]DO{number}"),
+            _ => format!("#[{variable}+#{number}]=-{value}"),
+        }
+    });
+    let steering = prop::sample::select(vec![
+        "END1",
+        "END2",
+        "END3",
+        "DO1",
+        "DO2",
+        "GOTO 1",
+        "GOTO 2",
+        "GOTO #1",
+        "GOTO 10",
+        "M98 P2",
+        "M98 P3 L3",
+        "M98 P30002",
+        "M98 P2 Q1 L2",
+        "M97 P1",
+        "M99",
+        "M99 P2",
+        "M98 P#1",
+        "G65 P2 A1 B#1 I3 I4",
+        "G65 P3 L2 X-2",
+        "G66 P2 A2",
+        "G66 P3 L2",
+        "G67",
+        "O2",
+        "O3",
+        "O0",
+        "O4",
+        "M30",
+        "M2",
+        "%",
+        "#3000=1(STOP)",
+        "#3006=1",
+        "#2001=1",
+        "#5221=#5041",
+        "#7001=2",
+        "#1000=#1000+1",
+        "#500=#0",
+        "(A(B)",
+        ";",
+        "IF[#1EQ#0]GOTO2",
+        "M1",
+    ]);
+    let line = prop_oneof![
+        8 => paths,
+        2 => corners,
+        3 => states,
+        2 => cycles,
+        2 => contours.prop_map(String::from),
+        3 => holes,
+        2 => planes.prop_map(String::from),
+        2 => places,
+        1 => data,
+        5 => statements,
+        5 => steering.prop_map(String::from),
+        1 => piece(),
+    ];
+    let head = prop_oneof![
+        6 => Just(""),
+        2 => prop::sample::select(vec!["N1 ", "N2 ", "N3 ", "N10 "]),
+        1 => prop::sample::select(vec!["/", "/2 ", "/N1 "]),
+    ];
+    (head, line).prop_map(|(head, line)| format!("{head}{line}\n"))
+}
+
+/// Lines, alone or within what gives them a meaning: a loop, a contour, a plane.
+fn part() -> impl Strategy<Value = String> {
+    let lines = |most: usize| prop::collection::vec(line(), 0..most).prop_map(|lines| lines.concat());
+    let around = prop::sample::select(vec![
+        ("#1=0\nWHILE[#1 LT 5]DO1\n", "#1=#1+1\nEND1\n"),
+        ("#2=9\nWHILE[#2 GT 0]DO2\n", "#2=#2-1\nIF[#2 EQ 3]GOTO 3\nEND2\nN3\n"),
+        ("#3=1\nN3 #3=#3+1\n", "IF[#3 LT 4]GOTO 3\n"),
+        ("G40 G0 X30 Z2\nG71 U1 R.5\nG71 P1 Q2 U.4 W.1\nN1 G0 X10\nG1 Z-5\n", "N2 X30\nG70 P1 Q2\n"),
+        ("G40 G0 X30 Z2\nG72 W1 R.5\nG72 P1 Q2\nN1 G0 Z-9\nG1 X20\n", "N2 Z2\n"),
+        ("G40 G0 X30 Z2\nG73 U2 W1 R2\nG73 P1 Q2\nN1 G0 X10\n", "N2 G1 X30\n"),
+        ("M5 M45\nG98\nG12.1\nG1 F100\n", "G13.1\n"),
+        ("G12.1\nG42 X10 C3 F9\n", "G40\nG13.1\n"),
+        ("M45 G98\nG1 F9\nG7.1 C20\nC90\n", "G7.1 C0\n"),
+        ("G66 P2 A2 B3\nG0 X3\n", "G67\n"),
+        ("G0 X0 Z5\nG83 Z-10 R-3 Q3000 F.1\n", "G80\n"),
+        ("M45\nG0 X40 Z-5\nG87 X20 R-2 Q4000 C0 F.1\nC90\n", "G80\n"),
+        ("T0101\nG42 G0 X20 Z1\nG1 Z-3 F.1\n", "G40 G0 X50\n"),
+        ("G91\n", "G90\n"),
+        ("G10 L50\n", "G11\n"),
+    ]);
+    prop_oneof![
+        lines(5),
+        (around, lines(4)).prop_map(|((before, behind), lines)| format!("{before}{lines}{behind}")),
+    ]
+}
+
+/// A program of several O programs.
+fn program() -> impl Strategy<Value = String> {
+    let parts = |most: usize| prop::collection::vec(part(), 1..most).prop_map(|parts| parts.concat());
+    (parts(5), parts(3), parts(3), any::<bool>()).prop_map(|(main, second, third, plain)| {
+        let end = if plain { "M30\n" } else { "" };
+        format!("O1\nM3 S500 F.2\n{main}{end}O2\n{second}M99\nO3\n{third}M99\n")
+    })
+}
+
+/// A setup of any control and system.
+fn any_setup() -> impl Strategy<Value = Setup> {
+    let dialect = (
+        prop::sample::select(vec!["fanuc", "fanuc", "gsk", "forum"]),
+        prop::sample::select(vec!["A", "B", "C"]),
+        prop::sample::select(vec![r#""decimal": "leastIncrement","#, r#""strict": true,"#, "", ""]),
+    );
+    let rest = prop::sample::select(vec![
+        r#""blockSkip": [1]"#,
+        r#""program": 2"#,
+        r#""initial": {"x": 20, "z": 2}"#,
+        r#""stock": {"diameter": 50, "length": 80}"#,
+    ]);
+    (dialect, rest).prop_map(|((control, system, more), rest)| {
+        let dialect =
+            format!(r#"{{"control": "{control}", {more} "gSystem": "{system}", "recognise": false}}"#);
+        let tools = r#"{"T0101": {"noseRadius": 0.8, "tip": 3}, "T0303": {"toolRadius": 4}}"#;
+        Setup::from_json(&format!(r#"{{"dialect": {dialect}, "tools": {tools}, {rest}}}"#)).expect("setup")
+    })
+}
+
+/// Bounds that are soon met.
+const SMALL: Limits = Limits {
+    text: 10_000,
+    motions: 600,
+    moves_per_cycle: 200,
+    cycle_work: 900,
+    repeated_blocks: 300,
+    repeated_text: 6_000,
+    call_depth: 4,
+    macro_depth: 3,
+    messages: 30,
+};
+
+/// Runs a program within small bounds, `slice` blocks at a time, and checks that it ends.
+fn run_small(text: &str, setup: &Setup, slice: usize) -> Run {
+    let mut run = Run::within(text.as_bytes().to_vec(), setup.clone(), SMALL);
+    // Each block is read straight through, and once more for the mistakes of what was jumped over; both again when
+    // the program that was begun turns out to be a subprogram.
+    let most = 2 * (SMALL.repeated_blocks + 2 * text.len() + 4);
+    let mut slices = most / slice + 1;
+    while !run.advance(slice) {
+        slices -= 1;
+        assert!(slices > 0, "never ends");
+    }
+    run
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn no_macros_calls_and_cycles_break_anything(text in program(), setup in any_setup(), slice in 1usize..9) {
+        let whole = run_small(&text, &setup, usize::MAX);
+        let state = whole.state();
+        prop_assert!([state.position.x, state.position.z, state.c].iter().all(|place| place.is_finite()));
+        let (state, sliced) = (state.clone(), run_small(&text, &setup, slice));
+        prop_assert_eq!(&state, sliced.state());
+        let (whole, sliced) = (whole.into_analysis(), sliced.into_analysis());
+        prop_assert_eq!(&whole.motions, &sliced.motions);
+        prop_assert_eq!(&whole.diagnostics, &sliced.diagnostics);
+        prop_assert!(whole.motions.len() <= SMALL.motions);
+        prop_assert!(whole.diagnostics.len() <= SMALL.messages + 3);
+        check_analysis(text.as_bytes(), &whole);
+        if !whole.diagnostics.iter().any(|found| found.message.ends_the_run()) {
+            // Written out, it can be read and run again.
+            let plain = expand(text.as_bytes(), &setup);
+            let _ = run_small(&plain, &setup, usize::MAX);
+        }
+    }
 
     #[test]
     fn no_bytes_break_anything(text in prop::collection::vec(any::<u8>(), 0..400)) {

@@ -1,13 +1,41 @@
-//! No bytes break anything: `cargo +nightly fuzz run program`.
+//! No bytes break anything: `cargo +nightly fuzz run program`. The first byte chooses the G-code system and the size of
+//! the slices; the rest is the program.
 #![no_main]
 
-use gcode_playground::analyze;
+use gcode_playground::control::dialect::GSystem;
 use gcode_playground::control::setup::Setup;
+use gcode_playground::limits::Limits;
+use gcode_playground::run::{Analysis, Run};
 use gcode_playground::text::highlight::highlight;
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|text: &[u8]| {
-    let analysis = analyze(text, &Setup::default());
+/// Bounds that are soon met, so that loops cost little.
+const LIMITS: Limits = Limits {
+    text: 1 << 20,
+    motions: 2_000,
+    moves_per_cycle: 500,
+    cycle_work: 5_000,
+    repeated_blocks: 1_000,
+    repeated_text: 20_000,
+    call_depth: 10,
+    macro_depth: 5,
+    messages: 100,
+};
+
+fn run(text: &[u8], setup: &Setup, slice: usize) -> Analysis {
+    let mut run = Run::within(text.to_vec(), setup.clone(), LIMITS);
+    while !run.advance(slice) {}
+    let state = run.state();
+    assert!(state.position.x.is_finite() && state.position.z.is_finite() && state.c.is_finite());
+    run.into_analysis()
+}
+
+fuzz_target!(|input: &[u8]| {
+    let Some((&choice, text)) = input.split_first() else { return };
+    let mut setup = Setup::default();
+    setup.dialect.g_system =
+        [None, Some(GSystem::A), Some(GSystem::B), Some(GSystem::C)][usize::from(choice % 4)];
+    let analysis = run(text, &setup, usize::MAX);
     for diagnostic in &analysis.diagnostics {
         assert!(diagnostic.span.end as usize <= text.len());
     }
@@ -16,5 +44,7 @@ fuzz_target!(|text: &[u8]| {
         assert!(to.x.is_finite() && to.z.is_finite());
         assert!(analysis.motions.span(index).end as usize <= text.len());
     }
+    let sliced = run(text, &setup, 1 + usize::from(choice / 4));
+    assert!(analysis.motions == sliced.motions && analysis.diagnostics == sliced.diagnostics);
     let _ = highlight(text, 0, text.len());
 });
