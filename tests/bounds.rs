@@ -229,3 +229,13 @@ fn loops_without_end_are_told() {
         assert!(codes(&analysis).contains(&"W-ENDLESS"), "{text}: {:?}", codes(&analysis));
     }
 }
+
+/// G70 in a main program does not find the contour that a macro has roughed: it would go on in the middle of the macro,
+/// whose M99 would then look for the main program again and again.
+#[test]
+fn finishing_stays_in_its_own_program() {
+    let macro_call = "M3 S500\nF.2\nG0 X50 Z2\nG65 P2\nG70 P1 Q2\nM30\n";
+    let shape = "N1 G0 X20\nN2 G1 Z-9\nM99\n";
+    let text = format!("{macro_call}O2\nG71 U1 R1\nG71 P1 Q2 U.4 W.1\n{shape}");
+    assert!(codes(&run("G70", "{}", &text)).contains(&"W-NS-NOT-FOUND"));
+}

@@ -102,12 +102,10 @@ impl Interpreter {
             return None;
         };
         // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
-        let roughed = self
-            .roughed
-            .iter()
-            .rev()
-            .find(|(named, _)| purpose == Purpose::Finishing && *named == (first, last));
-        let roughed = roughed.map(|(_, begins)| *begins);
+        let roughed = match purpose {
+            Purpose::Roughing => None,
+            Purpose::Finishing => self.roughed_in_program(text, block, (first, last)),
+        };
         let Some(begins) = roughed.or_else(|| self.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P')));
@@ -176,6 +174,17 @@ impl Interpreter {
                 None
             }
         }
+    }
+
+    /// Where the contour of these numbers begins that roughing has found in the program of `block`.
+    fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
+        if self.roughed.is_empty() {
+            return None;
+        }
+        let labels = self.labels.get_or_insert_with(|| Labels::new(text));
+        let own = labels.head_at(block.span.start).byte;
+        let here = |begins: &Resume| labels.head_at(begins.byte).byte == own;
+        self.roughed.iter().rev().find(|(other, begins)| *other == named && here(begins)).map(|found| found.1)
     }
 
     /// Runs the blocks ns to nf. The error is where to go on, if nf was found.

@@ -193,6 +193,8 @@ pub struct Interpreter {
     jumped_by: Option<Span>,
     /// The program has left the straight way through its text.
     wandered: bool,
+    /// It began with another program than the first of the text.
+    begun_elsewhere: bool,
     /// First bytes of the programs that were run.
     heads: BTreeSet<u32>,
     /// The blocks carried out, in order, if they are asked for.
@@ -230,6 +232,7 @@ impl Interpreter {
             repeated_text: 0,
             jumped_by: None,
             wandered: false,
+            begun_elsewhere: false,
             heads: BTreeSet::new(),
             trace: None,
             told: BTreeSet::new(),
@@ -338,6 +341,7 @@ impl Interpreter {
         self.enter_program(head);
         self.furthest = head.byte;
         self.wandered = true;
+        self.begun_elsewhere = true;
     }
 
     /// Whether the program in force begins here.
