@@ -4,6 +4,8 @@
 //! Motions live in [`Chunk`]s; every place in the source is kept relative to the chunk's own first block, so
 //! that text inserted before a chunk moves the chunk's base and nothing else. Knows nothing of G-code words.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, Turn};
 use crate::text::source::Span;
@@ -564,9 +566,11 @@ fn look_up<T: Copy>(table: &[(u32, T)], index: usize) -> Option<T> {
 }
 
 /// All motions of a program, in order.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Motions {
     chunks: Vec<Chunk>,
+    /// For each chunk a number that no other chunk of this process has.
+    ids: Vec<u64>,
     /// Motions before each chunk.
     before: Vec<usize>,
     len: usize,
@@ -588,9 +592,22 @@ impl Motions {
         &self.chunks
     }
 
+    /// For each chunk a number that no other chunk has. A chunk keeps it when text before it moves it along, so what
+    /// was worked out from its motions need not be worked out again.
+    pub fn ids(&self) -> &[u64] {
+        &self.ids
+    }
+
+    /// Motions before each chunk.
+    pub fn before(&self) -> &[usize] {
+        &self.before
+    }
+
     /// Adds a chunk at the end.
     pub fn push(&mut self, chunk: Chunk) {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
         if !chunk.is_empty() {
+            self.ids.push(NEXT.fetch_add(1, Ordering::Relaxed));
             self.before.push(self.len);
             self.len += chunk.len();
             self.chunks.push(chunk);
@@ -623,6 +640,13 @@ impl Motions {
     fn locate(&self, index: usize) -> (&Chunk, usize) {
         let chunk = self.before.partition_point(|&before| before <= index) - 1;
         (&self.chunks[chunk], index - self.before[chunk])
+    }
+}
+
+/// The same motions of the same blocks.
+impl PartialEq for Motions {
+    fn eq(&self, other: &Self) -> bool {
+        self.chunks == other.chunks
     }
 }
 

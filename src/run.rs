@@ -33,6 +33,17 @@ pub struct Analysis {
     pub codes: CodeList,
 }
 
+/// A change of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextEdit {
+    /// First byte that is taken out.
+    pub start: usize,
+    /// One past the last byte that is taken out.
+    pub end: usize,
+    /// What is put there.
+    pub insert: Vec<u8>,
+}
+
 /// A run under way.
 pub struct Run {
     text: Vec<u8>,
@@ -177,6 +188,14 @@ impl Run {
     /// The text.
     pub fn text(&self) -> &[u8] {
         &self.text
+    }
+
+    /// Begins a run of the changed text. Bytes outside of the text are not counted.
+    pub fn edit(&mut self, edit: TextEdit) {
+        let mut text = self.take_text();
+        let end = edit.end.min(text.len());
+        text.splice(edit.start.min(end)..end, edit.insert);
+        *self = Self::within(text, self.setup().clone(), self.interpreter.limits());
     }
 
     /// The text, taken out of a run that is not needed any more.
