@@ -16,7 +16,7 @@ use web_sys::OffscreenCanvas;
 
 use super::camera::Pixel;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads, insert};
-use super::outline::STRETCH;
+use super::outline::{STRETCH, StretchKey};
 use super::view::View;
 use super::{Place, Scene, StockShape, Stroke, StrokeStyle};
 use paths::{Ink, Paths, path_of};
@@ -42,7 +42,7 @@ pub struct Painter {
     /// What seldom changes, as an image of the same size.
     sheet: Pen,
     /// Strokes as paths, one entry for each stretch that has been in view.
-    stretches: Vec<Option<Paths>>,
+    stretches: Vec<(StretchKey, Paths)>,
     /// The highlighted motions as paths.
     picked: Option<(Vec<Range<usize>>, Paths)>,
     painted: Option<Painted>,
@@ -54,7 +54,6 @@ struct Painted {
     view: View,
     stock: Option<StockShape>,
     outline: u64,
-    motions: usize,
 }
 
 impl Painter {
@@ -67,15 +66,10 @@ impl Painter {
 
     /// Paints, if anything has changed since the last time.
     pub fn draw(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
-        let now = Painted {
-            view: view.clone(),
-            stock: scene.stock(),
-            outline: scene.outline().id(),
-            motions: scene.len(),
-        };
+        let now = Painted { view: view.clone(), stock: scene.stock(), outline: scene.outline().id() };
         let before = self.painted.take();
         if before.as_ref() != Some(&now) {
-            self.forget_stale(before.as_ref(), &now);
+            self.forget_stale(scene, before.as_ref(), &now);
             if !before.as_ref().is_some_and(|before| before.has_same_sheet(&now)) {
                 self.draw_sheet(scene, view)?;
             }
@@ -85,15 +79,11 @@ impl Painter {
         Ok(())
     }
 
-    /// Drops the paths that no longer show the motions.
-    fn forget_stale(&mut self, before: Option<&Painted>, now: &Painted) {
-        let Some(before) = before else { return };
-        if before.outline != now.outline {
-            self.stretches.clear();
-        } else if before.motions != now.motions {
-            self.stretches.truncate(before.motions / STRETCH);
-        }
-        if before.outline != now.outline || before.motions != now.motions {
+    /// Drops the paths of motions that are no more.
+    fn forget_stale(&mut self, scene: &Scene, before: Option<&Painted>, now: &Painted) {
+        if before.is_some_and(|before| before.outline != now.outline) {
+            let stretches = scene.outline().stretches();
+            self.stretches.retain(|(key, _)| stretches.iter().any(|stretch| stretch.key == *key));
             self.picked = None;
         }
     }
@@ -154,16 +144,16 @@ impl Painter {
         let stretches = scene.outline().stretches();
         let in_view: Vec<usize> =
             (0..stretches.len()).filter(|&index| stretches[index].bounds.meets(seen)).collect();
-        self.stretches.resize_with(stretches.len().max(self.stretches.len()), || None);
         for &index in &in_view {
-            if self.stretches[index].is_none() {
-                let strokes = scene.strokes_of(stretches[index].motions.clone());
-                self.stretches[index] = Some(Paths::of(strokes)?);
+            let key = stretches[index].key;
+            if self.paths(key).is_none() {
+                let paths = Paths::of(scene.strokes_of(stretches[index].motions.clone()))?;
+                self.stretches.push((key, paths));
             }
         }
         let place = view.playhead.and_then(|length| scene.at_length(length));
-        let at = place.map(|place| place.motion / STRETCH);
-        let whole = |index: &usize| self.stretches[*index].as_ref();
+        let at = place.and_then(|place| scene.outline().index_of(place.motion));
+        let whole = |index: &usize| self.paths(stretches[*index].key);
         let shown = |index: &&usize| at.is_none_or(|at| **index < at);
         let mut done: Vec<&Paths> = in_view.iter().filter(shown).filter_map(whole).collect();
         let Some(place) = place else { return self.inked(scene, view, &done, None, &in_view) };
@@ -177,6 +167,10 @@ impl Painter {
         self.ink(view, &ahead, detail)?;
         self.sheet.opacity(1.0);
         self.inked(scene, view, &done, Some(place), &in_view)
+    }
+
+    fn paths(&self, key: StretchKey) -> Option<&Paths> {
+        self.stretches.iter().find(|(of, _)| *of == key).map(|(_, paths)| paths)
     }
 
     /// Strokes paths in their own styles, with arrow heads where there are few.

@@ -295,11 +295,10 @@ impl<'a> Scene<'a> {
     pub fn strokes_of(&self, range: Range<usize>) -> impl Iterator<Item = Stroke> + use<'a> {
         let chunks = self.motions.chunks();
         let end = range.end.min(self.len());
-        let (mut chunk, mut at) = self.outline.locate(range.start, chunks);
+        let (mut chunk, mut at) = self.outline.locate(range.start);
         (range.start..end).map(move |motion| {
-            while at >= chunks[chunk].len() {
-                at -= chunks[chunk].len();
-                chunk += 1;
+            if at == chunks[chunk].len() {
+                (chunk, at) = (chunk + 1, 0);
             }
             let value = chunks[chunk].get(at);
             let stroke = Stroke {
