@@ -167,6 +167,12 @@ impl Playground {
         String::from_utf8_lossy(&text[start(first)..start(end.max(first))]).into_owned()
     }
 
+    /// The line (from 0) an offset is in.
+    #[wasm_bindgen(js_name = lineAt)]
+    pub fn line_at(&self, offset: u32) -> u32 {
+        self.lines().line_of(self.lines().byte_at_utf16(self.run.text(), offset))
+    }
+
     /// Takes a setup as JSON. Throws a text that names what is wrong, such as an unknown key.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
