@@ -21,7 +21,7 @@ use crate::motion::Chunk;
 use crate::run::{Run, TextEdit};
 use crate::scene::Scene;
 use crate::scene::camera::{Pixel, Size};
-use crate::scene::canvas::Painter;
+use crate::scene::canvas::{Painter, Progress};
 use crate::scene::outline::Outline;
 use crate::scene::palette;
 use crate::scene::pick::pick;
@@ -397,13 +397,13 @@ impl Playground {
         vec![pixel.x, pixel.y]
     }
 
-    /// Paints what has changed.
-    pub fn draw(&mut self) -> Result<(), JsValue> {
+    /// Paints what has changed; true when there is more to paint, which the next call goes on with.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
         self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         match &mut self.painter {
-            Some(painter) => painter.draw(&scene, &self.view),
-            None => Ok(()),
+            Some(painter) => Ok(painter.draw(&scene, &self.view)? == Progress::UnderWay),
+            None => Ok(false),
         }
     }
 }

@@ -194,10 +194,9 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
     let (mut cuts, mut rapids, mut bounds, mut span) = (None, None, None, None::<Span>);
     let mut length = 0.0;
     for at in motions.clone() {
-        let motion = chunk.get(at);
-        let shape = StrokeShape::of(&motion);
+        let shape = StrokeShape::in_chunk(chunk, at);
         let own = Bounds::of_shape(&shape);
-        match StrokeStyle::of(motion.kind) {
+        match StrokeStyle::of(chunk.kind(at)) {
             StrokeStyle::Rapid => rapids = join(rapids, Some(Bounds::of(shape.end()))),
             StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => cuts = join(cuts, Some(own)),
         }

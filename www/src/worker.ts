@@ -309,7 +309,9 @@ function wantDraw(): void {
   drawWanted = true;
   requestAnimationFrame(() => {
     drawWanted = false;
-    guarded(() => core?.draw());
+    guarded(() => {
+      if (core?.draw() === true) wantDraw();
+    });
   });
 }
 
