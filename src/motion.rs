@@ -550,6 +550,26 @@ impl Chunk {
         }
     }
 
+    /// What kind the motion at `index` is.
+    #[inline]
+    pub fn kind(&self, index: usize) -> MotionKind {
+        MotionKind::ALL[self.kind[index] as usize]
+    }
+
+    /// Whether the motion at `index` may be wrong, see [`Process::uncertain`].
+    #[inline]
+    pub fn is_uncertain(&self, index: usize) -> bool {
+        self.processes[self.process[index] as usize].uncertain
+    }
+
+    /// The ends of a straight motion that C takes no part in, as most are; quicker than [`Chunk::get`].
+    #[inline]
+    pub fn straight(&self, index: usize) -> Option<(Point, Point)> {
+        let straight = matches!(self.kind(index), MotionKind::Rapid | MotionKind::Feed | MotionKind::Thread);
+        let plain = straight && look_up(&self.rotary, index).is_none();
+        plain.then(|| (self.from(index), Point::new(self.x[index], self.z[index])))
+    }
+
     /// Bytes of the block that made the motion at `index`.
     pub fn span(&self, index: usize) -> Span {
         let place = self.blocks[self.block[index] as usize];

@@ -7,6 +7,7 @@
 use std::cell::OnceCell;
 use std::ops::Range;
 
+use js_sys::{Float64Array, Uint8Array};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -17,10 +18,10 @@ use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
 use crate::geometry::Point;
 use crate::motion::Chunk;
-use crate::run::Run;
+use crate::run::{Run, TextEdit};
 use crate::scene::Scene;
 use crate::scene::camera::{Pixel, Size};
-use crate::scene::canvas::Painter;
+use crate::scene::canvas::{Painter, Progress};
 use crate::scene::outline::Outline;
 use crate::scene::palette;
 use crate::scene::pick::pick;
@@ -79,10 +80,14 @@ pub struct Playground {
     /// Made when first asked for.
     lines: OnceCell<LineIndex>,
     outline: Outline,
+    /// The outline is of the motions as they are now.
+    measured: bool,
     view: View,
     painter: Option<Painter>,
     /// Place of the cursor, UTF-16 offset.
     cursor: Option<u32>,
+    /// A text that is being handed in.
+    incoming: Vec<u8>,
 }
 
 #[wasm_bindgen]
@@ -97,7 +102,18 @@ impl Playground {
             View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
         let lines = OnceCell::new();
         let (setup, language) = (Setup::default(), Language::default());
-        Playground { setup, language, run, lines, outline, view, painter: None, cursor: None }
+        Playground {
+            setup,
+            language,
+            run,
+            lines,
+            outline,
+            measured: false,
+            view,
+            painter: None,
+            cursor: None,
+            incoming: Vec::new(),
+        }
     }
 
     /// Takes a program; what ran before is dropped.
@@ -106,10 +122,55 @@ impl Playground {
         self.begin(text.into_bytes());
     }
 
+    /// Room for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
+    /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again with more bytes, it
+    /// holds what it held. Each view dies when any call makes the memory grow: fill it before the next one.
+    #[wasm_bindgen(js_name = textBuffer)]
+    pub fn text_buffer(&mut self, capacity: usize) -> Uint8Array {
+        self.incoming.resize(capacity, 0);
+        view_to_fill(&mut self.incoming)
+    }
+
+    /// Takes the first `written` bytes of the buffer as the program.
+    #[wasm_bindgen(js_name = setTextFromBuffer)]
+    pub fn set_text_from_buffer(&mut self, written: usize) {
+        let mut bytes = std::mem::take(&mut self.incoming);
+        bytes.truncate(written);
+        self.begin(bytes);
+    }
+
     /// Takes a program as bytes, such as those of a file.
     #[wasm_bindgen(js_name = setBytes)]
     pub fn set_bytes(&mut self, bytes: Vec<u8>) {
         self.begin(bytes);
+    }
+
+    /// Replaces the text `from..to` (UTF-16 offsets) and runs on from there: what ran before it is kept. Of several
+    /// changes of one text the last in the text comes first.
+    pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
+        let text = self.run.text();
+        let start = self.lines().byte_at_utf16(text, from) as usize;
+        let end = (self.lines().byte_at_utf16(text, to) as usize).max(start);
+        self.run.edit(TextEdit { start, end, insert: insert.into() });
+        if let Some(lines) = self.lines.get_mut() {
+            lines.edit(self.run.text(), start..end, insert.len());
+        }
+        self.forget();
+    }
+
+    /// The lines `first..end` (from 0) as they are written, each with its line end.
+    #[wasm_bindgen(js_name = linesAsWritten)]
+    pub fn lines_as_written(&self, first: u32, end: u32) -> String {
+        let (text, lines) = (self.run.text(), self.lines());
+        let start =
+            |line: u32| if line < lines.len() { lines.line(text, line).start as usize } else { text.len() };
+        String::from_utf8_lossy(&text[start(first)..start(end.max(first))]).into_owned()
+    }
+
+    /// The line (from 0) an offset is in.
+    #[wasm_bindgen(js_name = lineAt)]
+    pub fn line_at(&self, offset: u32) -> u32 {
+        self.lines().line_of(self.lines().byte_at_utf16(self.run.text(), offset))
     }
 
     /// Takes a setup as JSON. Throws a text that names what is wrong, such as an unknown key.
@@ -128,12 +189,13 @@ impl Playground {
 
     /// Begins a run of the text under the setup.
     pub fn start(&mut self) {
-        let text = self.run.take_text();
-        self.begin(text);
+        self.run = Run::new(self.run.take_text(), self.setup.clone());
+        self.forget();
     }
 
     /// Runs at most so many blocks; true when the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
+        self.measured = false;
         self.run.advance(blocks as usize)
     }
 
@@ -144,6 +206,7 @@ impl Playground {
 
     /// Ends the run early, after so many seconds; a message says so.
     pub fn stop(&mut self, seconds: f64) {
+        self.measured = false;
         self.run.stop(seconds);
     }
 
@@ -202,6 +265,14 @@ impl Playground {
     /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
     pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
         self.run.motions().chunks().get(index).map(MotionChunk::new)
+    }
+
+    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of anything in this
+    /// module, which may move the motions or make the memory grow (a view is then empty): read them at once, or
+    /// `slice()` what is to be kept. [`Self::chunk`] does that for you.
+    #[wasm_bindgen(js_name = chunkView)]
+    pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
+        self.run.motions().chunks().get(index).map(view_of)
     }
 
     /// The program with every cycle, corner and compensation written out as plain moves.
@@ -326,22 +397,28 @@ impl Playground {
         vec![pixel.x, pixel.y]
     }
 
-    /// Paints what has changed.
-    pub fn draw(&mut self) -> Result<(), JsValue> {
+    /// Paints what has changed; true when there is more to paint, which the next call goes on with.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
         self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         match &mut self.painter {
-            Some(painter) => painter.draw(&scene, &self.view),
-            None => Ok(()),
+            Some(painter) => Ok(painter.draw(&scene, &self.view)? == Progress::UnderWay),
+            None => Ok(false),
         }
     }
 }
 
 impl Playground {
     fn begin(&mut self, text: Vec<u8>) {
+        make_room(text.len());
         self.lines = OnceCell::new();
         self.run = Run::new(text, self.setup.clone());
-        self.outline = Outline::new();
+        self.forget();
+    }
+
+    /// Forgets what was told of the motions, which are others now.
+    fn forget(&mut self) {
+        self.measured = false;
         self.view.hover = None;
         self.view.highlight.clear();
         self.view.marks.clear();
@@ -365,10 +442,11 @@ impl Playground {
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
     fn measure(&mut self) {
-        if self.outline.len() == self.run.motions().len() {
+        if self.measured {
             return;
         }
-        self.outline.extend(self.run.motions());
+        self.measured = true;
+        self.outline.update(self.run.motions());
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         self.view.follow(&scene);
         self.light_up();
@@ -384,6 +462,18 @@ impl Playground {
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
         to_js(&self.places().stroke(self.run.motions(), motion, at, self.language))
+    }
+}
+
+/// Takes the memory that the motions of a long text are likely to need, in one piece. Memory that grows bit by bit makes
+/// the browser look for garbage every time, which takes longer than the run itself.
+fn make_room(text: usize) {
+    /// Bytes of motions for a byte of text, as plain programs have it.
+    const SHARE: usize = 3;
+    /// Below this there is little to be gained.
+    const LEAST: usize = 1 << 20;
+    if text >= LEAST {
+        drop(std::hint::black_box(Vec::<u8>::with_capacity(SHARE * text)));
     }
 }
 
@@ -413,6 +503,39 @@ fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     Ok(value.serialize(&serde_wasm_bindgen::Serializer::new())?)
+}
+
+/// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].
+#[wasm_bindgen(getter_with_clone)]
+pub struct MotionChunkView {
+    /// As in [`MotionChunk`].
+    pub kind: Uint8Array,
+    /// End points: radius, mm.
+    pub x: Float64Array,
+    /// End points: length, mm.
+    pub z: Float64Array,
+}
+
+/// JavaScript's view of bytes that it is to fill.
+#[allow(unsafe_code)]
+fn view_to_fill(bytes: &mut [u8]) -> Uint8Array {
+    // SAFETY: the bytes are initialised and stay where they are until the next call into the module; until then only
+    // JavaScript's single thread has them. What a stale view does is its own: it never reaches memory it has not.
+    unsafe { Uint8Array::view_mut_raw(bytes.as_mut_ptr(), bytes.len()) }
+}
+
+/// JavaScript's views of the columns of a chunk.
+#[allow(unsafe_code)]
+fn view_of(chunk: &Chunk) -> MotionChunkView {
+    // SAFETY: nothing moves the columns before the next call into the module, until which the views are said to hold;
+    // JavaScript is told to read only, and any bits are a number.
+    unsafe {
+        MotionChunkView {
+            kind: Uint8Array::view(chunk.kinds()),
+            x: Float64Array::view(chunk.xs()),
+            z: Float64Array::view(chunk.zs()),
+        }
+    }
 }
 
 /// Motions of one chunk as columns.

@@ -120,6 +120,63 @@ fn chunks_hold_the_same_motions() {
     }
 }
 
+/// The views of a chunk hold the numbers of its copy.
+#[wasm_bindgen_test]
+fn views_of_chunks_hold_the_same_numbers() {
+    for program in all() {
+        let playground = play(&program);
+        for index in 0..playground.chunk_count() {
+            let copy = playground.chunk(index).expect("a chunk");
+            let view = playground.chunk_view(index).expect("a chunk");
+            let read = (view.kind.to_vec(), view.x.to_vec(), view.z.to_vec());
+            assert_eq!(read, (copy.kind, copy.x, copy.z), "{}", program.id);
+        }
+        assert!(playground.chunk_view(playground.chunk_count()).is_none());
+    }
+}
+
+/// A text encoded into the memory of the module is the text.
+#[wasm_bindgen_test]
+fn a_text_can_be_handed_in_through_the_buffer() {
+    let text = "(外圆) G0 X50\nG1 Z-20 F0.2\nM30\n";
+    let mut playground = Playground::new();
+    // Too small at first, as for a text that was thought to be ASCII.
+    playground.text_buffer(4).copy_from(&text.as_bytes()[..4]);
+    let room = playground.text_buffer(100);
+    room.subarray(4, text.len() as u32).copy_from(&text.as_bytes()[4..]);
+    playground.set_text_from_buffer(text.len());
+    while !playground.advance(1) {}
+    assert_eq!(playground.lines_as_written(0, u32::MAX), text);
+    assert_eq!(rows(playground.motions(0, u32::MAX)).len(), 2);
+}
+
+/// A text that was edited gives what the same text gives at once, whatever its line ends and characters.
+#[wasm_bindgen_test]
+fn an_edited_text_runs_as_the_text_it_became() {
+    let cases: [(&str, &[(u32, u32, &str)], &str); 4] = [
+        ("G0 X50\nG1 Z-20 F0.2\nM30\n", &[(4, 6, "60")], "G0 X60\nG1 Z-20 F0.2\nM30\n"),
+        ("(外圆😀) G0 X50\r\nM30\r\n", &[(6, 6, "\n"), (1, 3, "")], "(😀)\n G0 X50\r\nM30\r\n"),
+        ("G0 X5\r\nZ1\r\nG33.7\n", &[(5, 6, " ")], "G0 X5 Z1\r\nG33.7\n"),
+        ("", &[(0, 0, "G1 X1\nZ1 ; Z2\n")], "G1 X1\nZ1 ; Z2\n"),
+    ];
+    for (before, edits, after) in cases {
+        let mut edited = Playground::new();
+        edited.set_text(before.into());
+        edited.advance(2);
+        for &(from, to, insert) in edits {
+            edited.edit(from, to, insert);
+        }
+        while !edited.advance(1) {}
+        let mut fresh = Playground::new();
+        fresh.set_text(after.into());
+        while !fresh.advance(1) {}
+        assert_eq!(edited.lines_as_written(0, u32::MAX), after);
+        assert_eq!(rows(edited.motions(0, u32::MAX)), rows(fresh.motions(0, u32::MAX)), "{after:?}");
+        assert_eq!(rows(edited.diagnostics()), rows(fresh.diagnostics()), "{after:?}");
+        assert_eq!(edited.tokens(0, u32::MAX), fresh.tokens(0, u32::MAX), "{after:?}");
+    }
+}
+
 #[wasm_bindgen_test]
 fn an_unknown_key_of_a_setup_is_named() {
     let mut playground = Playground::new();

@@ -1,10 +1,10 @@
 //! The picture on a canvas of the page.
 //!
 //! In: a scene and a view of it. Out: pixels on an `OffscreenCanvas`. What seldom changes (grid, stock, strokes,
-//! rulers) is kept as an image, so that a moving pointer costs one copy; strokes are kept as paths in mm, one
-//! for each stretch and style, so that a pan or zoom of a million motions only strokes what is in view.
-//! Reads the scene, knows nothing of the page.
+//! rulers) is kept as an image, so that a moving pointer costs one copy; so are the strokes alone, so that many of
+//! them can be moved at once and drawn a little later. Reads the scene, knows nothing of the page.
 
+mod layer;
 mod paths;
 mod pen;
 mod sheet;
@@ -15,15 +15,15 @@ use wasm_bindgen::JsValue;
 use web_sys::OffscreenCanvas;
 
 use super::camera::Pixel;
-use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads, insert};
-use super::outline::STRETCH;
+use super::ink::Ink;
+use super::marks::{arrow_heads, insert};
 use super::view::View;
 use super::{Place, Scene, StockShape, Stroke, StrokeStyle};
-use paths::{Ink, Paths, path_of};
+pub use layer::Progress;
+use layer::StrokeLayer;
+use paths::Paths;
 use pen::{Dash, Pen, Text};
 
-/// Opacity of what has not run yet, while there is a playhead.
-const AHEAD: f64 = 0.22;
 /// Width of picked-out strokes, CSS pixels, and of the clear edge around them.
 const PICKED: f64 = 3.0;
 /// More strokes than this are picked out thinner.
@@ -32,17 +32,13 @@ const CLEAR: f64 = 7.0;
 /// Picked-out strokes bear arrow heads from this length on the screen, CSS pixels.
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
 
-/// Stretches in view from which on the picture counts as crowded.
-const CROWDED: usize = 40;
-
 /// Draws scenes on a canvas.
 #[derive(Debug)]
 pub struct Painter {
     screen: Pen,
     /// What seldom changes, as an image of the same size.
     sheet: Pen,
-    /// Strokes as paths, one entry for each stretch that has been in view.
-    stretches: Vec<Option<Paths>>,
+    strokes: StrokeLayer,
     /// The highlighted motions as paths.
     picked: Option<(Vec<Range<usize>>, Paths)>,
     painted: Option<Painted>,
@@ -54,7 +50,8 @@ struct Painted {
     view: View,
     stock: Option<StockShape>,
     outline: u64,
-    motions: usize,
+    /// Which image of the strokes.
+    strokes: u32,
 }
 
 impl Painter {
@@ -62,51 +59,38 @@ impl Painter {
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let sheet = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let screen = Pen::new(canvas)?;
-        Ok(Self { screen, sheet, stretches: Vec::new(), picked: None, painted: None })
+        Ok(Self { screen, sheet, strokes: StrokeLayer::new()?, picked: None, painted: None })
     }
 
-    /// Paints, if anything has changed since the last time.
-    pub fn draw(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+    /// Paints what has changed since the last time; a picture of many strokes takes several calls.
+    pub fn draw(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
+        let progress = self.strokes.update(scene, view)?;
         let now = Painted {
             view: view.clone(),
             stock: scene.stock(),
             outline: scene.outline().id(),
-            motions: scene.len(),
+            strokes: self.strokes.version(),
         };
         let before = self.painted.take();
+        if before.as_ref().is_some_and(|before| before.outline != now.outline) {
+            self.picked = None;
+        }
         if before.as_ref() != Some(&now) {
-            self.forget_stale(before.as_ref(), &now);
             if !before.as_ref().is_some_and(|before| before.has_same_sheet(&now)) {
                 self.draw_sheet(scene, view)?;
             }
             self.draw_screen(scene, view)?;
         }
         self.painted = Some(now);
-        Ok(())
-    }
-
-    /// Drops the paths that no longer show the motions.
-    fn forget_stale(&mut self, before: Option<&Painted>, now: &Painted) {
-        let Some(before) = before else { return };
-        if before.outline != now.outline {
-            self.stretches.clear();
-        } else if before.motions != now.motions {
-            self.stretches.truncate(before.motions / STRETCH);
-        }
-        if before.outline != now.outline || before.motions != now.motions {
-            self.picked = None;
-        }
+        Ok(progress)
     }
 
     /// Draws everything but what is picked out.
-    fn draw_sheet(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+    fn draw_sheet(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
-        let programmed = path_of(scene.programmed())?;
-        self.sheet.world(view, 1.0, Dash::Broken(2.0, 3.0), &view.palette.axis)?;
-        self.sheet.stroke(&programmed);
-        self.strokes(scene, view)?;
+        self.strokes.copy_to(&self.sheet, view)?;
         self.sheet.unclip();
         sheet::rulers(&self.sheet, view)
     }
@@ -145,75 +129,6 @@ impl Painter {
             self.screen.dots(&view.palette.highlight, [at].into_iter(), 3.5)?;
             let name = Text { text: mark.name, font: FONT, align: "left", baseline };
             self.screen.write(&name, text, &view.palette.highlight)?;
-        }
-        Ok(())
-    }
-
-    fn strokes(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
-        let seen = view.camera().seen().grown(PICKED / view.camera().scale());
-        let stretches = scene.outline().stretches();
-        let in_view: Vec<usize> =
-            (0..stretches.len()).filter(|&index| stretches[index].bounds.meets(seen)).collect();
-        self.stretches.resize_with(stretches.len().max(self.stretches.len()), || None);
-        for &index in &in_view {
-            if self.stretches[index].is_none() {
-                let strokes = scene.strokes_of(stretches[index].motions.clone());
-                self.stretches[index] = Some(Paths::of(strokes)?);
-            }
-        }
-        let place = view.playhead.and_then(|length| scene.at_length(length));
-        let at = place.map(|place| place.motion / STRETCH);
-        let whole = |index: &usize| self.stretches[*index].as_ref();
-        let shown = |index: &&usize| at.is_none_or(|at| **index < at);
-        let mut done: Vec<&Paths> = in_view.iter().filter(shown).filter_map(whole).collect();
-        let Some(place) = place else { return self.inked(scene, view, &done, None, &in_view) };
-        let (before, after) = halves(scene, place)?;
-        let shown = |index: &&usize| at.is_some_and(|at| **index > at);
-        let mut ahead: Vec<&Paths> = in_view.iter().filter(shown).filter_map(whole).collect();
-        ahead.insert(0, &after);
-        done.push(&before);
-        let detail = Detail::of(&in_view);
-        self.sheet.opacity(AHEAD);
-        self.ink(view, &ahead, detail)?;
-        self.sheet.opacity(1.0);
-        self.inked(scene, view, &done, Some(place), &in_view)
-    }
-
-    /// Strokes paths in their own styles, with arrow heads where there are few.
-    fn inked(
-        &self,
-        scene: &Scene,
-        view: &View,
-        paths: &[&Paths],
-        until: Option<Place>,
-        in_view: &[usize],
-    ) -> Result<(), JsValue> {
-        self.ink(view, paths, Detail::of(in_view))?;
-        if in_view.len() * STRETCH > MOST_WITH_ARROWS + STRETCH {
-            return Ok(());
-        }
-        let stretches = scene.outline().stretches();
-        for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
-            let strokes = in_view.iter().flat_map(|&at| scene.strokes_of(stretches[at].motions.clone()));
-            let run = strokes.filter(|stroke| until.is_none_or(|place| stroke.motion < place.motion));
-            let shapes = run.filter(|s| s.style == style && !s.uncertain).map(|stroke| stroke.shape);
-            let heads = arrow_heads(shapes, view.camera(), LEAST_FOR_ARROW);
-            self.sheet
-                .fill(sheet::colour(&view.palette, Ink::Sure(style)), heads.iter().map(|head| &head[..]));
-        }
-        Ok(())
-    }
-
-    fn ink(&self, view: &View, paths: &[&Paths], detail: Detail) -> Result<(), JsValue> {
-        for ink in Ink::ALL {
-            let colour = sheet::colour(&view.palette, ink);
-            self.sheet.world(view, detail.width(view, ink), detail.dash(ink), colour)?;
-            for path in paths.iter().filter_map(|paths| paths.get(ink)) {
-                self.sheet.stroke(path);
-            }
-            self.sheet.page(view)?;
-            let dots = paths.iter().flat_map(|paths| paths.dots(ink));
-            self.sheet.dots(colour, dots.map(|at| view.camera().to_screen(*at)), 3.0)?;
         }
         Ok(())
     }
@@ -281,59 +196,10 @@ impl Painter {
     }
 }
 
-/// How finely strokes are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Detail {
-    /// With their widths and dashes.
-    Full,
-    /// So many are in view that nobody could tell: all solid and one device pixel wide, which browsers draw
-    /// many times as fast.
-    Crowded,
-}
-
-impl Detail {
-    fn of(in_view: &[usize]) -> Self {
-        if in_view.len() > CROWDED { Self::Crowded } else { Self::Full }
-    }
-
-    /// Line width, CSS pixels.
-    fn width(self, view: &View, ink: Ink) -> f64 {
-        match self {
-            Self::Full => sheet::width(ink),
-            Self::Crowded => 1.0 / view.pixel_ratio(),
-        }
-    }
-
-    fn dash(self, ink: Ink) -> Dash {
-        match self {
-            Self::Full => sheet::dash(ink),
-            Self::Crowded => Dash::Solid,
-        }
-    }
-}
-
 impl Painted {
     /// Whether the sheet under what is picked out is the same.
     fn has_same_sheet(&self, now: &Painted) -> bool {
         let bare = |painted: &Painted| Painted { view: painted.view.bare(), ..painted.clone() };
         bare(self) == bare(now)
     }
-}
-
-/// The paths of the stretch that the tool is in, before and after its place.
-fn halves(scene: &Scene, place: Place) -> Result<(Paths, Paths), JsValue> {
-    let Some(stretch) = scene.outline().stretch_of(place.motion) else {
-        return Ok((Paths::default(), Paths::default()));
-    };
-    let mut before = Paths::of(scene.strokes_of(stretch.motions.start..place.motion))?;
-    let mut after = Paths::default();
-    if let Some(stroke) = scene.stroke(place.motion) {
-        let (done, ahead) = stroke.shape.split(place.fraction);
-        before.push(&Stroke { shape: done, ..stroke })?;
-        after.push(&Stroke { shape: ahead, ..stroke })?;
-    }
-    for stroke in scene.strokes_of(place.motion + 1..stretch.motions.end) {
-        after.push(&stroke)?;
-    }
-    Ok((before, after))
 }

@@ -9,10 +9,12 @@ pub mod bounds;
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
+pub mod ink;
 pub mod marks;
 pub mod outline;
 pub mod palette;
 pub mod pick;
+pub mod plot;
 pub mod ruler;
 pub mod svg;
 pub mod view;
@@ -22,11 +24,12 @@ use std::ops::Range;
 use crate::control::setup::Stock;
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
-use crate::motion::{Motion, MotionKind, Motions};
+use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::text::source::Span;
 
 use bounds::{Bounds, join};
-use outline::Outline;
+use ink::Ink;
+use outline::{Outline, Stretch};
 
 /// The line style of a stroke: what a technical drawing tells apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -98,6 +101,15 @@ impl StrokeShape {
             }
             (_, Some(arc)) => Self::Arc(arc),
             (_, None) => Self::Line { from: motion.from, to: motion.to },
+        }
+    }
+
+    /// The shape of a motion of a chunk; quick where it is a straight line, as most are.
+    #[inline]
+    pub fn in_chunk(chunk: &Chunk, index: usize) -> Self {
+        match chunk.straight(index) {
+            Some((from, to)) => Self::Line { from, to },
+            None => Self::of(&chunk.get(index)),
         }
     }
 
@@ -295,11 +307,10 @@ impl<'a> Scene<'a> {
     pub fn strokes_of(&self, range: Range<usize>) -> impl Iterator<Item = Stroke> + use<'a> {
         let chunks = self.motions.chunks();
         let end = range.end.min(self.len());
-        let (mut chunk, mut at) = self.outline.locate(range.start, chunks);
+        let (mut chunk, mut at) = self.outline.locate(range.start);
         (range.start..end).map(move |motion| {
-            while at >= chunks[chunk].len() {
-                at -= chunks[chunk].len();
-                chunk += 1;
+            if at == chunks[chunk].len() {
+                (chunk, at) = (chunk + 1, 0);
             }
             let value = chunks[chunk].get(at);
             let stroke = Stroke {
@@ -315,12 +326,28 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// The shapes of a stretch in the order of the run, with how they are drawn.
+    pub fn shapes_of(&self, stretch: &Stretch) -> impl Iterator<Item = (Ink, StrokeShape)> + use<'a> {
+        let (chunk, motions) = stretch.in_chunk();
+        let chunk = &self.motions.chunks()[chunk];
+        motions.map(|index| {
+            let ink = Ink::new(StrokeStyle::of(chunk.kind(index)), chunk.is_uncertain(index));
+            (ink, StrokeShape::in_chunk(chunk, index))
+        })
+    }
+
     /// The programmed path where compensation leads the tip elsewhere.
     pub fn programmed(&self) -> impl Iterator<Item = StrokeShape> + use<'a> {
-        let motions = self.motions.chunks().iter();
-        motions
-            .flat_map(|chunk| chunk.compensated().filter_map(|index| chunk.get(index).as_programmed()))
-            .map(|motion| StrokeShape::of(&motion))
+        let scene = *self;
+        self.outline.stretches().iter().flat_map(move |stretch| scene.programmed_in(stretch))
+    }
+
+    /// That of the motions of a stretch.
+    pub fn programmed_in(&self, stretch: &Stretch) -> impl Iterator<Item = StrokeShape> + use<'a> {
+        let (chunk, motions) = stretch.in_chunk();
+        let chunk = &self.motions.chunks()[chunk];
+        let own = chunk.compensated().filter(move |index| motions.contains(index));
+        own.filter_map(|index| chunk.get(index).as_programmed()).map(|motion| StrokeShape::of(&motion))
     }
 
     /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.

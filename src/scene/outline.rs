@@ -1,7 +1,8 @@
 //! What is worth remembering about the motions: boxes and lengths of short stretches of them.
 //!
-//! In: the motion list, whole or as it grows. Out: [`Outline`], so that a picture of a million motions can skip
-//! what is out of view and find a place along the path without walking all of it. Knows nothing of pixels.
+//! In: the motion list, whole or as it grows and is edited. Out: [`Outline`], so that a picture of a million motions
+//! can skip what is out of view and find a place along the path without walking all of it. A stretch lies within one
+//! chunk and is measured once: an edit moves those of the chunks that stayed. Knows nothing of pixels.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,7 +13,7 @@ use crate::text::source::Span;
 use super::bounds::{Bounds, join};
 use super::{StrokeShape, StrokeStyle};
 
-/// Motions in a stretch.
+/// Most motions in a stretch.
 pub const STRETCH: usize = 1024;
 
 /// Some successive motions.
@@ -32,14 +33,25 @@ pub struct Stretch {
     pub length_before: f64,
     /// Length of the path in this stretch, mm.
     pub length: f64,
-    /// Where the first motion lies: chunk, and index in it.
-    first: (usize, usize),
+    /// Tells it from every other stretch of this process; it keeps it as long as its motions are the same.
+    pub key: StretchKey,
+    /// Which of the chunks it lies in.
+    chunk: usize,
+    /// Base of that chunk when the span was worked out.
+    base: u32,
+}
+
+/// The id of a chunk, and which of its motions is the first of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StretchKey {
+    chunk: u64,
+    first: usize,
 }
 
 /// Boxes and lengths of all motions.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// Tells this outline from every other made in this process, so that a cache can tell that it is stale.
+    /// Changes with the motions, so that a cache can tell that it is stale.
     id: u64,
     stretches: Vec<Stretch>,
 }
@@ -53,42 +65,49 @@ impl Default for Outline {
 impl Outline {
     /// The outline of no motions.
     pub fn new() -> Self {
-        static NEXT: AtomicU64 = AtomicU64::new(0);
-        Self { id: NEXT.fetch_add(1, Ordering::Relaxed), stretches: Vec::new() }
+        Self { id: next_id(), stretches: Vec::new() }
     }
 
     /// The outline of all of `motions`.
     pub fn of(motions: &Motions) -> Self {
         let mut outline = Self::new();
-        outline.extend(motions);
+        outline.update(motions);
         outline
     }
 
-    /// Takes in what was added to `motions` since the last call; the motions taken in before must not have
-    /// changed (a new run begins with a new outline).
-    pub fn extend(&mut self, motions: &Motions) {
-        if self.len() == motions.len() {
-            return;
+    /// Follows `motions` as they grew or were edited; only chunks that are new are measured.
+    pub fn update(&mut self, motions: &Motions) {
+        let ids = motions.ids();
+        let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()
+            || self.stretches.iter().any(|stretch| ids[stretch.chunk] != stretch.key.chunk);
+        if changed {
+            self.id = next_id();
         }
-        if self.stretches.last().is_some_and(|last| last.motions.len() < STRETCH) {
-            self.stretches.pop();
-        }
-        let chunks = motions.chunks();
-        let (mut chunk, mut at) = self.locate(self.len(), chunks);
-        while self.len() < motions.len() {
-            let first = self.len();
-            let end = motions.len().min(first + STRETCH);
-            let stretch = stretch(first..end, self.length(), chunks, (chunk, at));
-            at += end - first;
-            while chunk < chunks.len() && at >= chunks[chunk].len() {
-                at -= chunks[chunk].len();
-                chunk += 1;
+        let newest = self.stretches.iter().map(|stretch| stretch.key.chunk).max();
+        let mut measured = std::mem::take(&mut self.stretches).into_iter().peekable();
+        let mut length = 0.0;
+        for (index, (chunk, &id)) in motions.chunks().iter().zip(ids).enumerate() {
+            // Ids grow, so a newer one need not be looked for; chunks that stay keep their order.
+            if newest.is_some_and(|newest| id <= newest) {
+                while measured.next_if(|stretch| stretch.key.chunk != id).is_some() {}
             }
-            self.stretches.push(stretch);
+            let before = motions.before()[index];
+            for first in (0..chunk.len()).step_by(STRETCH) {
+                let own = first..chunk.len().min(first + STRETCH);
+                let mut stretch = match measured.next_if(|stretch| stretch.key.chunk == id) {
+                    Some(stretch) => stretch,
+                    None => measure(chunk, own.clone(), StretchKey { chunk: id, first }),
+                };
+                stretch.motions = before + own.start..before + own.end;
+                stretch.move_to(index, chunk.base);
+                stretch.length_before = length;
+                length += stretch.length;
+                self.stretches.push(stretch);
+            }
         }
     }
 
-    /// A number no other outline has; it stays when the outline is extended.
+    /// A number that no outline of other motions has.
     pub fn id(&self) -> u64 {
         self.id
     }
@@ -108,9 +127,15 @@ impl Outline {
         &self.stretches
     }
 
+    /// Which of the stretches a motion belongs to.
+    pub fn index_of(&self, motion: usize) -> Option<usize> {
+        let index = self.stretches.partition_point(|stretch| stretch.motions.end <= motion);
+        (index < self.stretches.len()).then_some(index)
+    }
+
     /// The stretch a motion belongs to.
     pub fn stretch_of(&self, motion: usize) -> Option<&Stretch> {
-        self.stretches.get(motion / STRETCH).filter(|stretch| motion < stretch.motions.end)
+        self.index_of(motion).map(|index| &self.stretches[index])
     }
 
     /// The stretch that reaches `length` mm along the path; the last one beyond the end.
@@ -135,44 +160,50 @@ impl Outline {
         self.stretches.last().map_or(0.0, |last| last.length_before + last.length)
     }
 
-    /// The chunk a motion lies in and its index there; the index may run on into the chunks that follow.
-    pub(super) fn locate(&self, motion: usize, chunks: &[Chunk]) -> (usize, usize) {
-        let (mut chunk, mut at) = match self.stretches.get(motion / STRETCH).or(self.stretches.last()) {
-            Some(stretch) if stretch.motions.start <= motion => {
-                (stretch.first.0, stretch.first.1 + motion - stretch.motions.start)
-            }
-            _ => (0, motion),
-        };
-        while chunk < chunks.len() && at >= chunks[chunk].len() {
-            at -= chunks[chunk].len();
-            chunk += 1;
+    /// The chunk a motion lies in and its index there; past the end no chunk.
+    pub(super) fn locate(&self, motion: usize) -> (usize, usize) {
+        match self.stretch_of(motion) {
+            Some(stretch) => (stretch.chunk, stretch.key.first + motion - stretch.motions.start),
+            None => (usize::MAX, 0),
         }
-        (chunk, at)
     }
 }
 
-/// Measures a stretch that is not empty.
-fn stretch(motions: Range<usize>, length_before: f64, chunks: &[Chunk], first: (usize, usize)) -> Stretch {
+impl Stretch {
+    /// Which of the chunks it lies in, and which of its motions those are.
+    pub fn in_chunk(&self) -> (usize, Range<usize>) {
+        (self.chunk, self.key.first..self.key.first + self.motions.len())
+    }
+
+    /// The same motions in a chunk that was moved along.
+    fn move_to(&mut self, chunk: usize, base: u32) {
+        let moved = base.wrapping_sub(self.base);
+        self.span.start = self.span.start.wrapping_add(moved);
+        self.span.end = self.span.end.wrapping_add(moved);
+        (self.chunk, self.base) = (chunk, base);
+    }
+}
+
+fn next_id() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
+/// Measures some motions of a chunk; where they stand among all motions is left open.
+fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
     let (mut cuts, mut rapids, mut bounds, mut span) = (None, None, None, None::<Span>);
     let mut length = 0.0;
-    let (mut chunk, mut at) = first;
-    for _ in motions.clone() {
-        while at >= chunks[chunk].len() {
-            at -= chunks[chunk].len();
-            chunk += 1;
-        }
-        let motion = chunks[chunk].get(at);
-        let shape = StrokeShape::of(&motion);
+    for at in motions.clone() {
+        let shape = StrokeShape::in_chunk(chunk, at);
         let own = Bounds::of_shape(&shape);
-        match StrokeStyle::of(motion.kind) {
+        match StrokeStyle::of(chunk.kind(at)) {
             StrokeStyle::Rapid => rapids = join(rapids, Some(Bounds::of(shape.end()))),
             StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => cuts = join(cuts, Some(own)),
         }
         bounds = join(bounds, Some(own));
-        let block = chunks[chunk].span(at);
+        let block = chunk.span(at);
         span = Some(span.map_or(block, |span| span.to(block)));
         length += shape.length();
-        at += 1;
     }
     Stretch {
         motions,
@@ -180,8 +211,10 @@ fn stretch(motions: Range<usize>, length_before: f64, chunks: &[Chunk], first: (
         rapids,
         bounds: bounds.unwrap_or(Bounds::of(Default::default())),
         span: span.unwrap_or_default(),
-        length_before,
+        length_before: 0.0,
         length,
-        first,
+        key,
+        chunk: 0,
+        base: chunk.base,
     }
 }

@@ -7,7 +7,7 @@ use crate::text::source::Span;
 
 use super::Scene;
 use super::bounds::Bounds;
-use super::outline::{Outline, STRETCH};
+use super::outline::{Outline, STRETCH, Stretch};
 
 /// A point by its diameter and Z.
 pub(super) fn point(diameter: f64, z: f64) -> Point {
@@ -143,23 +143,51 @@ fn strokes_carry_their_block_through_all_chunks() {
     assert_eq!(scene.motions_of(Span::new(30_000, 30_025)), vec![3000..3002]);
 }
 
+/// Turning passes, ten motions in each chunk of the list.
+fn passes(count: usize) -> Vec<Chunk> {
+    let mut path = Path::from(20.0, 0.0);
+    for step in 0..count {
+        path = path.rapid(20.0 + step as f64, 0.0).feed(20.0 + step as f64, -1.0);
+    }
+    path.chunks_of(10).chunks().to_vec()
+}
+
+/// What an outline says of each stretch but which chunk it was measured in.
+fn said(outline: &Outline) -> Vec<String> {
+    let row =
+        |s: &Stretch| (s.motions.clone(), s.cuts, s.rapids, s.bounds, s.span, s.length_before, s.length);
+    outline.stretches().iter().map(|stretch| format!("{:?}", row(stretch))).collect()
+}
+
 #[test]
 fn an_outline_that_grew_equals_one_made_at_once() {
-    let build = |count: usize| {
-        let mut path = Path::from(20.0, 0.0);
-        for step in 0..count {
-            path = path.rapid(20.0 + step as f64, 0.0).feed(20.0 + step as f64, -1.0);
-        }
-        path.chunks_of(100)
-    };
-    let mut grown = Outline::new();
-    for count in [0, 50, 600, 600, 2000] {
-        let motions = build(count);
-        grown.extend(&motions);
-        assert_eq!(grown.stretches(), Outline::of(&motions).stretches());
+    let chunks = passes(200);
+    let (mut grown, mut motions) = (Outline::new(), Motions::default());
+    for chunk in chunks {
+        motions.push(chunk);
+        let id = grown.id();
+        grown.update(&motions);
+        assert_ne!(grown.id(), id);
+        assert_eq!(said(&grown), said(&Outline::of(&motions)));
     }
-    assert_eq!(grown.len(), 4000);
-    assert_eq!(grown.stretches().len(), 4000usize.div_ceil(STRETCH));
+    assert_eq!((grown.len(), grown.stretches().len()), (400, 40));
+    let id = grown.id();
+    grown.update(&motions);
+    assert_eq!(grown.id(), id);
+}
+
+#[test]
+fn a_long_chunk_has_several_stretches() {
+    let mut path = Path::from(20.0, 0.0);
+    for step in 1..=3000 {
+        path = path.feed(20.0, -f64::from(step));
+    }
+    let motions = path.chunks_of(3000);
+    let outline = Outline::of(&motions);
+    assert_eq!(outline.stretches().len(), 3000usize.div_ceil(STRETCH));
+    let scene = Scene::new(&motions, &outline, None);
+    assert_eq!(scene.length_before(2500), 2500.0);
+    assert_eq!(scene.motions_of(Span::new(20_470, 20_490)), vec![2047..2049]);
 }
 
 #[test]

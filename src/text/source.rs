@@ -3,6 +3,8 @@
 //! In: the bytes of a program. Out: [`Span`]s (bytes) and the line and column numbers people and editors use.
 //! The one place where bytes are turned into UTF-16 columns. Knows nothing of words or blocks.
 
+use std::ops::Range;
+
 /// A run of bytes of the program text, `start..end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
@@ -101,6 +103,33 @@ impl LineIndex {
             index.mark(text);
         }
         index
+    }
+
+    /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is `text` now.
+    /// Only the lines touched are read again, and what lies behind is moved along.
+    pub fn edit(&mut self, text: &[u8], replaced: Range<usize>, inserted: usize) {
+        // A line start depends on the bytes on both its sides: on `\r` and the `\n` that may follow it.
+        let first = self.line_of(replaced.start.saturating_sub(1) as u32) as usize;
+        let next = self.starts.partition_point(|&start| start as usize <= replaced.end);
+        let bytes = (inserted as u32).wrapping_sub(replaced.len() as u32);
+        let start = self.starts[first] as usize;
+        let end = self.starts.get(next).map_or(text.len(), |&after| after.wrapping_add(bytes) as usize);
+        let read = Self::new(&text[start..end]);
+        // Behind the line end that ends the bytes read stands `next`, which is kept.
+        let lines = read.starts.len() - usize::from(next < self.starts.len());
+        if self.units.is_empty() && !read.units.is_empty() {
+            self.units = self.starts.clone();
+        }
+        if let Some(&before) = self.units.get(first) {
+            let own = |line: usize| before + read.units.get(line).copied().unwrap_or(read.starts[line]);
+            if next < self.units.len() {
+                let units = own(lines).wrapping_sub(self.units[next]);
+                self.units[next..].iter_mut().for_each(|before| *before = before.wrapping_add(units));
+            }
+            self.units.splice(first..next, (0..lines).map(own));
+        }
+        self.starts[next..].iter_mut().for_each(|start| *start = start.wrapping_add(bytes));
+        self.starts.splice(first..next, read.starts[..lines].iter().map(|&from| start as u32 + from));
     }
 
     /// Number of lines; at least 1.
@@ -230,6 +259,60 @@ mod tests {
         assert_eq!(index.line(text, 1).of(text), b"X1");
         for byte in [0, 4, x, two, text.len() as u32] {
             assert_eq!(index.byte_at_utf16(text, index.utf16_offset(text, byte)), byte);
+        }
+    }
+
+    /// The index after an edit says the same as one made of the new text.
+    fn check_edit(text: &mut Vec<u8>, index: &mut LineIndex, replaced: Range<usize>, insert: &[u8]) {
+        let before = String::from_utf8_lossy(text).into_owned();
+        text.splice(replaced.clone(), insert.iter().copied());
+        index.edit(text, replaced.clone(), insert.len());
+        let expected = LineIndex::new(text);
+        assert_eq!(index.starts, expected.starts, "{before:?} {replaced:?} {insert:?}");
+        for byte in 0..=text.len() as u32 {
+            let (found, expected) = (index.utf16_offset(text, byte), expected.utf16_offset(text, byte));
+            assert_eq!(found, expected, "{before:?} {replaced:?} {insert:?} {byte}");
+        }
+    }
+
+    #[test]
+    fn an_edit_joins_and_parts_line_ends() {
+        for (before, replaced, insert) in [
+            ("a\rb", 2..2, "\n"),
+            ("a\nb", 1..1, "\r"),
+            ("a\r\nb", 2..2, "x"),
+            ("a\r\nb", 1..2, ""),
+            ("a\r\nb", 2..3, ""),
+            ("a\rx\nb", 2..3, ""),
+            ("\n", 0..1, ""),
+            ("", 0..0, "外\r\n"),
+            ("a\nb\nc", 0..5, ""),
+            ("a\nb\nc", 5..5, "\n"),
+            ("a\r", 2..2, "\n"),
+        ] {
+            let mut text = before.as_bytes().to_vec();
+            let mut index = LineIndex::new(&text);
+            check_edit(&mut text, &mut index, replaced, insert.as_bytes());
+        }
+    }
+
+    #[test]
+    fn many_edits_leave_the_index_of_the_text() {
+        let pieces: [&[u8]; 9] =
+            [b"\r", b"\n", b"\r\n", b"X1", b"G0 Z2\n", "外".as_bytes(), "😀\r\nZ".as_bytes(), b"\xff", b""];
+        let mut seed = 1u32;
+        let mut below = |most: usize| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (seed >> 8) as usize % most
+        };
+        for _ in 0..200 {
+            let mut text = b"G0 X1\nZ2\n".to_vec();
+            let mut index = LineIndex::new(&text);
+            for _ in 0..30 {
+                let start = below(text.len() + 1);
+                let end = (start + below(4)).min(text.len());
+                check_edit(&mut text, &mut index, start..end, pieces[below(pieces.len())]);
+            }
         }
     }
 

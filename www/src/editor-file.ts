@@ -6,9 +6,10 @@
 
 import { invertedEffects } from '@codemirror/commands';
 import {
-  MapMode, RangeSet, RangeSetBuilder, RangeValue, StateEffect, StateField, type ChangeDesc, type EditorState, type Extension,
+  MapMode, RangeSet, RangeSetBuilder, RangeValue, StateEffect, StateField, Text, type ChangeDesc, type EditorState, type Extension,
 } from '@codemirror/state';
 import type { Encoding } from './encodings';
+import { folded, inPieces, lineEndsOf, type LineEnds, type LineEndText } from './line-ends';
 
 export interface ProgramFile {
   readonly name: string;
@@ -16,7 +17,18 @@ export interface ProgramFile {
   readonly encoding: Encoding;
 }
 
-type LineEndText = '\n' | '\r\n' | '\r';
+/** A whole text, ready for the editor and for the worker. */
+export interface ProgramText {
+  readonly doc: Text;
+  /** The same, as the worker is told it. */
+  readonly pieces: readonly string[];
+  readonly ends: LineEnds;
+}
+
+export function programText(text: string): ProgramText {
+  const pieces = inPieces(folded(text));
+  return { doc: pieces.reduce((doc, piece) => doc.append(Text.of(piece.split('\n'))), Text.empty), pieces, ends: lineEndsOf(text) };
+}
 
 /** A line end that is not as most are; it stands where the line break of the document stands. */
 class OtherEnd extends RangeValue {
@@ -97,32 +109,13 @@ export function textWithLineEnds(state: EditorState): string {
 }
 
 /** What to add to the change that puts in a whole text, so that its file and its line ends are known. */
-export function origin(text: string, file: ProgramFile | undefined): StateEffect<unknown> {
-  return setOrigin.of({ file, ...lineEnds(text) });
+export function origin({ most, others }: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
+  const builder = new RangeSetBuilder<OtherEnd>();
+  for (const [at, end] of others) builder.add(at, at, OTHER_ENDS[end]);
+  return setOrigin.of({ file, mostEnds: most, otherEnds: builder.finish() });
 }
 
 /** To be told when the file of the text is called or encoded differently. */
 export function renamed(file: ProgramFile): StateEffect<unknown> {
   return setFile.of(file);
-}
-
-function lineEnds(text: string): Pick<Origin, 'mostEnds' | 'otherEnds'> {
-  const counts = new Map<LineEndText, number>();
-  const each = (visit: (end: LineEndText, at: number) => void): void => {
-    let folded = 0;
-    for (const match of text.matchAll(/\r\n?|\n/g)) {
-      const end = match[0] as LineEndText;
-      visit(end, match.index - folded);
-      folded += end.length - 1;
-    }
-  };
-  each((end) => counts.set(end, (counts.get(end) ?? 0) + 1));
-  const [mostEnds] = [...counts].reduce((most, one) => (one[1] > most[1] ? one : most), ['\n', 0] as [LineEndText, number]);
-  const others = new RangeSetBuilder<OtherEnd>();
-  if (counts.size > 1) {
-    each((end, at) => {
-      if (end !== mostEnds) others.add(at, at, OTHER_ENDS[end]);
-    });
-  }
-  return { mostEnds, otherEnds: others.finish() };
 }

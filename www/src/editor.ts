@@ -16,11 +16,12 @@ import {
 } from '@codemirror/view';
 import { applyFix, lintDiagnostics } from './editor-lint';
 import { marks, showHovered, showRunning, showTokens, type Span } from './editor-marks';
-import { fileOf, fileOfText, origin, renamed, textWithLineEnds, type ProgramFile } from './editor-file';
+import { fileOf, fileOfText, origin, programText, renamed, textWithLineEnds, type ProgramFile, type ProgramText } from './editor-file';
 import { editorPhrases } from './editor-phrases';
 import { editorTheme } from './editor-theme';
 import { strings, type Language } from './i18n';
-import type { Diagnostic, Fix } from './protocol';
+import type { Diagnostic, Fix, TextCommand } from './protocol';
+import { Unsent } from './unsent';
 
 /** Lines above and below the visible ones whose tokens are asked for too, so that slow scrolling asks for none. */
 const MARGIN_LINES = 60;
@@ -46,6 +47,7 @@ export class Editor {
   #diagnostics: readonly Diagnostic[] = [];
   /** Counts the versions of the text. */
   #revision = 0;
+  readonly #unsent = new Unsent();
 
   constructor(root: ShadowRoot, language: Language, events: EditorEvents) {
     this.#events = events;
@@ -99,6 +101,16 @@ export class Editor {
     return this.#revision;
   }
 
+  /** What makes the worker's text that of the editor; taken once. Nothing when it is already. */
+  takeUnsent(): TextCommand | undefined {
+    return this.#unsent.take(this.#view.state.doc);
+  }
+
+  /** There is a worker that knows nothing yet. */
+  unsend(): void {
+    this.#unsent.all();
+  }
+
   get cursor(): number {
     return this.#view.state.selection.main.head;
   }
@@ -110,23 +122,24 @@ export class Editor {
   }
 
   /** Another text from outside; `undoable` when it takes the place of something the reader may want back. */
-  setText(text: string, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
-    this.#replace(text, [origin(text, file)], undoable);
+  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
+    this.#replace(program, [origin(program.ends, file)], undoable);
   }
 
   /** The same program written differently. */
   rewrite(text: string): void {
-    this.#replace(text, [], 'undoable');
+    this.#replace(programText(text), [], 'undoable');
   }
 
-  #replace(text: string, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
+  #replace({ doc, pieces }: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
     this.#view.dispatch({
       effects,
-      changes: { from: 0, to: this.length, insert: text },
+      changes: { from: 0, to: this.length, insert: doc },
       selection: { anchor: 0 },
       annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
       scrollIntoView: true,
     });
+    this.#unsent.replaced(pieces);
     this.element.firstElementChild?.classList.remove('cm-chosen');
   }
 
@@ -213,6 +226,7 @@ export class Editor {
     const programmatic = update.transactions.some((transaction) => transaction.annotation(byProgram) === true);
     if (update.docChanged) {
       this.#revision++;
+      this.#unsent.changed(update.changes);
       this.#diagnostics = [];
     }
     if (!programmatic) {

@@ -32,7 +32,7 @@ import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
 import { Drawing } from './drawing';
 import { Editor } from './editor';
-import type { ProgramFile } from './editor-file';
+import { programText, type ProgramFile, type ProgramText } from './editor-file';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from './encodings';
 import { FileBar } from './file-bar';
 import { bytesToSave, download, readProgram, reread } from './files';
@@ -54,6 +54,8 @@ const sheets = [colours, styles].map((text) => {
   sheet.replaceSync(text);
   return sheet;
 });
+
+const SEND_AFTER_MS = 30;
 
 /** What one worker is asked for; replaced as a whole when the worker is. */
 interface Line {
@@ -84,6 +86,7 @@ export class GcodePlayground extends HTMLElement {
   #writtenOut!: WrittenOutDialog;
   #codes!: CodesDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
+  #opening: Promise<unknown> | undefined;
   #cursorKnown = false;
   #hovered: number | undefined;
   #running: number | undefined;
@@ -121,6 +124,11 @@ export class GcodePlayground extends HTMLElement {
     this.opened = { text, file: undefined };
   }
 
+  /** UTF-16 units of the program, every line end counted as one. */
+  get length(): number {
+    return this.#editor?.length ?? this.value.length;
+  }
+
   /** The file the program came from. */
   get file(): ProgramFile | undefined {
     return this.#editor?.file ?? this.#early?.file;
@@ -140,10 +148,7 @@ export class GcodePlayground extends HTMLElement {
       return;
     }
     const known = file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined;
-    this.#editor.setText(text, known, this.#editor.length > 0 ? 'undoable' : 'final');
-    this.#cursorKnown = false;
-    this.#line?.client.send({ kind: 'fit' });
-    this.#sendText();
+    this.#take(programText(text), known);
   }
 
   get language(): Language {
@@ -216,15 +221,19 @@ export class GcodePlayground extends HTMLElement {
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async openFile(file: File): Promise<void> {
-    const opened = await readProgram(file);
+    const opening = (this.#opening = readProgram(file));
+    const opened = await opening;
     const texts = this.#strings;
+    // The reader has opened another one since.
+    if (this.#opening !== opening) return;
     if (opened.kind === 'too-large') this.#notice.show(texts.fileTooLarge(opened.name));
     else if (opened.kind === 'unreadable') this.#notice.show(texts.fileUnreadable(opened.name));
     else {
       const { name, encoding } = opened.file;
       // The switches were set for another program.
       this.blockSkip = this.program = null;
-      this.opened = opened;
+      if (this.#editor !== undefined) this.#take(opened.program, opened.file);
+      else this.#early = { text: opened.program.pieces.join(''), file: opened.file };
       if (opened.binary) this.#notice.show(texts.openedBinary(name));
       else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
       else this.#notice.show(texts.openedAs(name, ENCODING_NAMES[encoding]));
@@ -241,6 +250,15 @@ export class GcodePlayground extends HTMLElement {
     if (this.#editor !== undefined) this.#editor.file = file;
     this.#notice.show(this.#strings.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], noPlaceFor));
     this.#changed();
+  }
+
+  #take(program: ProgramText, file: ProgramFile | undefined): void {
+    const editor = this.#editor;
+    if (editor === undefined) return;
+    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final');
+    this.#cursorKnown = false;
+    this.#line?.client.send({ kind: 'fit' });
+    this.#sendText();
   }
 
   // ---- building -----------------------------------------------------------------------------------
@@ -284,7 +302,10 @@ export class GcodePlayground extends HTMLElement {
       chosen: (diagnostic) => editor.show(diagnostic),
       fixed: (fix) => editor.apply(fix),
     });
-    this.#status = new StatusLine(texts);
+    this.#status = new StatusLine(texts, () => {
+      this.#line?.client.send({ kind: 'stop' });
+      editor.focus();
+    });
     this.#notice = new Notice(texts);
     this.#fileBar = new FileBar(texts, { chosen: (encoding) => this.#chooseEncoding(encoding) });
     this.#switches = new Switches(texts, {
@@ -304,7 +325,7 @@ export class GcodePlayground extends HTMLElement {
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
-      make('div', { className: 'foot' }, this.#status.element, this.#writtenOut.button, this.#help.button),
+      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
       this.#codes.element,
@@ -313,7 +334,7 @@ export class GcodePlayground extends HTMLElement {
     this.#acceptFiles(editor.element);
     this.addEventListener('keydown', (event) => this.#key(event), { capture: true });
     const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
-    editor.setText(text, file, 'final');
+    editor.setText(programText(text), file, 'final');
   }
 
   #acceptFiles(target: HTMLElement): void {
@@ -369,6 +390,7 @@ export class GcodePlayground extends HTMLElement {
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
       tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
     };
+    this.#editor?.unsend();
     client.send({ kind: 'language', tag: this.language });
     client.send({
       kind: 'canvas',
@@ -386,6 +408,9 @@ export class GcodePlayground extends HTMLElement {
         break;
       case 'progress':
         if (event.revision === this.#editor?.revision) this.#status.progress = event.done;
+        break;
+      case 'switches':
+        this.#switches.inText = event.inText;
         break;
       case 'setup-rejected':
         this.#notice.show(this.#strings.setupRejected(event.reason), 'setup');
@@ -417,17 +442,13 @@ export class GcodePlayground extends HTMLElement {
     this.#notice.show(loss.kind === 'silent' ? texts.stopped : texts.crashed, 'core');
   }
 
-  /** Small programs go at once, large ones when the reader pauses. */
+  /** What is typed quickly goes together. */
   #textEdited(): void {
-    const length = this.#editor?.length ?? 0;
     clearTimeout(this.#sending);
-    this.#sending = setTimeout(
-      () => {
-        this.#sendText();
-        this.#changed();
-      },
-      length < 100_000 ? 30 : length < 1_000_000 ? 150 : 500,
-    );
+    this.#sending = setTimeout(() => {
+      this.#sendText();
+      this.#changed();
+    }, SEND_AFTER_MS);
   }
 
   #sendText(): void {
@@ -437,7 +458,8 @@ export class GcodePlayground extends HTMLElement {
     if (editor === undefined || this.#line === undefined) return;
     this.#playback.pause();
     const cursor = this.#cursorKnown ? editor.cursor : undefined;
-    this.#line.client.send({ kind: 'text', text: editor.text, revision: editor.revision, cursor });
+    const unsent = editor.takeUnsent();
+    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor });
     this.#notice.hide('core');
     this.#notice.hide('program');
     void this.#askTokens();
@@ -482,9 +504,9 @@ export class GcodePlayground extends HTMLElement {
       this.#sendText();
       this.#changed();
     }
-    const { revision, text } = editor;
+    const { revision } = editor;
     const written = await line.client.ask('expand', undefined);
-    if (editor.revision === revision) this.#writtenOut.show(written, text);
+    if (editor.revision === revision) this.#writtenOut.show(written, editor.text);
   }
 
   async #showCodes(): Promise<void> {
@@ -538,8 +560,7 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, pathLength, inText } = report;
-    this.#switches.inText = inText;
+    const { summary, diagnostics, pathLength } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
     this.#writtenOut.available = summary.finished && summary.motions > 0;
@@ -578,7 +599,13 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #changed(): void {
-    this.#fire('gcode-change', { value: this.value });
+    const element = this;
+    // Made only for who asks: a program can be 20 MB long, and this follows each key.
+    this.#fire('gcode-change', {
+      get value() {
+        return element.value;
+      },
+    });
   }
 
   #fire<Detail>(type: string, detail: Detail): void {

@@ -26,6 +26,7 @@ export interface Strings {
   readonly motions: (n: number) => string;
   readonly lines: (n: number) => string;
   readonly running: (percent: number) => string;
+  readonly stopRun: string;
   readonly loading: string;
   // the drawing
   readonly drawing: (motions: number) => string;
@@ -111,6 +112,7 @@ export interface Strings {
     readonly startAfresh: string;
     readonly kept: string;
     readonly bringBack: string;
+    readonly tooLongToKeep: string;
   };
 }
 
@@ -140,6 +142,7 @@ const en: Strings = {
   motions: counter('en', { one: 'motion', other: 'motions' }),
   lines: counter('en', { one: 'line', other: 'lines' }),
   running: (percent) => `Running … ${percent} %`,
+  stopRun: 'Stop',
   loading: 'Loading …',
   drawing: (n) =>
     `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
@@ -229,6 +232,7 @@ const en: Strings = {
     startAfresh: 'Start afresh',
     kept: 'Your last program is kept',
     bringBack: 'Bring it back',
+    tooLongToKeep: 'This program is too long to be kept in the browser: save it as a file.',
   },
 };
 
@@ -249,6 +253,7 @@ const zh: Strings = {
   motions: counter('zh', { other: '段运动' }),
   lines: counter('zh', { other: '行' }),
   running: (percent) => `正在运行…… ${percent} %`,
+  stopRun: '停止',
   loading: '正在加载……',
   drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
   nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
@@ -337,6 +342,7 @@ const zh: Strings = {
     startAfresh: '重新开始',
     kept: '您上次的程序已保留',
     bringBack: '恢复',
+    tooLongToKeep: '程序太长，浏览器无法保留：请保存为文件。',
   },
 };
 
@@ -357,6 +363,7 @@ const ru: Strings = {
   motions: counter('ru', { one: 'перемещение', few: 'перемещения', other: 'перемещений' }),
   lines: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
   running: (percent) => `Выполняется … ${percent} %`,
+  stopRun: 'Остановить',
   loading: 'Загрузка …',
   drawing: (n) =>
     `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
@@ -446,6 +453,7 @@ const ru: Strings = {
     startAfresh: 'Начать заново',
     kept: 'Ваша последняя программа сохранена',
     bringBack: 'Вернуть',
+    tooLongToKeep: 'Программа слишком длинная, браузер её не сохранит: сохраните её в файл.',
   },
 };
 

@@ -22,6 +22,8 @@ const CONTROLS = [
 const THEMES = ['auto', 'light', 'dark'] as const;
 /** How long the reader must pause before the program is kept. */
 const KEEP_AFTER_MS = 400;
+/** Browsers keep about five million units for a page; a longer program would only make it stand still. */
+const KEPT_LENGTH = 2_000_000;
 
 type Above = { readonly kind: 'example' } | { readonly kind: 'restored' } | { readonly kind: 'kept'; readonly program: KeptProgram };
 
@@ -148,6 +150,12 @@ function keepSoon(): void {
 
 /** Keeps what waits to be kept; a program that is the example again needs no keeping. */
 function keepNow(): void {
+  if (playground.length > KEPT_LENGTH) {
+    clearTimeout(keeping);
+    keeping = undefined;
+    forgetProgram();
+    return;
+  }
   const text = playground.value;
   if (keeping === undefined && text === known) return;
   clearTimeout(keeping);
@@ -177,6 +185,7 @@ function showAbove(what: Above): void {
   if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
   }
+  if (playground.length > KEPT_LENGTH) lines.push(make('p', { className: 'kept' }, texts.page.tooLongToKeep));
   if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
     lines.push(offer(texts.page.restored, texts.page.startAfresh, () => {

@@ -24,13 +24,28 @@ export type Command =
   | { readonly kind: 'language'; readonly tag: string }
   | { readonly kind: 'setup'; readonly json: string }
   /** `revision` comes back with the report, so that a report on older text can be told apart. */
-  | { readonly kind: 'text'; readonly text: string; readonly revision: number; readonly cursor: number | undefined }
+  | (TextCommand & { readonly revision: number; readonly cursor: number | undefined })
+  /** Ends the run under way. */
+  | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
   | { readonly kind: 'fit' }
   /** CSS pixels. */
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
+
+/** Offsets are those of the text before; of several changes the last in the text comes first. */
+export interface TextChange {
+  readonly from: number;
+  readonly to: number;
+  readonly insert: string;
+}
+
+/** How the text of the worker becomes that of the editor. */
+export type TextCommand =
+  /** All of it; a piece ends behind a line end. */
+  | { readonly kind: 'text'; readonly pieces: readonly string[] }
+  | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
 
 /** Where the tool is: `distance` in mm along the whole path. */
 export interface ToolPlace {
@@ -74,7 +89,6 @@ export interface Report {
   readonly diagnostics: readonly Diagnostic[];
   /** mm */
   readonly pathLength: number;
-  readonly inText: SwitchesInText;
 }
 
 export type WorkerEvent =
@@ -83,6 +97,7 @@ export type WorkerEvent =
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly revision: number; readonly done: number }
+  | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'setup-rejected'; readonly reason: string }
   | { readonly kind: 'setup-accepted' }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown }

@@ -1,6 +1,6 @@
 // The slim line at the foot: "42 motions · 14 lines · no problems".
 //
-// In: the summary of the newest run, or how far a long one is. Out: nothing.
+// In: the summary of the newest run, or how far a long one is. Out: `stopped` (the reader has seen enough of that).
 // Must not know: how a program is run.
 
 import { make } from './dom';
@@ -15,11 +15,14 @@ type Shown =
 
 export class StatusLine {
   readonly element = make('p', { className: 'status', part: 'status', role: 'status' });
+  /** There while a run takes a noticeable time. */
+  readonly stop = make('button', { type: 'button', className: 'framed', hidden: true });
   #strings: Strings;
   #shown: Shown = { kind: 'loading' };
 
-  constructor(strings: Strings) {
+  constructor(strings: Strings, stopped: () => void) {
     this.#strings = strings;
+    this.stop.addEventListener('click', stopped);
     this.#render();
   }
 
@@ -47,6 +50,8 @@ export class StatusLine {
   }
 
   #render(): void {
+    this.stop.textContent = this.#strings.stopRun;
+    this.stop.hidden = this.#shown.kind !== 'running';
     // On a narrow page the line breaks between facts, not inside them.
     const facts = this.#facts().flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]);
     this.element.replaceChildren(...facts);

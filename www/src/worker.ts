@@ -5,11 +5,19 @@
 // Must not know: the page, the editor, or anything of what the program means.
 
 import init, { Playground } from '../pkg/gcode_playground.js';
-import { NO_SWITCHES, switchesIn } from './switches-in-text';
-import type { Command, Question, QuestionKind, Questions, ToolPlace, WorkerEvent, WrittenOut } from './protocol';
+import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import type {
+  Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
+} from './protocol';
+import { handIn } from './text-in';
 
 const BLOCKS_PER_SLICE = 20_000;
-const RUN_LIMIT_MS = 10_000;
+/** The reader can stop a run any time; this is for when nobody is there. */
+const RUN_LIMIT_MS = 60_000;
+/** Lines looked at for switches in one go. */
+const LINES_PER_LOOK = 20_000;
+/** Longer changes are not looked at for switches: all of the text is. */
+const LOOK_LIMIT = 100_000;
 /** Longer texts are written out without colours. */
 const COLOUR_LIMIT = 200_000;
 const PROGRESS_AFTER_MS = 150;
@@ -22,9 +30,10 @@ interface Run {
 
 let core: Playground | undefined;
 let revision = 0;
-let inText = NO_SWITCHES;
+/** Looks for switches in the text; undefined when all of it was looked at. */
+let looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
+let switchesTold = '';
 let run: Run | undefined;
-let runWanted = false;
 /** The newest run has ended and been reported; its messages can be asked for again in another language. */
 let reported = false;
 let drawWanted = false;
@@ -82,13 +91,16 @@ function receive(message: Command | Question): void {
       changeSetup(core, message.json);
       break;
     case 'text':
-      revision = message.revision;
-      inText = switchesIn(message.text);
-      core.setPlayhead(undefined);
-      core.setHover(undefined);
-      core.setText(message.text);
-      core.setCursor(message.cursor);
-      wantRun();
+      handIn(core, message.pieces);
+      lookForSwitches();
+      changed(core, message);
+      break;
+    case 'edit':
+      for (const change of message.changes) edit(core, change);
+      changed(core, message);
+      break;
+    case 'stop':
+      stop(core);
       break;
     case 'cursor':
       core.setCursor(message.offset);
@@ -158,12 +170,57 @@ function changeSetup(playground: Playground, json: string): void {
   wantRun();
 }
 
+// ---- the text -------------------------------------------------------------------------------------
+
+function changed(playground: Playground, message: Command & { readonly kind: 'text' | 'edit' }): void {
+  revision = message.revision;
+  playground.setPlayhead(undefined);
+  playground.setHover(undefined);
+  playground.setCursor(message.cursor);
+  wantRun();
+}
+
+function edit(playground: Playground, { from, to, insert }: TextChange): void {
+  const long = to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
+  const touched = (end: number): string => playground.linesAsWritten(playground.lineAt(from), playground.lineAt(end) + 1);
+  const before = long ? '' : touched(to);
+  playground.edit(from, to, insert);
+  if (long || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) lookForSwitches();
+}
+
+function lookForSwitches(): void {
+  looking = { finder: new SwitchFinder(), nextLine: 0 };
+}
+
+/** Looks at some more lines; a short text is looked at in one go. */
+function lookOn(playground: Playground): void {
+  if (looking === undefined) return;
+  const { finder, nextLine } = looking;
+  const lines = playground.linesAsWritten(nextLine, nextLine + LINES_PER_LOOK);
+  finder.look(lines);
+  looking.nextLine += LINES_PER_LOOK;
+  if (playground.linesAsWritten(looking.nextLine, looking.nextLine + 1) !== '') return;
+  looking = undefined;
+  const inText = finder.found;
+  const told = JSON.stringify(inText);
+  if (told !== switchesTold) send({ kind: 'switches', inText });
+  switchesTold = told;
+}
+
 // ---- the run --------------------------------------------------------------------------------------
 
+/** The interpreter has begun a run: by a text, an edit or a setup. */
 function wantRun(): void {
-  runWanted = true;
+  const now = performance.now();
+  run = { startedAt: now, lastProgressAt: now };
   reported = false;
   queueSlice();
+}
+
+function stop(playground: Playground): void {
+  if (run === undefined) return;
+  playground.stop((performance.now() - run.startedAt) / 1000);
+  end(playground);
 }
 
 function queueSlice(): void {
@@ -174,30 +231,27 @@ function queueSlice(): void {
 
 function slice(): void {
   if (core === undefined) return;
+  if (run !== undefined) advance(core, run);
+  else lookOn(core);
+  if (run !== undefined || looking !== undefined) queueSlice();
+}
+
+function advance(playground: Playground, current: Run): void {
+  const ended = playground.advance(BLOCKS_PER_SLICE);
   const now = performance.now();
-  if (runWanted) {
-    runWanted = false;
-    run = { startedAt: now, lastProgressAt: now };
-    core.start();
+  if (ended) end(playground);
+  else if (now - current.startedAt > RUN_LIMIT_MS) stop(playground);
+  else if (now - current.startedAt > PROGRESS_AFTER_MS && now - current.lastProgressAt > PROGRESS_EVERY_MS) {
+    current.lastProgressAt = now;
+    send({ kind: 'progress', revision, done: playground.progress() });
   }
-  if (run === undefined) return;
-  let ended = core.advance(BLOCKS_PER_SLICE);
-  const later = performance.now();
-  if (!ended && later - run.startedAt > RUN_LIMIT_MS) {
-    core.stop((later - run.startedAt) / 1000);
-    ended = true;
-  }
-  if (ended) {
-    run = undefined;
-    report(core);
-    wantDraw();
-    return;
-  }
-  if (later - run.startedAt > PROGRESS_AFTER_MS && later - run.lastProgressAt > PROGRESS_EVERY_MS) {
-    run.lastProgressAt = later;
-    send({ kind: 'progress', revision, done: core.progress() });
-  }
-  queueSlice();
+}
+
+function end(playground: Playground): void {
+  run = undefined;
+  lookOn(playground);
+  report(playground);
+  wantDraw();
 }
 
 function report(playground: Playground): void {
@@ -209,7 +263,6 @@ function report(playground: Playground): void {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       pathLength: playground.pathLength(),
-      inText,
     },
   });
 }
@@ -256,7 +309,9 @@ function wantDraw(): void {
   drawWanted = true;
   requestAnimationFrame(() => {
     drawWanted = false;
-    guarded(() => core?.draw());
+    guarded(() => {
+      if (core?.draw() === true) wantDraw();
+    });
   });
 }
 

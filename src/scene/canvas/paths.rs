@@ -8,53 +8,13 @@ use web_sys::Path2d;
 
 use crate::geometry::{Arc, Point, Turn};
 
-use super::super::{Stroke, StrokeShape, StrokeStyle};
+use super::super::ink::Ink;
+use super::super::{Place, Scene, Stroke, StrokeShape, StrokeStyle};
 
 /// Ends of an arc whose radii differ by more than this, mm, are joined by a spiral.
 const ROUND: f64 = 1e-3;
 /// Straight pieces of such a spiral.
 const PIECES: u32 = 64;
-
-/// A way of drawing: a style, or that style where the stroke may be wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ink {
-    /// As the style says.
-    Sure(StrokeStyle),
-    /// Dimmed.
-    Uncertain(StrokeStyle),
-}
-
-impl Ink {
-    /// All ways, in the order in which they are drawn.
-    pub const ALL: [Ink; 8] = [
-        Ink::Uncertain(StrokeStyle::Rapid),
-        Ink::Sure(StrokeStyle::Rapid),
-        Ink::Uncertain(StrokeStyle::Dwell),
-        Ink::Uncertain(StrokeStyle::Feed),
-        Ink::Uncertain(StrokeStyle::Thread),
-        Ink::Sure(StrokeStyle::Dwell),
-        Ink::Sure(StrokeStyle::Feed),
-        Ink::Sure(StrokeStyle::Thread),
-    ];
-
-    /// The style drawn.
-    pub fn style(self) -> StrokeStyle {
-        match self {
-            Self::Sure(style) | Self::Uncertain(style) => style,
-        }
-    }
-
-    fn of(stroke: &Stroke) -> Self {
-        if stroke.uncertain { Self::Uncertain(stroke.style) } else { Self::Sure(stroke.style) }
-    }
-
-    fn index(self) -> usize {
-        match self {
-            Self::Sure(style) => style as usize,
-            Self::Uncertain(style) => StrokeStyle::ALL.len() + style as usize,
-        }
-    }
-}
 
 /// Some strokes as paths.
 #[derive(Debug, Default)]
@@ -116,6 +76,24 @@ impl Paths {
     pub fn dots(&self, ink: Ink) -> &[Point] {
         &self.dots[ink.index()]
     }
+}
+
+/// The paths of the stretch that the tool is in, before and after its place.
+pub fn halves(scene: &Scene, place: Place) -> Result<(Paths, Paths), JsValue> {
+    let Some(stretch) = scene.outline().stretch_of(place.motion) else {
+        return Ok((Paths::default(), Paths::default()));
+    };
+    let mut before = Paths::of(scene.strokes_of(stretch.motions.start..place.motion))?;
+    let mut after = Paths::default();
+    if let Some(stroke) = scene.stroke(place.motion) {
+        let (done, ahead) = stroke.shape.split(place.fraction);
+        before.push(&Stroke { shape: done, ..stroke })?;
+        after.push(&Stroke { shape: ahead, ..stroke })?;
+    }
+    for stroke in scene.strokes_of(place.motion + 1..stretch.motions.end) {
+        after.push(&stroke)?;
+    }
+    Ok((before, after))
 }
 
 /// Shapes as one path, whatever their style.

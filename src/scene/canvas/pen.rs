@@ -4,8 +4,8 @@
 //! become device pixels; knows nothing of scenes.
 
 use js_sys::Array;
-use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
+use wasm_bindgen::{Clamped, JsCast, JsValue};
+use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
 
 use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel};
 use super::super::view::View;
@@ -90,6 +90,44 @@ impl Pen {
     /// Ends what [`Pen::clip`] began, and takes back the state of then.
     pub fn unclip(&self) {
         self.context.restore();
+    }
+
+    /// Takes away all there is.
+    pub fn clear(&self) -> Result<(), JsValue> {
+        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
+        self.context.clear_rect(0.0, 0.0, self.canvas.width().into(), self.canvas.height().into());
+        Ok(())
+    }
+
+    /// Sets all pixels: red, green, blue and opacity of each, row by row; width and height in device pixels.
+    pub fn put(&self, pixels: &[u8], (width, height): (usize, usize)) -> Result<(), JsValue> {
+        let image =
+            ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width as u32, height as u32)?;
+        self.context.put_image_data(&image, 0.0, 0.0)
+    }
+
+    /// Red, green and blue of a CSS colour.
+    pub fn rgb(&self, colour: &str) -> Result<[u8; 3], JsValue> {
+        let probe = Self::new(OffscreenCanvas::new(1, 1)?)?;
+        probe.block(colour, Pixel::default(), Pixel::new(1.0, 1.0));
+        let pixel = probe.context.get_image_data(0.0, 0.0, 1.0, 1.0)?.data();
+        Ok([pixel[0], pixel[1], pixel[2]])
+    }
+
+    /// Copies a picture that was drawn for the view `then` to where its places are `now`.
+    pub fn copy_moved(&self, from: &Pen, then: &View, now: &View) -> Result<(), JsValue> {
+        let place = |view: &View| {
+            let zero = view.camera().to_screen(Default::default());
+            (
+                view.camera().scale() * view.pixel_ratio(),
+                zero.x * view.pixel_ratio(),
+                zero.y * view.pixel_ratio(),
+            )
+        };
+        let ((before, x, y), (after, new_x, new_y)) = (place(then), place(now));
+        let grown = after / before;
+        self.context.set_transform(grown, 0.0, 0.0, grown, new_x - grown * x, new_y - grown * y)?;
+        self.context.draw_image_with_offscreen_canvas(&from.canvas, 0.0, 0.0)
     }
 
     /// Copies a picture of the same size.

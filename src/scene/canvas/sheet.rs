@@ -5,11 +5,11 @@
 use wasm_bindgen::JsValue;
 
 use super::super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::super::ink::Ink;
 use super::super::palette::Palette;
 use super::super::ruler::{Axis, Tick, TickWeight, ticks};
 use super::super::view::View;
 use super::super::{Scene, StrokeStyle};
-use super::paths::Ink;
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::Point;
 
@@ -26,11 +26,14 @@ pub fn colour(palette: &Palette, ink: Ink) -> &str {
     }
 }
 
+/// No line is wider, CSS pixels.
+pub const WIDEST: f64 = 1.75;
+
 /// Its line width, CSS pixels.
 pub fn width(ink: Ink) -> f64 {
     match ink.style() {
         StrokeStyle::Rapid => 1.0,
-        StrokeStyle::Dwell | StrokeStyle::Feed => 1.75,
+        StrokeStyle::Dwell | StrokeStyle::Feed => WIDEST,
         StrokeStyle::Thread => 1.25,
     }
 }

@@ -1,0 +1,292 @@
+//! The strokes of a scene as an image that is made anew when they or the camera change, and moved until then.
+//!
+//! In: a scene and a view. Out: the strokes on a canvas of their own. Few strokes are drawn at once, with their widths
+//! and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile the last image is moved
+//! to where the camera is. Knows nothing of what lies under or over the strokes.
+
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::OffscreenCanvas;
+
+use super::super::camera::Camera;
+use super::super::ink::Ink;
+use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
+use super::super::outline::{Stretch, StretchKey};
+use super::super::plot::Plot;
+use super::super::view::View;
+use super::super::{Place, Scene, StrokeStyle};
+use super::paths::{Paths, halves, path_of};
+use super::pen::{Dash, Pen};
+use super::sheet;
+
+/// Opacity of what has not run yet, while there is a playhead.
+const AHEAD: f64 = 0.22;
+/// Motions in view from which on nobody could tell widths and dashes.
+const CROWDED: usize = 40_000;
+/// Motions in view that are drawn in a few milliseconds, widths and dashes included.
+const QUICK: usize = 4_000;
+/// How long plotting goes on before others have their turn, ms.
+const SLICE: f64 = 8.0;
+/// The pictures of a plot: what is ahead of the tool, what is done (both by ink), and the programmed path.
+const DONE: usize = Ink::ALL.len();
+const PROGRAMMED: usize = 2 * Ink::ALL.len();
+
+#[wasm_bindgen]
+extern "C" {
+    /// Milliseconds since the worker began.
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
+}
+
+/// Whether there is more to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// What is shown is what it should be.
+    Done,
+    /// The last image is shown in place of the one under way.
+    UnderWay,
+}
+
+/// What the strokes are drawn from.
+#[derive(Clone, Debug, PartialEq)]
+struct Target {
+    /// With nothing picked out.
+    view: View,
+    outline: u64,
+}
+
+/// The strokes as an image.
+#[derive(Debug)]
+pub struct StrokeLayer {
+    image: Pen,
+    /// What the image shows.
+    shown: Option<Target>,
+    /// Counts the images.
+    version: u32,
+    /// Strokes as paths, one entry for each stretch that has been in view lately.
+    paths: Vec<(StretchKey, Paths)>,
+    /// The image under way and the stretch that comes next.
+    plot: Option<(Target, Plot, usize)>,
+    /// The camera as it was when the last image was moved instead of being made anew.
+    moved: Option<Camera>,
+}
+
+impl StrokeLayer {
+    /// A layer without strokes.
+    pub fn new() -> Result<Self, JsValue> {
+        let image = Pen::new(OffscreenCanvas::new(1, 1)?)?;
+        Ok(Self { image, shown: None, version: 0, paths: Vec::new(), plot: None, moved: None })
+    }
+
+    /// A number that tells this image from the others of this layer.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// Brings the image up to date, or a part of the way.
+    pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
+        let target = Target { view: view.bare(), outline: scene.outline().id() };
+        if self.shown.as_ref() == Some(&target) {
+            return Ok(Progress::Done);
+        }
+        let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
+        let in_view: Vec<&Stretch> =
+            scene.outline().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
+        let motions: usize = in_view.iter().map(|stretch| stretch.motions.len()).sum();
+        if motions > CROWDED {
+            return self.plot(scene, target, &in_view);
+        }
+        self.plot = None;
+        // While the camera moves, what takes long is only moved; it is drawn once the camera has stood for a frame.
+        let camera = Some(*view.camera());
+        if motions > QUICK && self.shown.is_some() && self.moved != camera && !self.shows_same_camera(view) {
+            self.moved = camera;
+            return Ok(Progress::UnderWay);
+        }
+        self.stroke(scene, view, &in_view)?;
+        self.finish(target);
+        Ok(Progress::Done)
+    }
+
+    /// Copies the image to where the camera is.
+    pub fn copy_to(&self, pen: &Pen, view: &View) -> Result<(), JsValue> {
+        match &self.shown {
+            Some(shown) => pen.copy_moved(&self.image, &shown.view, view),
+            None => Ok(()),
+        }
+    }
+
+    fn shows_same_camera(&self, view: &View) -> bool {
+        self.shown.as_ref().is_some_and(|shown| shown.view.camera() == view.camera())
+    }
+
+    fn finish(&mut self, target: Target) {
+        (self.shown, self.moved) = (Some(target), None);
+        self.version = self.version.wrapping_add(1);
+    }
+
+    // ---- many strokes -------------------------------------------------------------------------------
+
+    fn plot(&mut self, scene: &Scene, target: Target, in_view: &[&Stretch]) -> Result<Progress, JsValue> {
+        let view = &target.view;
+        // An image for another place of the tool is finished all the same: while it moves, there is a newer one each time.
+        let goes_on = |of: &Target| {
+            of.outline == target.outline
+                && of.view.camera() == view.camera()
+                && of.view.pixel_ratio() == view.pixel_ratio()
+        };
+        let (of, mut plot, mut next) = match self.plot.take() {
+            Some(under_way) if goes_on(&under_way.0) => under_way,
+            _ => (target.clone(), Plot::new(view.camera(), view.pixel_ratio(), PROGRAMMED + 1), 0),
+        };
+        let place = of.view.playhead.and_then(|length| scene.at_length(length));
+        let until = now() + SLICE;
+        while let Some(stretch) = in_view.get(next) {
+            plot_stretch(&mut plot, scene, stretch, place);
+            next += 1;
+            if now() > until {
+                break;
+            }
+        }
+        if next < in_view.len() {
+            self.plot = Some((of, plot, next));
+            return Ok(Progress::UnderWay);
+        }
+        let pixels = self.colour(&plot, &of.view)?;
+        self.image.begin(&of.view)?;
+        self.image.put(&pixels, plot.size())?;
+        let same = of == target;
+        self.finish(of);
+        Ok(if same { Progress::Done } else { Progress::UnderWay })
+    }
+
+    /// The pictures of a plot one over the other in their colours: red, green, blue and opacity of each pixel.
+    fn colour(&self, plot: &Plot, view: &View) -> Result<Vec<u8>, JsValue> {
+        let (width, height) = plot.size();
+        let mut pixels = vec![0; 4 * width * height];
+        let mut lay = |picture: usize, colour: &str, opacity: f64| -> Result<(), JsValue> {
+            if !plot.cover(picture).is_empty() {
+                lay_over(&mut pixels, plot.cover(picture), self.image.rgb(colour)?, (opacity * 255.0) as u32);
+            }
+            Ok(())
+        };
+        lay(PROGRAMMED, &view.palette.axis, 1.0)?;
+        for (first, opacity) in [(0, AHEAD), (DONE, 1.0)] {
+            for ink in Ink::ALL {
+                lay(first + ink.index(), sheet::colour(&view.palette, ink), opacity)?;
+            }
+        }
+        Ok(pixels)
+    }
+
+    // ---- few strokes --------------------------------------------------------------------------------
+
+    fn stroke(&mut self, scene: &Scene, view: &View, in_view: &[&Stretch]) -> Result<(), JsValue> {
+        self.image.begin(view)?;
+        self.image.clear()?;
+        self.image.clip(view)?;
+        let programmed = path_of(in_view.iter().flat_map(|stretch| scene.programmed_in(stretch)))?;
+        self.image.world(view, 1.0, Dash::Broken(2.0, 3.0), &view.palette.axis)?;
+        self.image.stroke(&programmed);
+        self.paths.retain(|(key, _)| in_view.iter().any(|stretch| stretch.key == *key));
+        for stretch in in_view {
+            if self.paths_of(stretch).is_none() {
+                self.paths.push((stretch.key, Paths::of(scene.strokes_of(stretch.motions.clone()))?));
+            }
+        }
+        match view.playhead.and_then(|length| scene.at_length(length)) {
+            Some(place) => self.stroke_until(scene, view, in_view, place)?,
+            None => self.ink(view, &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch)))?,
+        }
+        if in_view.iter().map(|stretch| stretch.motions.len()).sum::<usize>() <= MOST_WITH_ARROWS {
+            self.arrows(scene, view, in_view);
+        }
+        self.image.unclip();
+        Ok(())
+    }
+
+    /// Strokes what is ahead of the tool faintly.
+    fn stroke_until(
+        &self,
+        scene: &Scene,
+        view: &View,
+        in_view: &[&Stretch],
+        place: Place,
+    ) -> Result<(), JsValue> {
+        let (before, after) = halves(scene, place)?;
+        let ahead = in_view.iter().filter(|stretch| stretch.motions.start > place.motion);
+        let done = in_view.iter().filter(|stretch| stretch.motions.end <= place.motion);
+        self.image.opacity(AHEAD);
+        self.ink(view, &mut [&after].into_iter().chain(ahead.filter_map(|stretch| self.paths_of(stretch))))?;
+        self.image.opacity(1.0);
+        self.ink(view, &mut done.filter_map(|stretch| self.paths_of(stretch)).chain([&before]))
+    }
+
+    fn paths_of(&self, stretch: &Stretch) -> Option<&Paths> {
+        self.paths.iter().find(|(key, _)| *key == stretch.key).map(|(_, paths)| paths)
+    }
+
+    /// Strokes paths in their own styles.
+    fn ink(&self, view: &View, paths: &mut dyn Iterator<Item = &Paths>) -> Result<(), JsValue> {
+        let paths: Vec<&Paths> = paths.collect();
+        for ink in Ink::ALL {
+            let colour = sheet::colour(&view.palette, ink);
+            self.image.world(view, sheet::width(ink), sheet::dash(ink), colour)?;
+            for path in paths.iter().filter_map(|paths| paths.get(ink)) {
+                self.image.stroke(path);
+            }
+            self.image.page(view)?;
+            let dots = paths.iter().flat_map(|paths| paths.dots(ink));
+            self.image.dots(colour, dots.map(|at| view.camera().to_screen(*at)), 3.0)?;
+        }
+        Ok(())
+    }
+
+    /// Arrow heads on what has run.
+    fn arrows(&self, scene: &Scene, view: &View, in_view: &[&Stretch]) {
+        let until = view.playhead.and_then(|length| scene.at_length(length)).map(|place| place.motion);
+        for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
+            let strokes = in_view.iter().flat_map(|stretch| scene.strokes_of(stretch.motions.clone()));
+            let run = strokes.filter(|stroke| until.is_none_or(|until| stroke.motion < until));
+            let shapes = run.filter(|s| s.style == style && !s.uncertain).map(|stroke| stroke.shape);
+            let heads = arrow_heads(shapes, view.camera(), LEAST_FOR_ARROW);
+            let colour = sheet::colour(&view.palette, Ink::Sure(style));
+            self.image.fill(colour, heads.iter().map(|head| &head[..]));
+        }
+    }
+}
+
+/// Plots a stretch, faint from where the tool is.
+fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, place: Option<Place>) {
+    for shape in scene.programmed_in(stretch) {
+        plot.draw(PROGRAMMED, &shape);
+    }
+    let until = place.map_or(usize::MAX, |place| place.motion);
+    for (motion, (ink, shape)) in stretch.motions.clone().zip(scene.shapes_of(stretch)) {
+        match place {
+            Some(place) if motion == until => {
+                let (before, after) = shape.split(place.fraction);
+                plot.draw(DONE + ink.index(), &before);
+                plot.draw(ink.index(), &after);
+            }
+            _ => plot.draw(ink.index() + if motion < until { DONE } else { 0 }, &shape),
+        }
+    }
+    plot.lift();
+}
+
+/// Lays a colour over pixels where it covers them, and as much of it.
+fn lay_over(pixels: &mut [u8], cover: &[u8], colour: [u8; 3], opacity: u32) {
+    for (pixel, &cover) in pixels.chunks_exact_mut(4).zip(cover) {
+        if cover == 0 {
+            continue;
+        }
+        let over = u32::from(cover) * opacity / 255;
+        let under = u32::from(pixel[3]) * (255 - over) / 255;
+        let all = (over + under).max(1);
+        for (channel, own) in pixel.iter_mut().zip(colour) {
+            *channel = ((u32::from(own) * over + u32::from(*channel) * under) / all) as u8;
+        }
+        pixel[3] = all as u8;
+    }
+}

@@ -1,0 +1,313 @@
+//! Strokes by the hundred thousand as pixels: all solid and one device pixel wide.
+//!
+//! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel it covers. A browser
+//! asked to stroke a million lines takes several times as long, above all for being asked. Knows no colours.
+
+use crate::geometry::{Arc, Point, Turn};
+
+use super::StrokeShape;
+use super::camera::{Camera, Pixel};
+
+/// A line goes on to the next point that is at least so far away, device pixels.
+const LEAST_STEP: f64 = 0.5;
+/// How far a chord may be from its arc, device pixels.
+const SAGITTA: f64 = 0.3;
+/// Most chords of an arc.
+const MOST_CHORDS: f64 = 512.0;
+/// Radius of the dot where the tool waits, CSS pixels.
+const DOT: f64 = 3.0;
+
+/// Several pictures of the same place, one over the other.
+#[derive(Debug)]
+pub struct Plot {
+    width: usize,
+    height: usize,
+    /// Device pixels a mm.
+    scale: f64,
+    /// Where X 0 Z 0 is, device pixels.
+    zero: Pixel,
+    dot: f64,
+    layers: Vec<Layer>,
+}
+
+/// One of them.
+#[derive(Clone, Debug, Default)]
+struct Layer {
+    /// How much of each pixel is covered, 255 all of it; empty while nothing is drawn.
+    cover: Vec<u8>,
+    /// Where the last stroke ended.
+    end: Option<Point>,
+    /// How far the line there is drawn, and where it goes on to.
+    drawn: Pixel,
+    to: Option<Pixel>,
+}
+
+impl Plot {
+    /// Empty pictures of what a camera sees.
+    pub fn new(camera: &Camera, pixel_ratio: f64, layers: usize) -> Self {
+        let device = |length: f64| ((length * pixel_ratio).round() as usize).clamp(1, 16_384);
+        let zero = camera.to_screen(Point::default());
+        Self {
+            width: device(camera.size().width),
+            height: device(camera.size().height),
+            scale: camera.scale() * pixel_ratio,
+            zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
+            dot: DOT * pixel_ratio,
+            layers: vec![Layer::default(); layers],
+        }
+    }
+
+    /// Width and height, device pixels.
+    pub fn size(&self) -> (usize, usize) {
+        (self.width, self.height)
+    }
+
+    /// Draws a shape in one of the pictures.
+    pub fn draw(&mut self, layer: usize, shape: &StrokeShape) {
+        match shape {
+            StrokeShape::Line { from, to } => self.line(layer, *from, *to),
+            StrokeShape::Arc(arc) => self.arc(layer, arc),
+            StrokeShape::Virtual(own) => {
+                for ends in StrokeShape::curve(own).windows(2) {
+                    self.line(layer, ends[0], ends[1]);
+                }
+            }
+            StrokeShape::Dot(at) => self.disc(layer, *at),
+        }
+    }
+
+    /// Ends all lines: nothing goes on from where they are.
+    pub fn lift(&mut self) {
+        for layer in 0..self.layers.len() {
+            self.finish(layer);
+            self.layers[layer].end = None;
+        }
+    }
+
+    /// How much of each pixel a picture covers, row by row from the top, 255 all of it; nothing when it is empty.
+    pub fn cover(&self, layer: usize) -> &[u8] {
+        &self.layers[layer].cover
+    }
+
+    #[inline]
+    fn line(&mut self, layer: usize, from: Point, to: Point) {
+        if self.layers[layer].end != Some(from) {
+            self.finish(layer);
+            self.layers[layer].drawn = self.pixel(from);
+        }
+        let at = self.pixel(to);
+        let drawn = self.layers[layer].drawn;
+        self.layers[layer].end = Some(to);
+        if (at.x - drawn.x).abs().max((at.y - drawn.y).abs()) < LEAST_STEP {
+            self.layers[layer].to = Some(at);
+        } else {
+            self.layers[layer].to = None;
+            self.layers[layer].drawn = at;
+            self.ink(layer, drawn, at);
+        }
+    }
+
+    /// Draws the short piece that waits for the line to go on.
+    fn finish(&mut self, layer: usize) {
+        if let Some(to) = self.layers[layer].to.take() {
+            self.ink(layer, self.layers[layer].drawn, to);
+        }
+    }
+
+    fn arc(&mut self, layer: usize, arc: &Arc) {
+        let chords = chords(arc, self.scale);
+        let mut from = arc.start;
+        for chord in 1..chords {
+            let to = arc.at(f64::from(chord) / f64::from(chords));
+            self.line(layer, from, to);
+            from = to;
+        }
+        self.line(layer, from, arc.end);
+    }
+
+    /// Covers the pixels along a line, those at its ends in part.
+    fn ink(&mut self, layer: usize, from: Pixel, to: Pixel) {
+        let steep = (to.y - from.y).abs() > (to.x - from.x).abs();
+        // Along the longer way the line goes from pixel to pixel; across it lies between two.
+        let (mut a, mut b) =
+            if steep { ((from.y, from.x), (to.y, to.x)) } else { ((from.x, from.y), (to.x, to.y)) };
+        if a.0 > b.0 {
+            (a, b) = (b, a);
+        }
+        let (length, breadth, along, across) = if steep {
+            (self.height, self.width, self.width, 1)
+        } else {
+            (self.width, self.height, 1, self.width)
+        };
+        let (first, last) = (a.0.max(0.0), b.0.min(length as f64));
+        if first >= last || a.1.min(b.1) > breadth as f64 + 1.0 || a.1.max(b.1) < -1.0 {
+            return;
+        }
+        let slope = (b.1 - a.1) / (b.0 - a.0);
+        let cover = &mut self.layers[layer].cover;
+        if cover.is_empty() {
+            cover.resize(self.width * self.height, 0);
+        }
+        let mut start = first;
+        for place in first as usize..length {
+            let end = last.min((place + 1) as f64);
+            let share = (end - start) * 255.0;
+            let middle = a.1 + slope * ((start + end) / 2.0 - a.0) - 0.5;
+            let low = middle.floor();
+            let rest = middle - low;
+            let low = low as i32;
+            for (at, part) in [(low, 1.0 - rest), (low.wrapping_add(1), rest)] {
+                if (at as usize) < breadth {
+                    let pixel = &mut cover[place * along + at as usize * across];
+                    *pixel = pixel.saturating_add((share * part + 0.5) as u8);
+                }
+            }
+            if end >= last {
+                break;
+            }
+            start = end;
+        }
+    }
+
+    fn disc(&mut self, layer: usize, at: Point) {
+        let (center, radius) = (self.pixel(at), self.dot);
+        let (width, height) = (self.width as f64, self.height as f64);
+        let rows = (center.y - radius - 1.0).max(0.0) as usize
+            ..(center.y + radius + 1.0).clamp(0.0, height) as usize;
+        let columns =
+            (center.x - radius - 1.0).max(0.0) as usize..(center.x + radius + 1.0).clamp(0.0, width) as usize;
+        let cover = &mut self.layers[layer].cover;
+        if cover.is_empty() {
+            cover.resize(self.width * self.height, 0);
+        }
+        for row in rows {
+            for column in columns.clone() {
+                let away = center.distance(Pixel::new(column as f64 + 0.5, row as f64 + 0.5));
+                let part = ((radius - away + 0.5).clamp(0.0, 1.0) * 255.0) as u8;
+                let pixel = &mut cover[row * self.width + column];
+                *pixel = (*pixel).max(part);
+            }
+        }
+    }
+
+    fn pixel(&self, point: Point) -> Pixel {
+        Pixel::new(self.zero.x + point.z * self.scale, self.zero.y - point.x * self.scale)
+    }
+}
+
+/// How many straight pieces look like the arc at so many device pixels a mm.
+fn chords(arc: &Arc, scale: f64) -> u32 {
+    let radius = arc.radius();
+    let to = (arc.end.z - arc.start.z, arc.end.x - arc.start.x);
+    let center = (arc.center.z - arc.start.z, arc.center.x - arc.start.x);
+    // Most arcs of a crowded picture are short ones, which need no angles.
+    let is_left = to.0 * center.1 - to.1 * center.0 > 0.0;
+    let is_short_way = is_left == (arc.turn == Turn::Counterclockwise) && !arc.start.is_same(arc.end);
+    if is_short_way {
+        let half = (to.0 * to.0 + to.1 * to.1) / 4.0;
+        let height = radius - (radius * radius - half).max(0.0).sqrt();
+        if height * scale < SAGITTA {
+            return 1;
+        }
+    }
+    // The height of a flat arc is an eighth of its angle squared, times the radius.
+    let pieces = (arc.sweep().abs() * (radius * scale / (8.0 * SAGITTA)).sqrt()).ceil();
+    pieces.clamp(3.0, MOST_CHORDS) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bounds::Bounds;
+    use super::super::camera::Size;
+    use super::*;
+
+    /// A plot with one picture of 200 × 100 pixels, 1 mm each, and what `shapes` cover of it, in whole pixels.
+    fn covered(shapes: &[StrokeShape]) -> f64 {
+        let plot = drawn(shapes);
+        plot.cover(0).iter().map(|&part| f64::from(part) / 255.0).sum()
+    }
+
+    fn drawn(shapes: &[StrokeShape]) -> Plot {
+        let bounds = Bounds::around(Point::new(0.0, 0.0), Point::new(50.0, 100.0));
+        let mut camera = Camera::fit(bounds, Size { width: 200.0, height: 100.0 });
+        camera.zoom(1.0 / camera.scale(), camera.to_screen(Point::new(25.0, 50.0)));
+        let mut plot = Plot::new(&camera, 1.0, 1);
+        shapes.iter().for_each(|shape| plot.draw(0, shape));
+        plot.lift();
+        plot
+    }
+
+    fn line(from: (f64, f64), to: (f64, f64)) -> StrokeShape {
+        StrokeShape::Line { from: Point::new(from.0, from.1), to: Point::new(to.0, to.1) }
+    }
+
+    #[track_caller]
+    fn check(shapes: &[StrokeShape], pixels: f64) {
+        let found = covered(shapes);
+        assert!((found - pixels).abs() < 0.02 * pixels + 0.1, "{found}, not {pixels}");
+    }
+
+    #[test]
+    fn a_line_covers_a_pixel_for_each_step_of_its_longer_way() {
+        check(&[line((10.0, 10.0), (10.0, 60.0))], 50.0);
+        check(&[line((10.2, 10.3), (40.7, 10.9))], 30.5);
+        check(&[line((10.0, 60.0), (30.0, 10.0))], 50.0);
+        check(&[line((10.0, 10.0), (10.0, 10.2))], 0.2);
+    }
+
+    #[test]
+    fn many_short_pieces_cover_what_one_line_does() {
+        let pieces: Vec<_> = (0..500)
+            .map(|i| line((10.0, 10.0 + 0.1 * f64::from(i)), (10.0, 10.1 + 0.1 * f64::from(i))))
+            .collect();
+        check(&pieces, 50.0);
+    }
+
+    #[test]
+    fn what_lies_outside_covers_nothing_and_breaks_nothing() {
+        let far = [1e3, 1e6, 1e12, 1e300];
+        for reach in far {
+            check(&[line((reach, -reach), (reach, reach)), line((-reach, reach), (-2.0 * reach, 0.0))], 0.0);
+            covered(&[line((-reach, -reach), (reach, reach)), line((25.0, -reach), (25.0, reach))]);
+            let (start, center) = (Point::new(0.0, 0.0), Point::new(reach, 0.0));
+            covered(&[StrokeShape::Arc(Arc { start, end: start, center, turn: Turn::Clockwise })]);
+            covered(&[StrokeShape::Dot(center), line((f64::NAN, 0.0), (1.0, f64::INFINITY))]);
+        }
+        // Across all of the picture.
+        check(&[line((25.0, -1e6), (25.0, 1e6))], 200.0);
+    }
+
+    #[test]
+    fn arcs_are_drawn_on_the_side_they_bulge_to() {
+        let (start, end, center) = (Point::new(10.0, 50.0), Point::new(30.0, 50.0), Point::new(20.0, 50.0));
+        let side = |turn| {
+            let plot = drawn(&[StrokeShape::Arc(Arc { start, end, center, turn })]);
+            let (width, _) = plot.size();
+            let middle = plot.pixel(center).x as usize;
+            let right = |(at, _): &(usize, &u8)| at % width > middle;
+            let all = plot.cover(0).iter().enumerate();
+            all.filter(right).map(|(_, &part)| f64::from(part)).sum::<f64>() / 255.0
+        };
+        // Counter-clockwise from below to above goes by the right.
+        assert!(side(Turn::Counterclockwise) > 20.0 && side(Turn::Clockwise) < 2.0);
+        let round = StrokeShape::Arc(Arc { start, end: start, center, turn: Turn::Clockwise });
+        // A circle covers eight times the half of its width that a diagonal cuts off.
+        check(&[round], 8.0 * 10.0 / f64::sqrt(2.0));
+    }
+
+    #[test]
+    fn flat_arcs_are_one_chord_and_long_ways_round_are_not() {
+        let (start, center) = (Point::new(10.0, 0.0), Point::new(0.0, 0.0));
+        let end = Point::new(10.0 * f64::cos(0.1), 10.0 * f64::sin(0.1));
+        // From above the centre towards +Z is clockwise.
+        assert_eq!(chords(&Arc { start, end, center, turn: Turn::Clockwise }, 1.0), 1);
+        assert!(chords(&Arc { start, end, center, turn: Turn::Counterclockwise }, 1.0) > 8);
+        assert!(chords(&Arc { start, end: start, center, turn: Turn::Clockwise }, 1.0) > 8);
+        assert!(chords(&Arc { start, end, center, turn: Turn::Clockwise }, 1000.0) > 3);
+    }
+
+    #[test]
+    fn a_dot_is_a_disc() {
+        check(&[StrokeShape::Dot(Point::new(25.0, 50.0))], std::f64::consts::PI * DOT * DOT);
+    }
+}

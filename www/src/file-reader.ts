@@ -1,0 +1,35 @@
+// The thread a program file is read in: guessing the encoding of a long one takes longer than a page may stand still.
+//
+// In: a `File`. Out: its text in pieces, then how it was read; or that it cannot be read. Lives for one file.
+// Must not know: the page, or what the text is for.
+
+import { guess } from './encoding-guess';
+import type { Encoding } from './encodings';
+import { folded, inPieces, lineEndsOf, type LineEnds } from './line-ends';
+
+export type ReaderEvent =
+  /** Every line end is one unit; a piece ends with one. */
+  | { readonly kind: 'piece'; readonly text: string }
+  | { readonly kind: 'read'; readonly ends: LineEnds; readonly encoding: Encoding; readonly binary: boolean }
+  | { readonly kind: 'unreadable' };
+
+self.onmessage = (event: MessageEvent<File>) => {
+  void read(event.data);
+};
+
+async function read(file: File): Promise<void> {
+  let bytes: Uint8Array;
+  try {
+    bytes = new Uint8Array(await file.arrayBuffer());
+  } catch {
+    send({ kind: 'unreadable' });
+    return;
+  }
+  const { encoding, text, binary } = guess(bytes);
+  for (const piece of inPieces(folded(text))) send({ kind: 'piece', text: piece });
+  send({ kind: 'read', ends: lineEndsOf(text), encoding, binary });
+}
+
+function send(event: ReaderEvent): void {
+  self.postMessage(event);
+}

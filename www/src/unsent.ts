@@ -1,0 +1,61 @@
+// What of the text the worker has not been told yet.
+//
+// In: the changes of the editor's document. Out: the least that brings the worker's text up to date: what changed, or
+// all of it in pieces. Must not know: the worker, or what the text is for.
+
+import type { ChangeSet, Text } from '@codemirror/state';
+import { inPieces } from './line-ends';
+import type { TextChange, TextCommand } from './protocol';
+
+/** Documents longer than this are made text piece by piece. */
+const LONG = 1 << 20;
+
+export class Unsent {
+  /** The text has to be sent: these pieces, or all there is in the document by then. */
+  #whole: readonly string[] | 'all' | undefined = 'all';
+  #changes: ChangeSet | undefined;
+
+  /** The whole text is needed, once more. */
+  all(): void {
+    this.#whole = 'all';
+    this.#changes = undefined;
+  }
+
+  /** Another text took the place of the whole. */
+  replaced(pieces: readonly string[]): void {
+    this.#whole = pieces;
+    this.#changes = undefined;
+  }
+
+  changed(changes: ChangeSet): void {
+    if (this.#whole !== undefined) this.all();
+    else this.#changes = this.#changes?.compose(changes) ?? changes;
+  }
+
+  /** What to send now; nothing when all was sent. */
+  take(doc: Text): TextCommand | undefined {
+    const [whole, changes] = [this.#whole, this.#changes];
+    this.#whole = this.#changes = undefined;
+    if (whole !== undefined) return { kind: 'text', pieces: whole === 'all' ? piecesOf(doc) : whole };
+    return changes === undefined ? undefined : { kind: 'edit', changes: listed(changes) };
+  }
+}
+
+/** The last in the text first: each then stands where the text was. */
+function listed(changes: ChangeSet): TextChange[] {
+  const list: TextChange[] = [];
+  changes.iterChanges((from, to, _newFrom, _newTo, insert) => list.push({ from, to, insert: insert.toString() }));
+  return list.reverse();
+}
+
+function piecesOf(doc: Text): string[] {
+  if (doc.length <= LONG) return [doc.toString()];
+  const pieces: string[] = [];
+  for (let from = 0; from < doc.length; ) {
+    const line = doc.lineAt(Math.min(from + LONG, doc.length));
+    const to = Math.min(line.to + 1, doc.length);
+    pieces.push(...inPieces(doc.sliceString(from, to)));
+    from = to;
+  }
+  return pieces;
+}
