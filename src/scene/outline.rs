@@ -191,18 +191,18 @@ fn next_id() -> u64 {
 
 /// Measures some motions of a chunk; where they stand among all motions is left open.
 fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
-    let (mut cuts, mut rapids, mut bounds, mut span) = (None, None, None, None::<Span>);
+    let (mut cuts, mut rapids, mut bounds) = (None, None, None);
+    let mut span = chunk.span(motions.start);
     let mut length = 0.0;
     for at in motions.clone() {
         let shape = StrokeShape::in_chunk(chunk, at);
         let own = Bounds::of_shape(&shape);
         match StrokeStyle::of(chunk.kind(at)) {
-            StrokeStyle::Rapid => rapids = join(rapids, Some(Bounds::of(shape.end()))),
-            StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => cuts = join(cuts, Some(own)),
+            StrokeStyle::Rapid => add(&mut rapids, Bounds::of(shape.end())),
+            StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => add(&mut cuts, own),
         }
-        bounds = join(bounds, Some(own));
-        let block = chunk.span(at);
-        span = Some(span.map_or(block, |span| span.to(block)));
+        add(&mut bounds, own);
+        span = span.to(chunk.span(at));
         length += shape.length();
     }
     Stretch {
@@ -210,11 +210,15 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
         cuts,
         rapids,
         bounds: bounds.unwrap_or(Bounds::of(Default::default())),
-        span: span.unwrap_or_default(),
+        span,
         length_before: 0.0,
         length,
         key,
         chunk: 0,
         base: chunk.base,
     }
+}
+
+fn add(bounds: &mut Option<Bounds>, own: Bounds) {
+    *bounds = join(*bounds, Some(own));
 }

@@ -14,7 +14,7 @@ use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::super::outline::{Stretch, StretchKey};
 use super::super::plot::Plot;
 use super::super::view::View;
-use super::super::{Place, Scene, StrokeStyle};
+use super::super::{Place, Scene, StrokeShape, StrokeStyle};
 use super::paths::{Paths, halves, path_of};
 use super::pen::{Dash, Pen};
 use super::sheet;
@@ -262,14 +262,18 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, place: Option
         plot.draw(PROGRAMMED, &shape);
     }
     let until = place.map_or(usize::MAX, |place| place.motion);
-    for (motion, (ink, shape)) in stretch.motions.clone().zip(scene.shapes_of(stretch)) {
-        match place {
-            Some(place) if motion == until => {
-                let (before, after) = shape.split(place.fraction);
-                plot.draw(DONE + ink.index(), &before);
-                plot.draw(ink.index(), &after);
+    let (chunk, places) = scene.chunk_of(stretch);
+    for (at, motion) in places.zip(stretch.motions.clone()) {
+        let ink = Ink::new(StrokeStyle::of(chunk.kind(at)), chunk.is_uncertain(at)).index();
+        let layer = if motion > until { ink } else { DONE + ink };
+        match (chunk.straight(at), place) {
+            (_, Some(place)) if motion == until => {
+                let (before, after) = StrokeShape::in_chunk(chunk, at).split(place.fraction);
+                plot.draw(layer, &before);
+                plot.draw(ink, &after);
             }
-            _ => plot.draw(ink.index() + if motion < until { DONE } else { 0 }, &shape),
+            (Some((from, to)), _) => plot.line(layer, from, to),
+            (None, _) => plot.draw(layer, &StrokeShape::in_chunk(chunk, at)),
         }
     }
     plot.lift();
