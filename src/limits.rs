@@ -23,6 +23,8 @@ pub struct Limits {
     pub macro_depth: usize,
     /// Most messages that are kept.
     pub messages: usize,
+    /// Motions from one snapshot to the next: after a change of the text, at least so many run again.
+    pub stride: usize,
 }
 
 impl Default for Limits {
@@ -37,6 +39,7 @@ impl Default for Limits {
             call_depth: 10,
             macro_depth: 5,
             messages: 500,
+            stride: 4096,
         }
     }
 }

@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, Turn};
+use crate::text::shift::Shift;
 use crate::text::source::Span;
 
 /// What kind of motion the tool tip makes.
@@ -356,12 +357,14 @@ const NONE: u32 = u32::MAX;
 /// A run of motions with the places of the blocks that made them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chunk {
-    /// First byte of the chunk's first block in the text.
+    /// Where the chunk begins in the text: its blocks are placed from this byte on.
     pub base: u32,
-    /// Line (from 0) of the chunk's first block.
+    /// The line (from 0) of that byte.
     pub first_line: u32,
     /// Where the tip stands before the first motion.
     start: Point,
+    /// A block before the chunk could not be carried out, so all its motions may be wrong.
+    doubtful: bool,
     /// Motions before whose start the frame changed: they begin here, not where the last one ended.
     starts: Vec<(u32, Point)>,
     /// Compensated motions as they were programmed.
@@ -394,6 +397,7 @@ impl Chunk {
             base,
             first_line,
             start,
+            doubtful: false,
             starts: Vec::new(),
             programmed: Vec::new(),
             rotary: Vec::new(),
@@ -411,9 +415,20 @@ impl Chunk {
         }
     }
 
-    /// Gives a chunk without motions another first block.
-    pub fn begin_at(&mut self, base: u32, first_line: u32, start: Point) {
-        (self.base, self.first_line, self.start) = (base, first_line, start);
+    /// Whether a block before the chunk could not be carried out, so that all its motions may be wrong.
+    pub fn is_doubtful(&self) -> bool {
+        self.doubtful
+    }
+
+    /// Says whether a block before the chunk could not be carried out.
+    pub fn set_doubtful(&mut self, doubtful: bool) {
+        self.doubtful = doubtful;
+    }
+
+    /// Moves the places of all blocks along, when the text before them has changed.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.first_line = shift.line(self.first_line, self.base);
+        self.base = shift.byte(self.base);
     }
 
     /// Number of motions.
@@ -530,7 +545,7 @@ impl Chunk {
             programmed: look_up(&self.programmed, index),
             rotary: look_up(&self.rotary, index),
             cycle: unpack_cycle(self.cycle[index]),
-            process: self.processes[self.process[index] as usize],
+            process: self.process(index),
         }
     }
 
@@ -564,6 +579,11 @@ impl Chunk {
     /// Line (from 0) of the block that made the motion at `index`.
     pub fn line(&self, index: usize) -> u32 {
         self.first_line.wrapping_add(self.blocks[self.block[index] as usize].line as u32)
+    }
+
+    fn process(&self, index: usize) -> Process {
+        let process = self.processes[self.process[index] as usize];
+        Process { uncertain: process.uncertain || self.doubtful, ..process }
     }
 
     fn from(&self, index: usize) -> Point {
@@ -627,11 +647,34 @@ impl Motions {
     pub fn push(&mut self, chunk: Chunk) {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         if !chunk.is_empty() {
-            self.ids.push(NEXT.fetch_add(1, Ordering::Relaxed));
-            self.before.push(self.len);
-            self.len += chunk.len();
-            self.chunks.push(chunk);
+            self.push_known(chunk, NEXT.fetch_add(1, Ordering::Relaxed));
         }
+    }
+
+    /// Takes the chunks from index `chunks` on out.
+    pub fn split_off(&mut self, chunks: usize) -> Self {
+        let mut rest = Self::default();
+        self.len = self.before.get(chunks).copied().unwrap_or(self.len);
+        self.before.truncate(chunks);
+        for (chunk, id) in self.chunks.drain(chunks..).zip(self.ids.drain(chunks..)) {
+            rest.push_known(chunk, id);
+        }
+        rest
+    }
+
+    /// Adds the chunks of another list at the end, with their numbers. `change` may move each along.
+    pub fn append(&mut self, other: Self, mut change: impl FnMut(usize, &mut Chunk)) {
+        for (index, (mut chunk, id)) in other.chunks.into_iter().zip(other.ids).enumerate() {
+            change(index, &mut chunk);
+            self.push_known(chunk, id);
+        }
+    }
+
+    fn push_known(&mut self, chunk: Chunk, id: u64) {
+        self.ids.push(id);
+        self.before.push(self.len);
+        self.len += chunk.len();
+        self.chunks.push(chunk);
     }
 
     /// The motion at `index`, counted over all chunks.

@@ -3,12 +3,12 @@
 //! In: the bytes of a program and a setup. Out: an [`Analysis`]. Knows the order of the stages, nothing of
 //! what they do.
 
-use std::collections::BTreeMap;
+mod edit;
 
-use crate::control::dialect::CodeList;
+use crate::control::dialect::{CodeList, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
-use crate::control::origin;
+use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
@@ -17,6 +17,7 @@ use crate::motion::Motions;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::text::source::Span;
+use edit::{Before, Mark, Tally};
 
 /// What a program does and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -50,14 +51,40 @@ pub struct Run {
     interpreter: Interpreter,
     block: Block,
     at: Resume,
-    blocks: usize,
-    /// First byte of each O program met, by number.
-    programs: BTreeMap<u32, u32>,
+    tally: Tally,
+    origin: Origin,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
     ended: bool,
     finished: bool,
+    /// It was ended early.
+    stopped: bool,
+    /// All messages in order of their place, once it has ended.
+    sorted: Vec<Diagnostic>,
+    /// Snapshots on the way, in order.
+    marks: Vec<Mark>,
+    /// Blocks read when the next one is to be made at the latest.
+    due: usize,
+    /// The run before the edit, until its rest is taken over.
+    before: Option<Before>,
+    /// The byte where it may be met next.
+    meeting: u32,
+}
+
+/// Where a text comes from, as far as it can be told.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Origin {
+    foreign: Option<Foreign>,
+    system: Option<(GSystem, Span)>,
+}
+
+impl Origin {
+    fn of(text: &[u8], dialect: &DialectChoice) -> Self {
+        let foreign = if dialect.recognise == Some(false) { None } else { origin::foreign(text) };
+        let is_open = foreign.is_none() && dialect.g_system.is_none();
+        Self { foreign, system: if is_open { origin::g_system(text) } else { None } }
+    }
 }
 
 impl Run {
@@ -73,11 +100,17 @@ impl Run {
             interpreter: Interpreter::new(setup, limits),
             block: Block::default(),
             at: Resume::default(),
-            blocks: 0,
-            programs: BTreeMap::new(),
+            tally: Tally::default(),
+            origin: Origin::default(),
             begun: false,
             ended: false,
             finished: false,
+            stopped: false,
+            sorted: Vec::new(),
+            marks: Vec::new(),
+            due: 0,
+            before: None,
+            meeting: u32::MAX,
             text,
         };
         if run.text.len() > limits.text {
@@ -86,17 +119,14 @@ impl Run {
             run.finish();
             return run;
         }
-        if dialect.recognise != Some(false)
-            && let Some(foreign) = origin::foreign(&run.text)
-        {
+        run.origin = Origin::of(&run.text, &dialect);
+        if let Some(foreign) = run.origin.foreign {
             let message = Message::Foreign { origin: foreign.origin };
             run.interpreter.tell(Diagnostic::new(message, foreign.evidence));
             run.finish();
             return run;
         }
-        if dialect.g_system.is_none()
-            && let Some((system, evidence)) = origin::g_system(&run.text)
-        {
+        if let Some((system, evidence)) = run.origin.system {
             run.interpreter.set_system(system);
             run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system }, evidence));
         }
@@ -128,13 +158,18 @@ impl Run {
         let mut parser = Parser::resume(&text, self.at);
         let mut left = blocks;
         let mut more = true;
+        let mut joined = false;
         while left > 0 {
             let at = parser.position();
+            if self.is_due(at) && self.pause(&text, at) {
+                joined = true;
+                break;
+            }
             more = parser.next_block(&mut self.block);
             left -= 1;
             let here = Here { at, next: parser.position() };
             let flow = if more {
-                self.blocks += 1;
+                self.tally.blocks += 1;
                 self.step(&text, here)
             } else {
                 self.end_of_text(&text)
@@ -160,7 +195,9 @@ impl Run {
         }
         self.at = parser.position();
         self.text = text;
-        if !more {
+        if joined {
+            self.finish();
+        } else if !more {
             self.finish_text();
         }
         self.finished
@@ -171,6 +208,7 @@ impl Run {
         if !self.finished {
             let at = self.at.byte as usize;
             self.interpreter.tell(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.stopped = true;
             self.finish();
         }
     }
@@ -188,14 +226,6 @@ impl Run {
     /// The text.
     pub fn text(&self) -> &[u8] {
         &self.text
-    }
-
-    /// Begins a run of the changed text. Bytes outside of the text are not counted.
-    pub fn edit(&mut self, edit: TextEdit) {
-        let mut text = self.take_text();
-        let end = edit.end.min(text.len());
-        text.splice(edit.start.min(end)..end, edit.insert);
-        *self = Self::within(text, self.setup().clone(), self.interpreter.limits());
     }
 
     /// The text, taken out of a run that is not needed any more.
@@ -221,7 +251,7 @@ impl Run {
 
     /// Messages so far; in order of their place once the run has ended.
     pub fn diagnostics(&self) -> &[Diagnostic] {
-        self.interpreter.diagnostics()
+        if self.finished { &self.sorted } else { self.interpreter.diagnostics() }
     }
 
     /// Places of the contour cycles so far.
@@ -231,7 +261,7 @@ impl Run {
 
     /// Blocks read so far.
     pub fn blocks(&self) -> usize {
-        self.blocks
+        self.tally.blocks
     }
 
     /// The G codes the program is read with.
@@ -243,8 +273,9 @@ impl Run {
     pub fn into_analysis(self) -> Analysis {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
-        let (motions, diagnostics) = interpreter.into_parts();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes }
+        let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
+        let motions = interpreter.into_motions();
+        Analysis { motions, diagnostics, blocks: self.tally.blocks, trace, codes }
     }
 
     /// Begins with another program than the first of the text.
@@ -268,6 +299,9 @@ impl Run {
             self.interpreter.tell(guess);
         }
         self.begun = false;
+        self.marks.clear();
+        self.before = None;
+        self.meeting = u32::MAX;
         self.begin_at(main);
     }
 
@@ -291,7 +325,7 @@ impl Run {
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
             self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
-        } else if *self.programs.entry(number).or_insert(span.start) != span.start {
+        } else if *self.tally.programs.entry(number).or_insert(span.start) != span.start {
             self.interpreter.tell(Diagnostic::new(Message::DuplicateProgram { number }, span));
         } else if self.ended
             && !self.interpreter.was_run(here.at)
@@ -354,6 +388,8 @@ impl Run {
 
     fn finish(&mut self) {
         self.interpreter.close();
+        self.sorted = self.interpreter.diagnostics().to_vec();
+        self.sorted.sort_by_key(|diagnostic| diagnostic.span.start);
         self.finished = true;
     }
 }

@@ -11,7 +11,7 @@ use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
 use gcode_playground::limits::Limits;
 use gcode_playground::motion::{Motion, MotionKind};
-use gcode_playground::run::{Analysis, Run};
+use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
@@ -292,6 +292,7 @@ const SMALL: Limits = Limits {
     call_depth: 4,
     macro_depth: 3,
     messages: 30,
+    stride: 7,
 };
 
 /// Runs a program within small bounds, `slice` blocks at a time, and checks that it ends.
@@ -321,6 +322,16 @@ proptest! {
         let (whole, sliced) = (whole.into_analysis(), sliced.into_analysis());
         prop_assert_eq!(&whole.motions, &sliced.motions);
         prop_assert_eq!(&whole.diagnostics, &sliced.diagnostics);
+        // Without its middle, and then with it again, it is the same program.
+        let (start, end) = (text.len() / 3, text.len() / 2);
+        let without = [&text.as_bytes()[..start], &text.as_bytes()[end..]].concat();
+        let mut changed = Run::within(without, setup.clone(), SMALL);
+        while !changed.advance(usize::MAX) {}
+        changed.edit(TextEdit { start, end: start, insert: text.as_bytes()[start..end].to_vec() });
+        while !changed.advance(usize::MAX) {}
+        let changed = changed.into_analysis();
+        prop_assert!(whole.motions.iter().eq(changed.motions.iter()));
+        prop_assert_eq!(&whole.diagnostics, &changed.diagnostics);
         prop_assert!(whole.motions.len() <= SMALL.motions);
         prop_assert!(whole.diagnostics.len() <= SMALL.messages + 3);
         check_analysis(text.as_bytes(), &whole);

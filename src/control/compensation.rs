@@ -132,6 +132,17 @@ impl Compensator {
         Self { side, nose, tip: at, stage: Stage::Commanded }
     }
 
+    /// The same with the numbers of its elements counted from `first`.
+    pub fn counted_from(mut self, first: u32) -> Self {
+        match &mut self.stage {
+            Stage::StartUp(element) | Stage::Waiting(Waiting { element, .. }) => {
+                element.id = element.id.wrapping_sub(first);
+            }
+            Stage::Commanded | Stage::Standing => {}
+        }
+        self
+    }
+
     /// The side of the elements to come.
     pub fn side(&self) -> Side {
         self.side

@@ -19,6 +19,7 @@ use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn};
+use crate::text::shift::Shift;
 use crate::text::source::Span;
 
 /// Where an axis of a cycle ends.
@@ -173,10 +174,68 @@ pub struct Compensating {
     pub waiting: Vec<(u32, Routed)>,
     /// Dwells behind the move of a number.
     pub dwells: Vec<(u32, Routed)>,
-    /// Moves taken in so far.
-    pub taken: u32,
+    /// No move but the first was taken in so far.
+    pub is_new: bool,
     /// Blocks without a move since the last one.
     pub idle_blocks: u32,
+}
+
+impl Routed {
+    fn shift(&mut self, shift: &Shift) {
+        self.line = shift.line(self.line, self.span.start);
+        self.span = shift.span(self.span);
+    }
+}
+
+impl Pending {
+    /// The first byte of the blocks it comes from.
+    fn first(&self) -> u32 {
+        let before = self.before.as_ref().map_or(u32::MAX, |before| before.first());
+        before.min(self.routed.span.start)
+    }
+
+    fn shift(&mut self, shift: &Shift) {
+        self.routed.shift(shift);
+        let spans = self.joint.as_mut().map(|joint| &mut joint.span).into_iter();
+        for span in spans.chain(self.angle.as_mut().map(|angle| &mut angle.span)) {
+            *span = shift.span(*span);
+        }
+        if let Some(before) = &mut self.before {
+            before.shift(shift);
+        }
+        self.dwells.iter_mut().for_each(|dwell| dwell.shift(shift));
+    }
+}
+
+impl Compensating {
+    /// The first byte of the blocks whose moves it holds back.
+    fn first(&self) -> u32 {
+        let held = self.waiting.iter().chain(&self.dwells);
+        held.map(|(_, routed)| routed.span.start).min().unwrap_or(u32::MAX)
+    }
+
+    fn shift(&mut self, shift: &Shift) {
+        for (_, routed) in self.waiting.iter_mut().chain(&mut self.dwells) {
+            routed.shift(shift);
+        }
+    }
+
+    /// Whether it gives the same from here on: how many moves it has taken in does not count.
+    fn goes_on_like(&self, other: &Self) -> bool {
+        let counted = |state: &Self| {
+            let first = state.waiting.first().map_or(0, |(id, _)| *id);
+            let from_first = |held: &Vec<(u32, Routed)>| {
+                held.iter().map(|&(id, routed)| (id.wrapping_sub(first), routed)).collect()
+            };
+            Self {
+                compensator: state.compensator.clone().counted_from(first),
+                waiting: from_first(&state.waiting),
+                dwells: from_first(&state.dwells),
+                ..*state
+            }
+        };
+        counted(self) == counted(other)
+    }
 }
 
 /// The spindle as commanded.
@@ -417,6 +476,40 @@ impl State {
         self.variables != other.variables
             || self.system != other.system
             || (self.course.asks && rest(self) != rest(other))
+    }
+
+    /// The first byte of the blocks whose moves wait for the next one; `u32::MAX` when none do.
+    pub fn first_waiting(&self) -> u32 {
+        let pending = self.pending.as_ref().map_or(u32::MAX, Pending::first);
+        pending.min(self.compensating.as_ref().map_or(u32::MAX, Compensating::first))
+    }
+
+    /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
+    /// way are not looked at.
+    pub fn shift(&mut self, shift: &Shift) {
+        if let Some(pending) = &mut self.pending {
+            pending.shift(shift);
+        }
+        if let Some(compensating) = &mut self.compensating {
+            compensating.shift(shift);
+        }
+        self.course.head = shift.resume(self.course.head);
+    }
+
+    /// Whether a program goes on from here as it does from `other`.
+    pub fn goes_on_like(&self, other: &Self) -> bool {
+        let same = match (&self.compensating, &other.compensating) {
+            (Some(own), Some(others)) => own.goes_on_like(others),
+            (own, others) => own.is_none() && others.is_none(),
+        };
+        let rest = |state: &Self| Self { compensating: None, ..state.clone() };
+        // The two zeros compare as one, but a motion would begin at the other.
+        let signs = |state: &Self| {
+            let places = [Some(state.position), state.tip].map(Option::unwrap_or_default);
+            places.map(|at| (at.x.is_sign_negative(), at.z.is_sign_negative()))
+        };
+        same && signs(self) == signs(other)
+            && if self.compensating.is_none() { self == other } else { rest(self) == rest(other) }
     }
 
     /// Changes the frame and keeps the machine where it is: the tip gets its place in the new frame.

@@ -18,7 +18,7 @@ use super::dialect::GSystem;
 use crate::text::source::Span;
 
 /// Most bytes of a text that are looked at.
-const HEAD: usize = 64 << 10;
+pub const HEAD: usize = 64 << 10;
 
 /// A control or machine whose programs are not read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -113,7 +113,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// A length, mm: digits below the least increment cut off (FANUC B-64114EN §8.3). `None` for a macro
+    /// A length, mm, never a negative zero: digits below the least increment cut off (FANUC B-64114EN §8.3). `None` for a macro
     /// expression.
     #[inline]
     pub fn length(self, word: &Word) -> Option<f64> {
@@ -127,7 +127,7 @@ impl Reading {
         if self.unit == Unit::Inch {
             value *= self.unit.millimetres();
         }
-        Some(if negative { -value } else { value })
+        Some(if negative { 0.0 - value } else { value })
     }
 
     /// A diameter as a radius, mm.
@@ -159,7 +159,7 @@ impl Reading {
 /// The number as it is written.
 pub fn plain(word: &Word) -> Option<f64> {
     let Value::Number { number, negative } = word.value else { return None };
-    Some(if negative { -number.value() } else { number.value() })
+    Some(if negative { 0.0 - number.value() } else { number.value() })
 }
 
 /// What an address demands of its number.

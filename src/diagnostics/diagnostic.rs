@@ -4,6 +4,7 @@
 //! language: the sentences are in `messages/`.
 
 use super::message::{Message, Severity};
+use crate::text::shift::Shift;
 use crate::text::source::Span;
 
 /// One message at one place.
@@ -35,6 +36,14 @@ impl Diagnostic {
     pub fn with(mut self, fix: Fix) -> Self {
         self.fixes.push(fix);
         self
+    }
+
+    /// Moves its places along, when the text before them has changed.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.span = shift.span(self.span);
+        for edit in self.fixes.iter_mut().flat_map(|fix| &mut fix.edits) {
+            edit.span = shift.span(edit.span);
+        }
     }
 
     /// Whether the block cannot be carried out as it is written.

@@ -4,4 +4,5 @@ pub mod block;
 pub mod highlight;
 pub mod lexer;
 pub mod parser;
+pub mod shift;
 pub mod source;

@@ -576,6 +576,11 @@ impl Resume {
     pub fn inside(byte: u32, line: u32) -> Self {
         Self { byte, line, begun: false, after_semicolon: false, ended: false }
     }
+
+    /// Whether nothing of the line was read.
+    pub fn begins_line(&self) -> bool {
+        !self.after_semicolon
+    }
 }
 
 /// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between remarks,

@@ -25,12 +25,6 @@ impl Interpreter {
             self.tell_faults(block);
             block.is_broken()
         };
-        if self.recorded.is_none() && self.chunk.is_empty() {
-            self.chunk.begin_at(block.span.start, block.line, self.state.position);
-        } else if self.recorded.is_none() && self.chunk.len() >= CHUNK {
-            let next = Chunk::new(block.span.start, block.line, self.state.position);
-            self.motions.push(std::mem::replace(&mut self.chunk, next));
-        }
         if self.trace.is_some() {
             self.trace_block(block, here);
         }

@@ -19,6 +19,7 @@ mod reference;
 mod rotary;
 mod settings;
 mod singles;
+mod snapshot;
 mod system;
 mod take;
 mod trace;
@@ -49,9 +50,7 @@ use calls::Passage;
 use rotary::TURNS;
 
 pub use calls::Here;
-
-/// Motions of a chunk before the next one is begun.
-const CHUNK: usize = 4096;
+pub use snapshot::{Remainder, Snapshot};
 
 /// Words that move X or Z.
 const AXES: u32 = letters(b"XZUW");
@@ -164,6 +163,9 @@ pub struct Interpreter {
     /// Finished chunks.
     motions: Motions,
     chunk: Chunk,
+    /// A block before the chunk could not be carried out; `state.uncertain` tells of those since.
+    doubtful: bool,
+    /// In the order in which they were told.
     diagnostics: Vec<Diagnostic>,
     hidden: usize,
     full: bool,
@@ -207,6 +209,10 @@ impl Interpreter {
     /// A control at power-on.
     pub fn new(setup: Setup, limits: Limits) -> Self {
         let dialect = Dialect::new(&setup.dialect);
+        Self::of(setup, dialect, limits)
+    }
+
+    fn of(setup: Setup, dialect: Dialect, limits: Limits) -> Self {
         let state = State::new(&setup, &dialect);
         let chunk = Chunk::new(0, 0, state.position);
         Self {
@@ -216,6 +222,7 @@ impl Interpreter {
             state,
             motions: Motions::default(),
             chunk,
+            doubtful: false,
             diagnostics: Vec::new(),
             hidden: 0,
             full: false,
@@ -259,7 +266,7 @@ impl Interpreter {
         &self.motions
     }
 
-    /// Messages so far.
+    /// Messages so far, in the order in which they were told.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
@@ -284,17 +291,14 @@ impl Interpreter {
         self.settle();
     }
 
-    /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions, and puts the messages in
-    /// order of their place.
+    /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.
     pub fn close(&mut self) {
-        let next = Chunk::new(0, 0, self.state.position);
-        self.motions.push(std::mem::replace(&mut self.chunk, next));
-        self.diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
+        self.begin_chunk(Resume::default());
     }
 
-    /// Motions and messages.
-    pub fn into_parts(self) -> (Motions, Vec<Diagnostic>) {
-        (self.motions, self.diagnostics)
+    /// The motions.
+    pub fn into_motions(self) -> Motions {
+        self.motions
     }
 
     /// Tells something even when no more messages are kept.
@@ -308,7 +312,7 @@ impl Interpreter {
         if self.diagnostics.len() >= self.limits.messages && !diagnostic.message.ends_the_run() {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
-        } else if self.told.insert((diagnostic.span.start, diagnostic.message.slug())) {
+        } else if self.told.insert(snapshot::told_as(&diagnostic)) {
             self.diagnostics.push(diagnostic);
         }
     }

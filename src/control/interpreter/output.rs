@@ -82,7 +82,7 @@ impl Interpreter {
 
     /// Keeps a motion for good.
     #[inline]
-    pub(super) fn store(&mut self, routed: Routed) {
+    pub(super) fn store(&mut self, mut routed: Routed) {
         if self.kept() >= self.limits.motions {
             if !self.full {
                 self.full = true;
@@ -91,6 +91,8 @@ impl Interpreter {
             }
             return;
         }
+        // A block behind that of a motion that waited may have failed.
+        routed.motion.process.uncertain |= self.state.uncertain;
         self.chunk.push(&routed.motion, routed.span, routed.line);
     }
 }

@@ -217,12 +217,12 @@ impl Interpreter {
                 compensator: Compensator::start(side, nose, self.state.tip.take().unwrap_or(motion.from)),
                 waiting: Vec::new(),
                 dwells: Vec::new(),
-                taken: 0,
+                is_new: true,
                 idle_blocks: 0,
             },
             (None, _) => return self.emit(routed),
         };
-        compensating.taken = compensating.taken.saturating_add(1);
+        compensating.is_new &= compensating.waiting.is_empty();
         let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
         compensating.waiting.push((id, routed));
         compensating.idle_blocks = 0;
@@ -434,7 +434,7 @@ impl Interpreter {
     /// goes there uncompensated.
     pub(super) fn arrive_for_cycle(&mut self) {
         let only_approach =
-            |compensating: &Compensating| compensating.taken == 1 && compensating.waiting.len() == 1;
+            |compensating: &Compensating| compensating.is_new && compensating.waiting.len() == 1;
         if self.state.pending.is_none()
             && self.state.compensating.as_ref().is_some_and(only_approach)
             && let Some(compensating) = self.state.compensating.take()

@@ -1,0 +1,203 @@
+//! The control between two blocks, kept so that a change of the text needs only a part of the program to run again.
+//!
+//! In: the place of the next block. Out: a [`Snapshot`] to go back to, or to be met by another run. A snapshot is only
+//! made while nothing that was carried out has looked elsewhere in the text: no call, jump, loop or contour so far.
+
+use super::*;
+use crate::text::shift::Shift;
+
+/// The control between two blocks on the straight way through the text. What came before it depends on nothing behind.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    /// The block to come.
+    at: Resume,
+    state: State,
+    /// Chunks of motions before it.
+    chunks: usize,
+    /// Messages told before it.
+    told: usize,
+    /// Messages before it that were not kept.
+    hidden: usize,
+    work: usize,
+    /// A block since the snapshot before could not be carried out.
+    failed: bool,
+    /// A block before it could not be carried out.
+    doubtful: bool,
+}
+
+impl Snapshot {
+    /// The block to come.
+    pub fn at(&self) -> Resume {
+        self.at
+    }
+}
+
+/// What a run that has ended gave behind one of its snapshots.
+#[derive(Clone, Debug)]
+pub struct Remainder {
+    /// The snapshots behind which it begins, the first one included; in order.
+    snapshots: Vec<Snapshot>,
+    /// The motions behind the first.
+    motions: Motions,
+    /// The messages behind the first, in the order in which they were told.
+    diagnostics: Vec<Diagnostic>,
+    /// Messages of the whole run that were not kept.
+    hidden: usize,
+    /// The state at the end.
+    state: State,
+}
+
+impl Remainder {
+    /// Place of the snapshot `index`.
+    pub fn at(&self, index: usize) -> Option<Resume> {
+        self.snapshots.get(index).map(|snapshot| snapshot.at)
+    }
+
+    fn motions_behind(&self, there: &Snapshot) -> usize {
+        let chunks = there.chunks - self.snapshots[0].chunks;
+        let before = self.motions.before().get(chunks).copied();
+        before.map_or(0, |before| self.motions.len() - before)
+    }
+
+    fn told_behind(&self, there: &Snapshot) -> usize {
+        self.diagnostics.len() - (there.told - self.snapshots[0].told)
+    }
+}
+
+impl Interpreter {
+    /// Whether enough motions came together for a chunk.
+    #[inline]
+    pub fn has_full_chunk(&self) -> bool {
+        self.chunk.len() >= self.limits.stride
+    }
+
+    /// Begins a chunk at the block to come. One without motions begins there anew.
+    pub fn begin_chunk(&mut self, at: Resume) {
+        let mut next = Chunk::new(at.byte, at.line, self.state.position);
+        next.set_doubtful(self.doubtful);
+        self.motions.push(std::mem::replace(&mut self.chunk, next));
+    }
+
+    /// Whether everything so far was carried out on the straight way through the text, with an eye on nothing else.
+    pub fn is_straight(&self) -> bool {
+        let looked_elsewhere = self.labels.is_some() || !self.ends.is_empty() || self.wandered;
+        !looked_elsewhere && !self.full && self.trace.is_none()
+    }
+
+    /// Keeps the control as it is before the block to come, which begins a chunk.
+    pub fn snapshot(&mut self, at: Resume) -> Snapshot {
+        // From here on errors are counted anew, so that the state does not depend on those before.
+        let failed = std::mem::take(&mut self.state.uncertain);
+        self.doubtful |= failed;
+        self.begin_chunk(at);
+        Snapshot {
+            at,
+            state: self.state.clone(),
+            chunks: self.motions.chunks().len(),
+            told: self.diagnostics.len(),
+            hidden: self.hidden,
+            work: self.work,
+            failed,
+            doubtful: self.doubtful,
+        }
+    }
+
+    /// Goes back to a snapshot of the same run, as if nothing behind it had been carried out.
+    pub fn restore(&mut self, snapshot: &Snapshot) {
+        let Snapshot { at, state, chunks, told, hidden, work, failed: _, doubtful } = snapshot;
+        let mut motions = std::mem::take(&mut self.motions);
+        motions.split_off(*chunks);
+        let mut diagnostics = std::mem::take(&mut self.diagnostics);
+        diagnostics.truncate(*told);
+        let heads = std::mem::take(&mut self.heads);
+        *self = Self {
+            state: state.clone(),
+            motions,
+            hidden: *hidden,
+            work: *work,
+            doubtful: *doubtful,
+            furthest: at.byte,
+            heads: heads.into_iter().filter(|&head| head < at.byte).collect(),
+            told: diagnostics.iter().map(told_as).collect(),
+            diagnostics,
+            ..Self::of(std::mem::take(&mut self.setup), self.dialect.clone(), self.limits)
+        };
+        self.begin_chunk(*at);
+    }
+
+    /// Takes out what came behind the first of some snapshots of this run, which has ended.
+    pub fn take_remainder(&mut self, snapshots: Vec<Snapshot>) -> Option<Remainder> {
+        let first = snapshots.first()?;
+        Some(Remainder {
+            motions: self.motions.split_off(first.chunks),
+            diagnostics: self.diagnostics.split_off(first.told),
+            hidden: self.hidden,
+            state: self.state.clone(),
+            snapshots,
+        })
+    }
+
+    /// Whether this run goes on from here as another did from its snapshot `index`, once the places there are moved
+    /// along.
+    pub fn meets(&self, other: &Remainder, index: usize, shift: &Shift) -> bool {
+        let there = &other.snapshots[index];
+        let told = self.diagnostics.len();
+        let as_full = (told, self.hidden) == (there.told, there.hidden);
+        let has_room =
+            (self.hidden, other.hidden) == (0, 0) && told + other.told_behind(there) <= self.limits.messages;
+        let holds_all = self.kept() + other.motions_behind(there) <= self.limits.motions;
+        let waits_behind = there.state.first_waiting() >= shift.from;
+        if !self.is_straight()
+            || self.work != there.work
+            || !(as_full || has_room)
+            || !holds_all
+            || !waits_behind
+        {
+            return false;
+        }
+        let mut state = there.state.clone();
+        state.shift(shift);
+        // What was not carried out before does not count for what comes; see `take_over`.
+        state.uncertain = self.state.uncertain;
+        self.state.goes_on_like(&state)
+    }
+
+    /// Takes over what another run gave behind its snapshot `index`, which this run has just met. The snapshots of that
+    /// run behind it are those of this run from here on.
+    pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
+        let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
+        let first = snapshots[0].clone();
+        let mut later = snapshots.split_off(index);
+        let there = later.remove(0);
+        let motions = motions.split_off(there.chunks - first.chunks);
+        let mut diagnostics = diagnostics.split_off(there.told - first.told);
+        diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
+        let chunks = self.motions.chunks().len();
+        let told = self.diagnostics.len();
+        let mut doubtful = vec![self.doubtful; motions.chunks().len()];
+        for snapshot in &mut later {
+            self.doubtful |= snapshot.failed;
+            doubtful[snapshot.chunks - there.chunks..].fill(self.doubtful);
+            snapshot.at = shift.resume(snapshot.at);
+            snapshot.state.shift(shift);
+            snapshot.chunks = snapshot.chunks - there.chunks + chunks;
+            snapshot.told = snapshot.told - there.told + told;
+            snapshot.hidden = snapshot.hidden - there.hidden + self.hidden;
+            snapshot.doubtful = self.doubtful;
+        }
+        self.motions.append(motions, |index, chunk| {
+            chunk.shift(shift);
+            chunk.set_doubtful(doubtful[index]);
+        });
+        self.diagnostics.append(&mut diagnostics);
+        self.hidden = hidden;
+        state.shift(shift);
+        self.state = state;
+        later
+    }
+}
+
+/// How a message is told from others.
+pub(super) fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
+    (diagnostic.span.start, diagnostic.message.slug())
+}

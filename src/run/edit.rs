@@ -1,0 +1,204 @@
+//! A change of the text: only what it can have changed is run again.
+//!
+//! In: which bytes are replaced, by what. The run goes back to the last snapshot before the change. Where it meets a
+//! snapshot of the run before the change, with nothing different but the places, it takes over the rest of that.
+
+use std::collections::BTreeMap;
+
+use super::{Run, TextEdit};
+use crate::control::interpreter::{Remainder, Snapshot};
+use crate::control::origin;
+use crate::text::parser::Resume;
+use crate::text::shift::Shift;
+
+/// Most blocks from one snapshot to the next, for each motion that there may be.
+const BLOCKS_PER_MOTION: usize = 4;
+
+/// What a run has counted so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    /// Blocks read.
+    pub blocks: usize,
+    /// First byte of each O program met, by number.
+    pub programs: BTreeMap<u32, u32>,
+}
+
+/// A snapshot on the way through the text.
+#[derive(Clone, Debug)]
+pub(super) struct Mark {
+    snapshot: Snapshot,
+    tally: Tally,
+}
+
+impl Mark {
+    fn byte(&self) -> u32 {
+        self.snapshot.at().byte
+    }
+}
+
+/// What a run gave before its text was changed, from the first snapshot behind the change on.
+#[derive(Clone, Debug)]
+pub(super) struct Before {
+    remainder: Remainder,
+    /// At each of its snapshots.
+    tallies: Vec<Tally>,
+    /// At its end.
+    last: Tally,
+    /// The snapshot to be met next.
+    next: usize,
+    /// What has become of the old places behind the change; its lines are not known before the two runs meet.
+    shift: Shift,
+}
+
+impl Before {
+    /// Takes in a further change, of the text as it is now.
+    fn edit(mut self, start: u32, end: u32, bytes: i64) -> Self {
+        let behind = i64::from(self.shift.from) + self.shift.bytes;
+        debug_assert!(start <= end);
+        self.shift.from += (i64::from(end) - behind).max(0) as u32;
+        self.shift.bytes += bytes;
+        self.next = 0;
+        self
+    }
+
+    /// The byte of the text as it is now where the runs may meet next.
+    fn meeting(&mut self) -> Option<u32> {
+        let at = |index| self.remainder.at(index).map(|at| at.byte);
+        while at(self.next).is_some_and(|byte| !self.shift.moves(byte)) {
+            self.next += 1;
+        }
+        at(self.next).map(|byte| self.shift.byte(byte))
+    }
+}
+
+impl Run {
+    /// Begins a run of the changed text. Bytes outside of the text are not counted.
+    pub fn edit(&mut self, edit: TextEdit) {
+        let end = edit.end.min(self.text.len());
+        let start = edit.start.min(end);
+        let bytes = edit.insert.len() as i64 - (end - start) as i64;
+        let before = self.before_edit(start as u32, end as u32, bytes);
+        let keep = self.marks.partition_point(|mark| (mark.byte() as usize) < start);
+        self.marks.truncate(keep);
+        let mut text = std::mem::take(&mut self.text);
+        text.splice(start..end, edit.insert);
+        let same_origin =
+            start >= origin::HEAD || self.origin == super::Origin::of(&text, &self.setup().dialect);
+        let same_way = same_origin && text.len() <= self.interpreter.limits().text;
+        match self.marks.last().filter(|_| same_way) {
+            Some(mark) => {
+                self.text = text;
+                self.interpreter.restore(&mark.snapshot);
+                (self.at, self.tally) = (mark.snapshot.at(), mark.tally.clone());
+                (self.begun, self.ended, self.finished) = (true, false, false);
+                self.due = self.next_due();
+            }
+            None => *self = Self::within(text, self.setup().clone(), self.interpreter.limits()),
+        }
+        self.before = before.filter(|_| same_way);
+        self.look_out();
+    }
+
+    /// What this run, or the one before it, gave behind a change that is about to be made.
+    fn before_edit(&mut self, start: u32, end: u32, bytes: i64) -> Option<Before> {
+        if let Some(before) = self.before.take() {
+            return Some(before.edit(start, end, bytes));
+        }
+        if !self.finished || self.stopped || !self.interpreter.is_straight() {
+            return None;
+        }
+        let behind = self.marks.partition_point(|mark| mark.byte() < end);
+        let marks = self.marks.split_off(behind).into_iter();
+        let (snapshots, tallies) = marks.map(|mark| (mark.snapshot, mark.tally)).unzip();
+        Some(Before {
+            remainder: self.interpreter.take_remainder(snapshots)?,
+            tallies,
+            last: std::mem::take(&mut self.tally),
+            next: 0,
+            shift: Shift { from: end, bytes, lines: 0 },
+        })
+    }
+
+    /// Whether a snapshot is due before the next block, or the run before the edit may be met there.
+    #[inline]
+    pub(super) fn is_due(&self, at: Resume) -> bool {
+        self.interpreter.has_full_chunk() || self.tally.blocks >= self.due || at.byte >= self.meeting
+    }
+
+    /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
+    #[cold]
+    pub(super) fn pause(&mut self, text: &[u8], at: Resume) -> bool {
+        self.due = self.next_due();
+        if self.ended || !self.interpreter.is_straight() {
+            self.before = None;
+        }
+        let may_pause = self.begun && !self.ended && at.begins_line() && self.interpreter.is_straight();
+        let joined = may_pause && {
+            let snapshot = self.interpreter.snapshot(at);
+            self.marks.push(Mark { snapshot, tally: self.tally.clone() });
+            // The end of the text is told at the last sign before it.
+            !text[at.byte as usize..].trim_ascii_start().is_empty() && self.join_at(at)
+        };
+        if !may_pause && self.interpreter.has_full_chunk() {
+            self.interpreter.begin_chunk(at);
+        }
+        if let Some(before) = &mut self.before {
+            let passed = |index| {
+                before.remainder.at(index).is_some_and(|there| before.shift.byte(there.byte) <= at.byte)
+            };
+            while passed(before.next) {
+                before.next += 1;
+            }
+        }
+        self.look_out();
+        joined
+    }
+
+    fn next_due(&self) -> usize {
+        self.tally.blocks + BLOCKS_PER_MOTION * self.interpreter.limits().stride
+    }
+
+    /// Finds out where the run before the edit may be met next.
+    fn look_out(&mut self) {
+        let next = self.before.as_mut().and_then(Before::meeting);
+        if next.is_none() {
+            self.before = None;
+        }
+        self.meeting = next.unwrap_or(u32::MAX);
+    }
+
+    /// Takes over the rest of the run before the edit, if that went on from here as this one does.
+    fn join_at(&mut self, at: Resume) -> bool {
+        let Some((before, there)) = self.before.as_mut().and_then(|before| {
+            before.meeting()?;
+            let there = before.remainder.at(before.next)?;
+            Some((before, there))
+        }) else {
+            return false;
+        };
+        let index = before.next;
+        before.shift.lines = i64::from(at.line) - i64::from(there.line);
+        let shift = before.shift;
+        let met = before.tallies[index].clone();
+        if shift.resume(there) != at
+            || !met.programs.keys().eq(self.tally.programs.keys())
+            || !self.interpreter.meets(&before.remainder, index, &shift)
+        {
+            return false;
+        }
+        let Some(Before { remainder, tallies, last, .. }) = self.before.take() else { return false };
+        let moved = |tally: Tally, own: &Tally| Tally {
+            blocks: tally.blocks - met.blocks + own.blocks,
+            programs: tally
+                .programs
+                .into_iter()
+                .map(|(number, start)| (number, *own.programs.get(&number).unwrap_or(&shift.byte(start))))
+                .collect(),
+        };
+        let later = self.interpreter.take_over(remainder, index, &shift);
+        let tallies = tallies.into_iter().skip(index + 1).map(|tally| moved(tally, &self.tally));
+        self.marks.extend(later.into_iter().zip(tallies).map(|(snapshot, tally)| Mark { snapshot, tally }));
+        self.tally = moved(last, &self.tally);
+        true
+    }
+}

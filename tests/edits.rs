@@ -1,0 +1,236 @@
+//! After a change of the text only a part of the program runs again; motions and messages are those of a whole run.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[allow(dead_code, reason = "one of its programs is enough here")]
+#[path = "../benches/workload.rs"]
+mod workload;
+
+use std::fs;
+
+use gcode_playground::control::setup::Setup;
+use gcode_playground::limits::Limits;
+use gcode_playground::run::{Run, TextEdit};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// Everything that a run gives, down to the sign of a zero.
+fn outcome(run: &Run) -> Vec<String> {
+    let motions = run.motions();
+    let rows = (0..motions.len())
+        .map(|at| format!("{} {:?} {:?}", motions.line(at), motions.span(at), motions.get(at)));
+    let messages = run.diagnostics().iter().map(|found| format!("{found:?}"));
+    rows.chain(messages).chain([format!("{} blocks, {:?}", run.blocks(), run.code_list())]).collect()
+}
+
+fn finish(run: &mut Run) {
+    while !run.advance(1_000) {}
+}
+
+/// Checks that a changed run gives what a new one gives.
+#[track_caller]
+fn check(changed: &Run, setup: &Setup, limits: Limits) {
+    let mut whole = Run::within(changed.text().to_vec(), setup.clone(), limits);
+    finish(&mut whole);
+    let (own, wanted) = (outcome(changed), outcome(&whole));
+    if own != wanted {
+        let first = own.iter().zip(&wanted).position(|(a, b)| a != b).unwrap_or(own.len().min(wanted.len()));
+        let text = String::from_utf8_lossy(changed.text());
+        panic!("{:?}\nis not\n{:?}\nin\n{text}", own.get(first), wanted.get(first));
+    }
+}
+
+/// Something that people do to a text.
+#[derive(Clone, Debug)]
+enum Change {
+    /// Types some text.
+    Type(usize, String),
+    /// Takes out so many bytes.
+    Delete(usize, usize),
+    /// Takes out so many lines.
+    DeleteLines(usize, usize),
+    /// Puts a copy of so many lines before another.
+    CopyLines(usize, usize, usize),
+    /// Puts another digit in place of the next one.
+    Digit(usize, u8),
+    /// Takes back the last change.
+    Undo,
+    /// Puts all the text in place of itself.
+    All,
+}
+
+fn change() -> impl Strategy<Value = Change> {
+    let typed = prop_oneof![
+        4 => "[0-9]",
+        2 => "[A-Z./\\- ]",
+        2 => "(G1 X[1-9]0\\. Z-[1-9]\\.5|G0|G2 U2 W-1 R5|F0\\.[1-9]|S[1-9]00|X[1-9]|N10|M3|T0101|G4 P100|,R1|,C2|A30)\n?",
+        1 => "(\n|\r\n|\r|;|\\(|\\)|%|O2\n|M30\n|/|#1=2\n|G41 |G42 |G40 |G90 |M99\n|M98 P2\n|外)",
+    ];
+    let at = || any::<prop::sample::Index>().prop_map(|at| at.index(1 << 24));
+    prop_oneof![
+        8 => (at(), typed).prop_map(|(at, text)| Change::Type(at, text)),
+        4 => (at(), 1usize..6).prop_map(|(at, bytes)| Change::Delete(at, bytes)),
+        2 => (at(), 1usize..20).prop_map(|(at, lines)| Change::DeleteLines(at, lines)),
+        2 => (at(), at(), 1usize..20).prop_map(|(from, to, lines)| Change::CopyLines(from, to, lines)),
+        6 => (at(), b'0'..=b'9').prop_map(|(at, digit)| Change::Digit(at, digit)),
+        2 => Just(Change::Undo),
+        1 => Just(Change::All),
+    ]
+}
+
+impl Change {
+    fn edit(&self, text: &[u8], undo: Option<TextEdit>) -> TextEdit {
+        let at = |place: usize| place % (text.len() + 1);
+        let line_start =
+            |at: usize| text[..at].iter().rposition(|&byte| byte == b'\n').map_or(0, |found| found + 1);
+        let lines_end = |at: usize, lines: usize| {
+            let mut ends = text[at..].iter().enumerate().filter(|(_, byte)| **byte == b'\n');
+            ends.nth(lines - 1).map_or(text.len(), |(found, _)| at + found + 1)
+        };
+        match self {
+            Self::Type(place, typed) => {
+                TextEdit { start: at(*place), end: at(*place), insert: typed.clone().into_bytes() }
+            }
+            Self::Delete(place, bytes) => {
+                TextEdit { start: at(*place), end: (at(*place) + bytes).min(text.len()), insert: vec![] }
+            }
+            Self::DeleteLines(place, lines) => {
+                let start = line_start(at(*place));
+                TextEdit { start, end: lines_end(start, *lines), insert: vec![] }
+            }
+            Self::CopyLines(from, to, lines) => {
+                let (from, to) = (line_start(at(*from)), line_start(at(*to)));
+                TextEdit { start: to, end: to, insert: text[from..lines_end(from, *lines)].to_vec() }
+            }
+            Self::Digit(place, digit) => {
+                let start = at(*place);
+                let found = text[start..].iter().position(u8::is_ascii_digit);
+                let start = found.map_or(text.len(), |found| start + found);
+                TextEdit { start, end: (start + 1).min(text.len()), insert: vec![*digit] }
+            }
+            Self::Undo => undo.unwrap_or(TextEdit { start: 0, end: 0, insert: vec![] }),
+            Self::All => TextEdit { start: 0, end: text.len(), insert: text.to_vec() },
+        }
+    }
+}
+
+/// Makes changes one after the other; with `patience` the run goes on for so many blocks only before the next.
+fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: &[(Change, Option<usize>)]) {
+    let limits = Limits { stride, messages: 40, motions: 20_000, ..Limits::default() };
+    let mut run = Run::within(text, setup.clone(), limits);
+    finish(&mut run);
+    let mut undo = None;
+    for (change, patience) in changes {
+        let edit = change.edit(run.text(), undo.take());
+        let (start, end) = (edit.start, edit.start + edit.insert.len());
+        undo = Some(TextEdit { start, end, insert: run.text()[start..edit.end].to_vec() });
+        run.edit(edit);
+        match patience {
+            Some(blocks) => {
+                run.advance(*blocks);
+            }
+            None => {
+                finish(&mut run);
+                check(&run, setup, limits);
+            }
+        }
+    }
+    finish(&mut run);
+    check(&run, setup, limits);
+}
+
+/// All programs of the gallery and of the tests, with their setups.
+fn programs() -> Vec<(String, Setup)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir("tests/programs").expect("programs") {
+        let folder = entry.expect("an entry").path();
+        let Ok(text) = fs::read_to_string(folder.join("program.nc")) else { continue };
+        let setup = fs::read_to_string(folder.join("setup.json")).unwrap_or_else(|_| "{}".into());
+        found.push((text, Setup::from_json(&setup).expect("setup")));
+    }
+    found.sort_by(|a, b| a.0.cmp(&b.0));
+    assert!(found.len() > 40);
+    found
+}
+
+/// A program of many short blocks of all kinds that do not look elsewhere in the text.
+fn generated(seed: u32) -> String {
+    let mut number = seed;
+    let mut next = |below: u32| {
+        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (number >> 8) % below
+    };
+    let mut text = String::from("%\nO7 (MANY KINDS)\nG21 G40 G99\nT0101\nM3 S500\nG0 X60. Z5.\nG1 Z0 F0.2\n");
+    for _ in 0..120 {
+        text += &match next(16) {
+            0 => format!("G0 X{}. Z{}.\n", 20 + next(60), next(9)),
+            1 => format!("G1 X{}.5 F0.{}\n", 20 + next(60), 1 + next(9)),
+            2..6 => format!("Z-{}.{}\n", next(60), next(99)),
+            6 => format!("G2 U2. W-1. R{}.\n", 2 + next(9)),
+            7 => format!("G1 Z-{}. ,R0.{}\n", next(60), 1 + next(9)),
+            8 => format!("(REMARK {})\n", next(99)),
+            9 => format!("G90 X{}. Z-{}.\n", 20 + next(30), next(60)),
+            10 => format!("G{} G1 X{}. Z-{}.\n", 40 + next(3), 20 + next(40), next(60)),
+            11 => format!("G4 P{}\n", 100 * next(9)),
+            12 => format!("G96 S{} ; M8\n", 100 + next(99)),
+            13 => format!("#{}={}\nG1 U-0.5 W-0.[#1]\n", 1 + next(3), next(9)),
+            14 => format!("X{}.Z\n", next(99)),
+            _ => format!("N{} G1 U0.{} W-0.{}\n", next(999), next(9), next(9)),
+        };
+    }
+    text + "G0 X100. Z50.\nM30\n%\n"
+}
+
+fn changes(most: usize) -> impl Strategy<Value = Vec<(Change, Option<usize>)>> {
+    let patience = prop_oneof![3 => Just(None), 1 => (0usize..60).prop_map(Some)];
+    prop::collection::vec((change(), patience), 1..most)
+}
+
+proptest! {
+    // The same cases on every machine: this many are a matter of seconds, and more can be asked for.
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(5), max_shrink_iters: 2_000, failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn changed_programs_of_the_gallery(which in any::<prop::sample::Index>(), changes in changes(30), stride in 1usize..30) {
+        let all = programs();
+        let (text, setup) = &all[which.index(all.len())];
+        change_again_and_again(text.clone().into_bytes(), setup, stride, &changes);
+    }
+
+    #[test]
+    fn changed_programs_of_all_kinds_of_blocks(seed in any::<u32>(), changes in changes(30), stride in 1usize..50) {
+        let setup = Setup::from_json(r#"{"tools": {"T0101": {"noseRadius": 0.4, "tip": 3}}}"#).expect("setup");
+        change_again_and_again(generated(seed).into_bytes(), &setup, stride, &changes);
+    }
+
+    #[test]
+    fn changed_plain_programs(lines in 50usize..600, changes in changes(20), stride in 1usize..300) {
+        change_again_and_again(workload::plain(lines).into_bytes(), &Setup::default(), stride, &changes);
+    }
+}
+
+/// A keystroke in a long program runs two stretches of it at most, wherever it is, and even if it makes an error.
+#[test]
+fn a_change_costs_no_more_than_its_surroundings() {
+    let limits = Limits { stride: 512, ..Limits::default() };
+    let mut run = Run::within(workload::plain(60_000).into_bytes(), Setup::default(), limits);
+    finish(&mut run);
+    for place in 1..20 {
+        let line = place * 3_000;
+        let at =
+            run.text().iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(line).expect("a line").0;
+        for typed in ["G1 X77. Z-300.5\n", "Y", "X"] {
+            let edit = TextEdit { start: at + 1, end: at + 1, insert: typed.into() };
+            run.edit(edit);
+            assert!(run.advance(1_400), "{typed:?} in line {line}");
+            if place % 6 == 0 {
+                check(&run, &Setup::default(), limits);
+            }
+            run.edit(TextEdit { start: at + 1, end: at + 1 + typed.len(), insert: Vec::new() });
+            assert!(run.advance(1_400), "{typed:?} out of line {line}");
+        }
+    }
+    check(&run, &Setup::default(), limits);
+}
