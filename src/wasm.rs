@@ -446,6 +446,9 @@ impl Playground {
         }
         self.measured = true;
         self.outline.update(self.run.motions());
+        if self.run.is_finished() {
+            self.outline.settle();
+        }
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         self.view.follow(&scene);
         self.light_up();

@@ -23,6 +23,8 @@ const COLOUR_LIMIT = 200_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
+const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom']);
+
 interface Run {
   readonly startedAt: number;
   lastProgressAt: number;
@@ -118,7 +120,8 @@ function receive(message: Command | Question): void {
       core.zoom(message.factor, message.x, message.y);
       break;
   }
-  wantDraw();
+  // Of a run under way there is only a part to draw: what was there stays until it has ended, or the reader moves it.
+  if (run === undefined || MOVES.has(message.kind)) wantDraw();
 }
 
 function answer(playground: Playground, question: Question): Questions[QuestionKind]['answer'] {
