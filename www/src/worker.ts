@@ -222,7 +222,7 @@ function wantRun(): void {
 
 function stop(playground: Playground): void {
   if (run === undefined) return;
-  playground.stop((performance.now() - run.startedAt) / 1000);
+  playground.stop(Math.round((performance.now() - run.startedAt) / 100) / 10);
   end(playground);
 }
 
