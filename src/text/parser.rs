@@ -73,7 +73,20 @@ impl<'a> Parser<'a> {
         block.line = self.line;
         let end = self.read(block);
         block.span = Span::new(start, end);
-        let doubtful = block.is_broken() || (block.words.is_empty() && !block.faults.is_empty());
+        if !block.faults.is_empty() {
+            self.judge(block, behind_semicolon);
+        }
+        if block.kind == BlockKind::Percent && self.begun {
+            self.ended = true;
+        }
+        self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
+        true
+    }
+
+    /// Looks again at a block with faults: whether it was meant as one at all.
+    #[cold]
+    fn judge(&mut self, block: &mut Block, behind_semicolon: bool) {
+        let doubtful = block.is_broken() || block.words.is_empty();
         if behind_semicolon && doubtful && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
         }
@@ -89,11 +102,6 @@ impl<'a> Parser<'a> {
             block.fault(Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
-        if block.kind == BlockKind::Percent && self.begun {
-            self.ended = true;
-        }
-        self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
-        true
     }
 
     /// Reads up to and including the end of the block; returns where its text ends.
@@ -119,55 +127,64 @@ impl<'a> Parser<'a> {
                 }
                 _ => {}
             }
-            let Some(token) = self.lexer.next_token() else { return self.lexer.position() };
-            match token.kind {
-                TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
-                TokenKind::Blank => {}
-                TokenKind::LineEnd => {
-                    self.line += 1;
-                    self.after_semicolon = false;
-                    return token.span.start as usize;
-                }
-                TokenKind::Semicolon => {
-                    self.after_semicolon = true;
-                    return token.span.start as usize;
-                }
-                TokenKind::Comment => block.comment(token.span),
-                TokenKind::NestedComment => {
-                    block.comment(token.span);
-                    block.fault(Diagnostic::new(Message::CommentNested, token.span));
-                }
-                TokenKind::OpenComment => {
-                    block.comment(token.span);
-                    let end = Span { start: token.span.end, end: token.span.end };
-                    let fix = Fix::replace(Message::CommentOpen, end, ")");
-                    let opening = Span { start: token.span.start, end: token.span.start + 1 };
-                    block.fault(Diagnostic::new(Message::CommentOpen, opening).with(fix));
-                }
-                TokenKind::Percent => self.percent(block, token.span),
-                TokenKind::Slash => self.slash(block),
-                TokenKind::Colon => self.letter(block, b'O', token.span, None),
-                TokenKind::Comma => self.comma(block, token.span),
-                TokenKind::Macro(b'[') if block.words.is_empty() && self.letter_follows() => {
-                    // `[BILLET X62 Z70`: how class simulators write the stock; no control reads it.
-                    self.skip_line();
-                    block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
-                }
-                TokenKind::Macro(b'#') => self.macro_statement(block, token.span),
-                TokenKind::Number(number) => self.lone_number(block, number, token.span),
-                TokenKind::Macro(_)
-                | TokenKind::Plus
-                | TokenKind::Minus
-                | TokenKind::PrintedMinus
-                | TokenKind::Unknown => {
-                    let quote = short_quote(self.lexer.text(), token.span);
-                    let harmless = decorates(token.span.of(self.lexer.text()));
-                    let severity = if harmless { Severity::Warning } else { Severity::Error };
-                    let message = Message::NotUnderstood { text: quote };
-                    block.fault(Diagnostic::new(message, token.span).graded(severity));
-                }
+            if let Some(end) = self.token(block) {
+                return end;
             }
         }
+    }
+
+    /// Reads one token, and whatever belongs to it; where the block's text ends, if that is its end.
+    #[inline(never)]
+    fn token(&mut self, block: &mut Block) -> Option<usize> {
+        let Some(token) = self.lexer.next_token() else { return Some(self.lexer.position()) };
+        match token.kind {
+            TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
+            TokenKind::Blank => {}
+            TokenKind::LineEnd => {
+                self.line += 1;
+                self.after_semicolon = false;
+                return Some(token.span.start as usize);
+            }
+            TokenKind::Semicolon => {
+                self.after_semicolon = true;
+                return Some(token.span.start as usize);
+            }
+            TokenKind::Comment => block.comment(token.span),
+            TokenKind::NestedComment => {
+                block.comment(token.span);
+                block.fault(Diagnostic::new(Message::CommentNested, token.span));
+            }
+            TokenKind::OpenComment => {
+                block.comment(token.span);
+                let end = Span { start: token.span.end, end: token.span.end };
+                let fix = Fix::replace(Message::CommentOpen, end, ")");
+                let opening = Span { start: token.span.start, end: token.span.start + 1 };
+                block.fault(Diagnostic::new(Message::CommentOpen, opening).with(fix));
+            }
+            TokenKind::Percent => self.percent(block, token.span),
+            TokenKind::Slash => self.slash(block),
+            TokenKind::Colon => self.letter(block, b'O', token.span, None),
+            TokenKind::Comma => self.comma(block, token.span),
+            TokenKind::Macro(b'[') if block.words.is_empty() && self.letter_follows() => {
+                // `[BILLET X62 Z70`: how class simulators write the stock; no control reads it.
+                self.skip_line();
+                block.comment(Span { start: token.span.start, end: self.lexer.position() as u32 });
+            }
+            TokenKind::Macro(b'#') => self.macro_statement(block, token.span),
+            TokenKind::Number(number) => self.lone_number(block, number, token.span),
+            TokenKind::Macro(_)
+            | TokenKind::Plus
+            | TokenKind::Minus
+            | TokenKind::PrintedMinus
+            | TokenKind::Unknown => {
+                let quote = short_quote(self.lexer.text(), token.span);
+                let harmless = decorates(token.span.of(self.lexer.text()));
+                let severity = if harmless { Severity::Warning } else { Severity::Error };
+                let message = Message::NotUnderstood { text: quote };
+                block.fault(Diagnostic::new(message, token.span).graded(severity));
+            }
+        }
+        None
     }
 
     /// Reads the word of a letter just taken.

@@ -98,6 +98,7 @@ impl Interpreter {
     }
 
     /// M02, M30.
+    #[inline(never)]
     pub(super) fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
         let end = block.words.iter().find(|word| word.address == b'M');
@@ -120,45 +121,7 @@ impl Interpreter {
             return;
         }
         if let Some(one_shot) = request.one_shot {
-            if one_shot != OneShot::Dwell {
-                self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
-            }
-            if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) =
-                (one_shot, words.get(b'T'))
-            {
-                let message = Message::ToolWithSetting { word: quote(text, word.span) };
-                // Old controls take T with G50; it was usual there.
-                let taken = one_shot == OneShot::Setting && !self.dialect.strict;
-                let severity = if taken { Severity::Warning } else { Severity::Error };
-                self.tell(Diagnostic::new(message, word.span).graded(severity));
-                if !taken {
-                    request.drop = true;
-                    return;
-                }
-            }
-            if !self.may_stand_with_hole(text, block, one_shot) {
-                request.drop = true;
-                return;
-            }
-            match one_shot {
-                OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
-                OneShot::Multiple(_) => self.arrive_for_cycle(),
-                _ => self.leave_compensation(),
-            }
-            match one_shot {
-                OneShot::Dwell => self.dwell(text, block, words, request),
-                OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
-                OneShot::CheckHome => self.check_home(text, block, request, words),
-                OneShot::FromHome => self.leave_home(text, block, request, words),
-                OneShot::Machine => self.machine_move(block, request, words),
-                OneShot::Data => self.write_data(text, request, words),
-                OneShot::Setting => self.setting(words),
-                OneShot::LocalFrame => self.local_frame(words),
-                OneShot::Polar(switch) => self.polar(text, block, request, switch),
-                OneShot::Cylinder => self.cylinder(text, block, request, words),
-                OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
-                OneShot::NotSupported => self.state.uncertain = true,
-            }
+            self.one_shot(text, block, request, words, one_shot);
             return;
         }
         if self.state.hole.is_some() {
@@ -205,6 +168,55 @@ impl Interpreter {
             }
             MotionMode::Cycle(cycle) => self.cycle(text, block, request, words, cycle),
             _ => {}
+        }
+    }
+
+    /// A code that uses up the words of its block.
+    #[inline(never)]
+    fn one_shot(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &mut Request,
+        words: &Words,
+        one_shot: OneShot,
+    ) {
+        if one_shot != OneShot::Dwell {
+            self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
+        }
+        if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
+            let message = Message::ToolWithSetting { word: quote(text, word.span) };
+            // Old controls take T with G50; it was usual there.
+            let taken = one_shot == OneShot::Setting && !self.dialect.strict;
+            let severity = if taken { Severity::Warning } else { Severity::Error };
+            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            if !taken {
+                request.drop = true;
+                return;
+            }
+        }
+        if !self.may_stand_with_hole(text, block, one_shot) {
+            request.drop = true;
+            return;
+        }
+        match one_shot {
+            OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
+            OneShot::Multiple(_) => self.arrive_for_cycle(),
+            _ => self.leave_compensation(),
+        }
+        match one_shot {
+            OneShot::Dwell => self.dwell(text, block, words, request),
+            OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
+            OneShot::CheckHome => self.check_home(text, block, request, words),
+            OneShot::FromHome => self.leave_home(text, block, request, words),
+            OneShot::Machine => self.machine_move(block, request, words),
+            OneShot::Data => self.write_data(text, request, words),
+            OneShot::Setting => self.setting(words),
+            OneShot::LocalFrame => self.local_frame(words),
+            OneShot::Polar(switch) => self.polar(text, block, request, switch),
+            OneShot::Cylinder => self.cylinder(text, block, request, words),
+            OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
+            OneShot::NotSupported => self.state.uncertain = true,
         }
     }
 

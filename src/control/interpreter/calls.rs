@@ -56,6 +56,7 @@ impl Interpreter {
     }
 
     /// M97, M98, M99.
+    #[inline(never)]
     pub(super) fn pass(
         &mut self,
         text: &[u8],

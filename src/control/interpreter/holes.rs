@@ -17,6 +17,7 @@ const MOST_REPEATS: f64 = 9_999.0;
 
 impl Interpreter {
     /// A hole cycle comes into force, or is spelled once more.
+    #[inline(never)]
     pub(super) fn enter_hole(&mut self, kind: Hole, span: Span) {
         if matches!(kind, Hole::G81 | Hole::G82 | Hole::G86) && self.dialect.g_system == GSystem::A {
             let code = kind.code();
@@ -34,6 +35,7 @@ impl Interpreter {
     }
 
     /// Whether a one-shot code may stand while a hole cycle is in force (PS0044, PS0327). False: told.
+    #[inline(never)]
     pub(super) fn may_stand_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
         let alarm = match one_shot {
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::FromHome => "PS0044",
@@ -59,6 +61,7 @@ impl Interpreter {
     }
 
     /// A block while a hole cycle is in force.
+    #[inline(never)]
     pub(super) fn hole(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(mut memory) = self.state.hole else { return };
         let (kind, reading) = (memory.kind, self.reading());

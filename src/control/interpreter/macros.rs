@@ -328,6 +328,7 @@ impl Interpreter {
     }
 
     /// G65: a call with arguments. G66: the same behind every block with a move, until G67.
+    #[inline(never)]
     pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, code: &'static str) -> Flow {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
@@ -367,6 +368,7 @@ impl Interpreter {
     }
 
     /// Calls the macro of G66 behind a block that moved.
+    #[inline(never)]
     pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
         let modal = self.state.course.modal.clone()?;
         // Its own moves do not call it again.

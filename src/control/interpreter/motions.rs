@@ -56,6 +56,7 @@ impl Interpreter {
     }
 
     /// Y and V: told once. The motion of X and Z is drawn all the same.
+    #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
         for address in [b'Y', b'V'] {
             if words.get(address).is_some() {
@@ -305,6 +306,7 @@ impl Interpreter {
     }
 
     /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (semantics §3.5).
+    #[inline(never)]
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let code = match self.state.motion {
             MotionMode::VariableThread => "G34",

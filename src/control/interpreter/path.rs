@@ -19,6 +19,7 @@ const IDLE_BLOCKS: u32 = 2;
 
 impl Interpreter {
     /// A move of the programmed path.
+    #[inline(never)]
     pub(super) fn travel(&mut self, block: &Block, motion: Motion, joint: Option<Joint>) {
         let mut routed = self.routed(block, motion);
         let still = motion.from.is_same(motion.to) && motion.center.is_none();
@@ -74,6 +75,7 @@ impl Interpreter {
     }
 
     /// A move known by its angle alone, until the next block gives its end.
+    #[inline(never)]
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
         let mut routed = self.routed(block, motion);
@@ -90,6 +92,7 @@ impl Interpreter {
     }
 
     /// Closes an open angle with the end point and angle of the next block. False: told.
+    #[inline(never)]
     pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let Some(pending) = &mut self.state.pending else { return true };
         let Some(open) = &pending.angle else { return true };
@@ -314,6 +317,7 @@ impl Interpreter {
     }
 
     /// Makes what waits for a next move that will not come: end of program, a cycle, a new frame.
+    #[inline(never)]
     pub(super) fn settle(&mut self) {
         if let Some(pending) = self.state.pending.take() {
             match (&pending.joint, &pending.angle) {

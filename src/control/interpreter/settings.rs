@@ -36,6 +36,7 @@ impl Interpreter {
         }
     }
 
+    #[inline(never)]
     pub(super) fn surface_speed(&mut self, surface: bool, words: &Words) {
         let radius = self.state.position.x;
         let spindle = &mut self.state.spindle;
@@ -51,6 +52,7 @@ impl Interpreter {
     }
 
     /// The T word: station and offset (semantics §8.2).
+    #[inline(never)]
     pub(super) fn tool(&mut self, text: &[u8], word: &Word) {
         let Value::Number { number, .. } = word.value else { return };
         let value = number.mantissa;

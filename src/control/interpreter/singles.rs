@@ -5,6 +5,7 @@ use crate::control::compensation::{Axis, cycle_shift};
 
 impl Interpreter {
     /// G90, G92, G94 (semantics §6).
+    #[inline(never)]
     pub(super) fn cycle(
         &mut self,
         text: &[u8],

@@ -134,6 +134,7 @@ impl Interpreter {
     }
 
     /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
+    #[inline(never)]
     pub(super) fn unknown_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
         let quoted = quote(text, word.span);
         // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
@@ -152,6 +153,7 @@ impl Interpreter {
     }
 
     /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
+    #[inline(never)]
     pub(super) fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
         if let Some(before) = request.motion_word.replace(span)
             && quote(text, before) != quote(text, span)
@@ -161,6 +163,7 @@ impl Interpreter {
         }
     }
 
+    #[inline(never)]
     pub(super) fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
