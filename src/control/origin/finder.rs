@@ -124,6 +124,7 @@ impl Finder {
         }
     }
 
+    #[inline(never)]
     fn mill(&mut self, statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
         let xy = statement.has_all(b"XY");
         if let Some(word) = statement.word(b'Y').filter(|word| !is_zero(word)) {
@@ -161,6 +162,7 @@ impl Finder {
 }
 
 /// Heads and other lines told by their first bytes.
+#[inline(never)]
 fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let line = statement.span.of(text);
     match line {
@@ -176,6 +178,7 @@ fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
     }
 }
 
+#[inline(never)]
 fn names(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let names = statement.names();
     for (at, name) in names.iter().enumerate() {
@@ -238,6 +241,7 @@ fn numbered_name(written: &[u8], name: &Name, statement: &Statement, found: &mut
 }
 
 /// `R1=`, `X=R1`, `T="…"`, `P1=K20`, `V1=` and `L X+10`.
+#[inline(never)]
 fn assignments(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let words = statement.words();
     for (at, word) in words.iter().enumerate() {
@@ -259,6 +263,7 @@ fn assignments(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, 
     }
 }
 
+#[inline(never)]
 fn remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let Some(span) = statement.remark else { return };
     let written = span.of(text);
@@ -282,6 +287,7 @@ fn remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)
 }
 
 /// Cycles and modes of HNC and GSK928, and what only Siemens' blocks look like.
+#[inline(never)]
 fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let has_no = |letters: &[u8]| !statement.has_any(letters);
     let xz = statement.has_all(b"XZ");
@@ -318,6 +324,7 @@ fn other_lathes(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
+#[inline(never)]
 fn linuxcnc(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     for (code, span) in statement.codes(b'G') {
         match code {
@@ -334,6 +341,7 @@ fn linuxcnc(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
+#[inline(never)]
 fn printer(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     for (code, span) in statement.codes(b'M') {
         let heat = statement.has(b'S') && statement.words().len() == 2;
@@ -356,6 +364,7 @@ fn printer(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     }
 }
 
+#[inline(never)]
 fn printer_remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let Some(name) = statement.names().first().filter(|name| name.span.start == statement.span.start) else {
         return;
@@ -367,6 +376,7 @@ fn printer_remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sig
 }
 
 /// What speaks for a lathe with FANUC's words.
+#[inline(never)]
 fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     if let Some(tool) = statement.word(b'T').filter(|word| digits_written(word) >= 3) {
         found(Sign::ToolWithOffset, tool.span);
