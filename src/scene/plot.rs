@@ -3,12 +3,14 @@
 //! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel it covers. A browser
 //! asked to stroke a million lines takes several times as long, above all for being asked. Knows no colours.
 
+use std::ops::Range;
+
 use crate::geometry::{Arc, Point, Turn};
 
 use super::StrokeShape;
 use super::camera::{Camera, Pixel};
 
-/// A line goes on to the next point that is at least so far away, device pixels.
+/// A line goes on to the next point that is at least so far away, CSS pixels.
 const LEAST_STEP: f64 = 0.8;
 /// How far a chord may be from its arc, device pixels.
 const SAGITTA: f64 = 0.3;
@@ -16,6 +18,9 @@ const SAGITTA: f64 = 0.3;
 const MOST_CHORDS: f64 = 512.0;
 /// Radius of the dot where the tool waits, CSS pixels.
 const DOT: f64 = 3.0;
+/// Places between pixels are counted in parts: two to this many a pixel.
+const PARTS: u32 = 20;
+const ONE: i64 = 1 << PARTS;
 
 /// Several pictures of the same place, one over the other.
 #[derive(Debug)]
@@ -33,7 +38,8 @@ struct Frame {
     scale: f64,
     /// Where X 0 Z 0 is, device pixels.
     zero: Pixel,
-    /// Radius of a dot, device pixels.
+    /// [`LEAST_STEP`] and [`DOT`], device pixels.
+    least_step: f64,
     dot: f64,
 }
 
@@ -59,6 +65,7 @@ impl Plot {
             height: device(camera.size().height),
             scale: camera.scale() * pixel_ratio,
             zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
+            least_step: LEAST_STEP * pixel_ratio,
             dot: DOT * pixel_ratio,
         };
         Self { frame, layers: vec![Layer::default(); layers] }
@@ -98,6 +105,17 @@ impl Plot {
         }
     }
 
+    /// The rows of pixels from the first that anything is in to the last.
+    pub fn rows(&self) -> Range<usize> {
+        let covers = || self.layers.iter().map(|layer| &layer.cover);
+        let first = covers().filter_map(|cover| cover.iter().position(|&part| part > 0)).min();
+        let last = covers().filter_map(|cover| cover.iter().rposition(|&part| part > 0)).max();
+        match (first, last) {
+            (Some(first), Some(last)) => first / self.frame.width..last / self.frame.width + 1,
+            _ => 0..0,
+        }
+    }
+
     /// How much of each pixel a picture covers, row by row from the top, 255 all of it; nothing when it is empty.
     pub fn cover(&self, layer: usize) -> &[u8] {
         &self.layers[layer].cover
@@ -120,7 +138,7 @@ impl Layer {
         }
         self.end = Some(to);
         let (at, drawn) = (frame.pixel(to), self.drawn);
-        if (at.x - drawn.x).abs() < LEAST_STEP && (at.y - drawn.y).abs() < LEAST_STEP {
+        if (at.x - drawn.x).abs() < frame.least_step && (at.y - drawn.y).abs() < frame.least_step {
             self.to = Some(at);
         } else {
             self.to = None;
@@ -165,25 +183,34 @@ impl Layer {
         }
         let slope = (b.1 - a.1) / (b.0 - a.0);
         self.begin(frame);
-        let mut start = first;
-        for place in first as usize..length {
-            let end = last.min((place + 1) as f64);
-            let share = (end - start) * 255.0;
-            let middle = a.1 + slope * ((start + end) / 2.0 - a.0) - 0.5;
-            let low = middle.floor();
-            let upper = share * (middle - low);
-            let low = low as i32;
-            for (at, part) in [(low, share - upper), (low.wrapping_add(1), upper)] {
-                if (at as usize) < breadth {
-                    let pixel = &mut self.cover[place * along + at as usize * across];
-                    *pixel = pixel.saturating_add((part + 0.5) as u8);
+        // Two pixels lie on either side of the line: each gets a part of 255 by how near it is. `middle` is in parts of
+        // a pixel.
+        let cover = &mut self.cover[..];
+        let mut put = |place: usize, middle: i64, share: i64| {
+            let (low, upper) = (middle >> PARTS, ((middle & (ONE - 1)) * share) >> PARTS);
+            for (at, part) in [(low, share - upper), (low + 1, upper)] {
+                if (0..breadth as i64).contains(&at) {
+                    let pixel = &mut cover[place * along + at as usize * across];
+                    *pixel = pixel.saturating_add(part as u8);
                 }
             }
-            if end >= last {
-                break;
-            }
-            start = end;
+        };
+        let middle = |from: f64, to: f64| {
+            ((a.1 + slope * ((from + to) / 2.0 - a.0) - 0.5) * ONE as f64).floor() as i64
+        };
+        let share = |from: f64, to: f64| ((to - from) * 255.0 + 0.5) as i64;
+        let (begin, end) = (first as usize, (last.ceil() as usize).min(length) - 1);
+        if begin == end {
+            return put(begin, middle(first, last), share(first, last));
         }
+        put(begin, middle(first, (begin + 1) as f64), share(first, (begin + 1) as f64));
+        let mut at = middle((begin + 1) as f64, (begin + 2) as f64);
+        let step = (slope * ONE as f64) as i64;
+        for place in begin + 1..end {
+            put(place, at, 255);
+            at = at.wrapping_add(step);
+        }
+        put(end, middle(end as f64, last), share(end as f64, last));
     }
 
     fn disc(&mut self, frame: Frame, at: Point) {
@@ -319,6 +346,14 @@ mod tests {
         assert!(chords(&Arc { start, end, center, turn: Turn::Counterclockwise }, 1.0) > 8);
         assert!(chords(&Arc { start, end: start, center, turn: Turn::Clockwise }, 1.0) > 8);
         assert!(chords(&Arc { start, end, center, turn: Turn::Clockwise }, 1000.0) > 3);
+    }
+
+    #[test]
+    fn only_rows_with_something_in_them_are_told() {
+        assert_eq!(drawn(&[]).rows(), 0..0);
+        let plot = drawn(&[line((25.0, 10.0), (20.0, 60.0))]);
+        let row = |x| plot.frame.pixel(Point::new(x, 0.0)).y as usize;
+        assert!(plot.rows().start.abs_diff(row(25.0)) <= 1 && plot.rows().end.abs_diff(row(20.0)) <= 1);
     }
 
     #[test]

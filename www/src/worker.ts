@@ -4,7 +4,7 @@
 // slices the messages that have come in are read, so newer text ends an older run at once.
 // Must not know: the page, the editor, or anything of what the program means.
 
-import init, { Playground } from '../pkg/gcode_playground.js';
+import init, { Drawn, Playground } from '../pkg/gcode_playground.js';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import type {
   Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
@@ -39,6 +39,8 @@ let run: Run | undefined;
 /** The newest run has ended and been reported; its messages can be asked for again in another language. */
 let reported = false;
 let drawWanted = false;
+/** A picture of very many strokes is under way. */
+let drawing = false;
 
 /** Messages that came before the interpreter was loaded. */
 const early: (Command | Question)[] = [];
@@ -235,8 +237,9 @@ function queueSlice(): void {
 function slice(): void {
   if (core === undefined) return;
   if (run !== undefined) advance(core, run);
+  else if (drawing) draw(core);
   else lookOn(core);
-  if (run !== undefined || looking !== undefined) queueSlice();
+  if (run !== undefined || drawing || looking !== undefined) queueSlice();
 }
 
 function advance(playground: Playground, current: Run): void {
@@ -313,9 +316,16 @@ function wantDraw(): void {
   requestAnimationFrame(() => {
     drawWanted = false;
     guarded(() => {
-      if (core?.draw() === true) wantDraw();
+      if (core !== undefined) draw(core);
     });
   });
+}
+
+function draw(playground: Playground): void {
+  const drawn = playground.draw();
+  drawing = drawn === Drawn.Part;
+  if (drawing) queueSlice();
+  if (drawn === Drawn.Moved) wantDraw();
 }
 
 /** A panic leaves the interpreter unusable: say so once, and take no further message. */
@@ -325,6 +335,7 @@ function guarded(step: () => void): void {
   } catch (error) {
     core = undefined;
     run = undefined;
+    drawing = false;
     send({ kind: 'crashed', reason: describe(error) });
   }
 }
