@@ -397,14 +397,16 @@ impl Playground {
         vec![pixel.x, pixel.y]
     }
 
-    /// Paints what has changed; true when there is more to paint, which the next call goes on with.
-    pub fn draw(&mut self) -> Result<bool, JsValue> {
+    /// Paints what has changed, and says when to call again.
+    pub fn draw(&mut self) -> Result<Drawn, JsValue> {
         self.measure();
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
-        match &mut self.painter {
-            Some(painter) => Ok(painter.draw(&scene, &self.view)? == Progress::UnderWay),
-            None => Ok(false),
-        }
+        let Some(painter) = &mut self.painter else { return Ok(Drawn::All) };
+        Ok(match painter.draw(&scene, &self.view)? {
+            Progress::Done => Drawn::All,
+            Progress::UnderWay => Drawn::Part,
+            Progress::Waiting => Drawn::Moved,
+        })
     }
 }
 
@@ -446,6 +448,9 @@ impl Playground {
         }
         self.measured = true;
         self.outline.update(self.run.motions());
+        if self.run.is_finished() {
+            self.outline.settle();
+        }
         let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
         self.view.follow(&scene);
         self.light_up();
@@ -490,6 +495,18 @@ fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     Ok(value.serialize(&serde_wasm_bindgen::Serializer::new())?)
+}
+
+/// How much of a picture has been painted.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum Drawn {
+    /// All of it.
+    All,
+    /// There is more to do, which the next call goes on with.
+    Part,
+    /// The last one was moved along with the camera; call again in the next frame.
+    Moved,
 }
 
 /// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].

@@ -28,7 +28,6 @@ use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::text::source::Span;
 
 use bounds::{Bounds, join};
-use ink::Ink;
 use outline::{Outline, Stretch};
 
 /// The line style of a stroke: what a technical drawing tells apart.
@@ -141,7 +140,8 @@ impl StrokeShape {
     /// Length along it, mm.
     pub fn length(&self) -> f64 {
         match self {
-            Self::Line { from, to } => from.distance(*to),
+            // Quicker than `Point::distance`, which minds numbers that no machine reaches.
+            Self::Line { from, to } => ((from.x - to.x).powi(2) + (from.z - to.z).powi(2)).sqrt(),
             Self::Arc(arc) => arc.length(),
             Self::Virtual(own) => own.length(),
             Self::Dot(_) => 0.0,
@@ -326,14 +326,10 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The shapes of a stretch in the order of the run, with how they are drawn.
-    pub fn shapes_of(&self, stretch: &Stretch) -> impl Iterator<Item = (Ink, StrokeShape)> + use<'a> {
+    /// The chunk a stretch lies in, and which of its motions are in the stretch.
+    pub fn chunk_of(&self, stretch: &Stretch) -> (&'a Chunk, Range<usize>) {
         let (chunk, motions) = stretch.in_chunk();
-        let chunk = &self.motions.chunks()[chunk];
-        motions.map(|index| {
-            let ink = Ink::new(StrokeStyle::of(chunk.kind(index)), chunk.is_uncertain(index));
-            (ink, StrokeShape::in_chunk(chunk, index))
-        })
+        (&self.motions.chunks()[chunk], motions)
     }
 
     /// The programmed path where compensation leads the tip elsewhere.
@@ -344,8 +340,7 @@ impl<'a> Scene<'a> {
 
     /// That of the motions of a stretch.
     pub fn programmed_in(&self, stretch: &Stretch) -> impl Iterator<Item = StrokeShape> + use<'a> {
-        let (chunk, motions) = stretch.in_chunk();
-        let chunk = &self.motions.chunks()[chunk];
+        let (chunk, motions) = self.chunk_of(stretch);
         let own = chunk.compensated().filter(move |index| motions.contains(index));
         own.filter_map(|index| chunk.get(index).as_programmed()).map(|motion| StrokeShape::of(&motion))
     }

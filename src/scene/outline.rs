@@ -54,6 +54,8 @@ pub struct Outline {
     /// Changes with the motions, so that a cache can tell that it is stale.
     id: u64,
     stretches: Vec<Stretch>,
+    /// Those of chunks that are not in the list just now.
+    gone: Vec<Stretch>,
 }
 
 impl Default for Outline {
@@ -65,7 +67,7 @@ impl Default for Outline {
 impl Outline {
     /// The outline of no motions.
     pub fn new() -> Self {
-        Self { id: next_id(), stretches: Vec::new() }
+        Self { id: next_id(), stretches: Vec::new(), gone: Vec::new() }
     }
 
     /// The outline of all of `motions`.
@@ -75,7 +77,8 @@ impl Outline {
         outline
     }
 
-    /// Follows `motions` as they grew or were edited; only chunks that are new are measured.
+    /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are gone may come
+    /// back behind the ones that are run again, until [`Outline::settle`].
     pub fn update(&mut self, motions: &Motions) {
         let ids = motions.ids();
         let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()
@@ -83,21 +86,28 @@ impl Outline {
         if changed {
             self.id = next_id();
         }
-        let newest = self.stretches.iter().map(|stretch| stretch.key.chunk).max();
-        let mut measured = std::mem::take(&mut self.stretches).into_iter().peekable();
-        let mut length = 0.0;
+        let mut known = std::mem::take(&mut self.stretches);
+        known.append(&mut self.gone);
+        let newest = known.iter().map(|stretch| stretch.key.chunk).max();
+        let mut known: Vec<Option<Stretch>> = known.into_iter().map(Some).collect();
+        let (mut next, mut length) = (0, 0.0);
         for (index, (chunk, &id)) in motions.chunks().iter().zip(ids).enumerate() {
             // Ids grow, so a newer one need not be looked for; chunks that stay keep their order.
+            let is_of = |stretch: &Option<Stretch>| stretch.as_ref().is_some_and(|s| s.key.chunk == id);
             if newest.is_some_and(|newest| id <= newest) {
-                while measured.next_if(|stretch| stretch.key.chunk != id).is_some() {}
+                next += known[next..].iter().position(is_of).unwrap_or(0);
             }
             let before = motions.before()[index];
             for first in (0..chunk.len()).step_by(STRETCH) {
                 let own = first..chunk.len().min(first + STRETCH);
-                let mut stretch = match measured.next_if(|stretch| stretch.key.chunk == id) {
-                    Some(stretch) => stretch,
-                    None => measure(chunk, own.clone(), StretchKey { chunk: id, first }),
-                };
+                let mut stretch =
+                    match known.get_mut(next).filter(|stretch| is_of(stretch)).and_then(Option::take) {
+                        Some(stretch) => {
+                            next += 1;
+                            stretch
+                        }
+                        None => measure(chunk, own.clone(), StretchKey { chunk: id, first }),
+                    };
                 stretch.motions = before + own.start..before + own.end;
                 stretch.move_to(index, chunk.base);
                 stretch.length_before = length;
@@ -105,6 +115,12 @@ impl Outline {
                 self.stretches.push(stretch);
             }
         }
+        self.gone = known.into_iter().flatten().collect();
+    }
+
+    /// No chunk that is gone will come back: the run has ended.
+    pub fn settle(&mut self) {
+        self.gone.clear();
     }
 
     /// A number that no outline of other motions has.
@@ -191,18 +207,18 @@ fn next_id() -> u64 {
 
 /// Measures some motions of a chunk; where they stand among all motions is left open.
 fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
-    let (mut cuts, mut rapids, mut bounds, mut span) = (None, None, None, None::<Span>);
+    let (mut cuts, mut rapids, mut bounds) = (None, None, None);
+    let mut span = chunk.span(motions.start);
     let mut length = 0.0;
     for at in motions.clone() {
         let shape = StrokeShape::in_chunk(chunk, at);
         let own = Bounds::of_shape(&shape);
         match StrokeStyle::of(chunk.kind(at)) {
-            StrokeStyle::Rapid => rapids = join(rapids, Some(Bounds::of(shape.end()))),
-            StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => cuts = join(cuts, Some(own)),
+            StrokeStyle::Rapid => add(&mut rapids, Bounds::of(shape.end())),
+            StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => add(&mut cuts, own),
         }
-        bounds = join(bounds, Some(own));
-        let block = chunk.span(at);
-        span = Some(span.map_or(block, |span| span.to(block)));
+        add(&mut bounds, own);
+        span = span.to(chunk.span(at));
         length += shape.length();
     }
     Stretch {
@@ -210,11 +226,15 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
         cuts,
         rapids,
         bounds: bounds.unwrap_or(Bounds::of(Default::default())),
-        span: span.unwrap_or_default(),
+        span,
         length_before: 0.0,
         length,
         key,
         chunk: 0,
         base: chunk.base,
     }
+}
+
+fn add(bounds: &mut Option<Bounds>, own: Bounds) {
+    *bounds = join(*bounds, Some(own));
 }

@@ -3,34 +3,47 @@
 //! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel it covers. A browser
 //! asked to stroke a million lines takes several times as long, above all for being asked. Knows no colours.
 
+use std::ops::Range;
+
 use crate::geometry::{Arc, Point, Turn};
 
 use super::StrokeShape;
 use super::camera::{Camera, Pixel};
 
-/// A line goes on to the next point that is at least so far away, device pixels.
-const LEAST_STEP: f64 = 0.5;
+/// A line goes on to the next point that is at least so far away, CSS pixels.
+const LEAST_STEP: f64 = 0.8;
 /// How far a chord may be from its arc, device pixels.
 const SAGITTA: f64 = 0.3;
 /// Most chords of an arc.
 const MOST_CHORDS: f64 = 512.0;
 /// Radius of the dot where the tool waits, CSS pixels.
 const DOT: f64 = 3.0;
+/// Places between pixels are counted in parts: two to this many a pixel.
+const PARTS: u32 = 20;
+const ONE: i64 = 1 << PARTS;
 
 /// Several pictures of the same place, one over the other.
 #[derive(Debug)]
 pub struct Plot {
+    frame: Frame,
+    layers: Vec<Layer>,
+}
+
+/// What all of them show.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
     width: usize,
     height: usize,
     /// Device pixels a mm.
     scale: f64,
     /// Where X 0 Z 0 is, device pixels.
     zero: Pixel,
+    /// [`LEAST_STEP`] and [`DOT`], device pixels.
+    least_step: f64,
     dot: f64,
-    layers: Vec<Layer>,
 }
 
-/// One of them.
+/// One of the pictures.
 #[derive(Clone, Debug, Default)]
 struct Layer {
     /// How much of each pixel is covered, 255 all of it; empty while nothing is drawn.
@@ -47,40 +60,59 @@ impl Plot {
     pub fn new(camera: &Camera, pixel_ratio: f64, layers: usize) -> Self {
         let device = |length: f64| ((length * pixel_ratio).round() as usize).clamp(1, 16_384);
         let zero = camera.to_screen(Point::default());
-        Self {
+        let frame = Frame {
             width: device(camera.size().width),
             height: device(camera.size().height),
             scale: camera.scale() * pixel_ratio,
             zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
+            least_step: LEAST_STEP * pixel_ratio,
             dot: DOT * pixel_ratio,
-            layers: vec![Layer::default(); layers],
-        }
+        };
+        Self { frame, layers: vec![Layer::default(); layers] }
     }
 
     /// Width and height, device pixels.
     pub fn size(&self) -> (usize, usize) {
-        (self.width, self.height)
+        (self.frame.width, self.frame.height)
     }
 
     /// Draws a shape in one of the pictures.
     pub fn draw(&mut self, layer: usize, shape: &StrokeShape) {
+        let (frame, layer) = (self.frame, &mut self.layers[layer]);
         match shape {
-            StrokeShape::Line { from, to } => self.line(layer, *from, *to),
-            StrokeShape::Arc(arc) => self.arc(layer, arc),
+            StrokeShape::Line { from, to } => layer.line(frame, *from, *to),
+            StrokeShape::Arc(arc) => layer.arc(frame, arc),
             StrokeShape::Virtual(own) => {
                 for ends in StrokeShape::curve(own).windows(2) {
-                    self.line(layer, ends[0], ends[1]);
+                    layer.line(frame, ends[0], ends[1]);
                 }
             }
-            StrokeShape::Dot(at) => self.disc(layer, *at),
+            StrokeShape::Dot(at) => layer.disc(frame, *at),
         }
+    }
+
+    /// Draws a straight line in one of the pictures.
+    #[inline]
+    pub fn line(&mut self, layer: usize, from: Point, to: Point) {
+        self.layers[layer].line(self.frame, from, to);
     }
 
     /// Ends all lines: nothing goes on from where they are.
     pub fn lift(&mut self) {
-        for layer in 0..self.layers.len() {
-            self.finish(layer);
-            self.layers[layer].end = None;
+        for layer in &mut self.layers {
+            layer.finish(self.frame);
+            layer.end = None;
+        }
+    }
+
+    /// The rows of pixels from the first that anything is in to the last.
+    pub fn rows(&self) -> Range<usize> {
+        let covers = || self.layers.iter().map(|layer| &layer.cover);
+        let first = covers().filter_map(|cover| cover.iter().position(|&part| part > 0)).min();
+        let last = covers().filter_map(|cover| cover.iter().rposition(|&part| part > 0)).max();
+        match (first, last) {
+            (Some(first), Some(last)) => first / self.frame.width..last / self.frame.width + 1,
+            _ => 0..0,
         }
     }
 
@@ -88,110 +120,120 @@ impl Plot {
     pub fn cover(&self, layer: usize) -> &[u8] {
         &self.layers[layer].cover
     }
+}
 
+impl Frame {
     #[inline]
-    fn line(&mut self, layer: usize, from: Point, to: Point) {
-        if self.layers[layer].end != Some(from) {
-            self.finish(layer);
-            self.layers[layer].drawn = self.pixel(from);
+    fn pixel(self, point: Point) -> Pixel {
+        Pixel::new(self.zero.x + point.z * self.scale, self.zero.y - point.x * self.scale)
+    }
+}
+
+impl Layer {
+    #[inline]
+    fn line(&mut self, frame: Frame, from: Point, to: Point) {
+        if self.end != Some(from) {
+            self.finish(frame);
+            self.drawn = frame.pixel(from);
         }
-        let at = self.pixel(to);
-        let drawn = self.layers[layer].drawn;
-        self.layers[layer].end = Some(to);
-        if (at.x - drawn.x).abs().max((at.y - drawn.y).abs()) < LEAST_STEP {
-            self.layers[layer].to = Some(at);
+        self.end = Some(to);
+        let (at, drawn) = (frame.pixel(to), self.drawn);
+        if (at.x - drawn.x).abs() < frame.least_step && (at.y - drawn.y).abs() < frame.least_step {
+            self.to = Some(at);
         } else {
-            self.layers[layer].to = None;
-            self.layers[layer].drawn = at;
-            self.ink(layer, drawn, at);
+            self.to = None;
+            self.drawn = at;
+            self.ink(frame, drawn, at);
         }
     }
 
     /// Draws the short piece that waits for the line to go on.
-    fn finish(&mut self, layer: usize) {
-        if let Some(to) = self.layers[layer].to.take() {
-            self.ink(layer, self.layers[layer].drawn, to);
+    fn finish(&mut self, frame: Frame) {
+        if let Some(to) = self.to.take() {
+            self.ink(frame, self.drawn, to);
         }
     }
 
-    fn arc(&mut self, layer: usize, arc: &Arc) {
-        let chords = chords(arc, self.scale);
+    fn arc(&mut self, frame: Frame, arc: &Arc) {
+        let chords = chords(arc, frame.scale);
         let mut from = arc.start;
         for chord in 1..chords {
             let to = arc.at(f64::from(chord) / f64::from(chords));
-            self.line(layer, from, to);
+            self.line(frame, from, to);
             from = to;
         }
-        self.line(layer, from, arc.end);
+        self.line(frame, from, arc.end);
     }
 
     /// Covers the pixels along a line, those at its ends in part.
-    fn ink(&mut self, layer: usize, from: Pixel, to: Pixel) {
+    fn ink(&mut self, frame: Frame, from: Pixel, to: Pixel) {
         let steep = (to.y - from.y).abs() > (to.x - from.x).abs();
         // Along the longer way the line goes from pixel to pixel; across it lies between two.
-        let (mut a, mut b) =
-            if steep { ((from.y, from.x), (to.y, to.x)) } else { ((from.x, from.y), (to.x, to.y)) };
+        let (mut a, mut b, length, breadth, along, across) = if steep {
+            ((from.y, from.x), (to.y, to.x), frame.height, frame.width, frame.width, 1)
+        } else {
+            ((from.x, from.y), (to.x, to.y), frame.width, frame.height, 1, frame.width)
+        };
         if a.0 > b.0 {
             (a, b) = (b, a);
         }
-        let (length, breadth, along, across) = if steep {
-            (self.height, self.width, self.width, 1)
-        } else {
-            (self.width, self.height, 1, self.width)
-        };
         let (first, last) = (a.0.max(0.0), b.0.min(length as f64));
         if first >= last || a.1.min(b.1) > breadth as f64 + 1.0 || a.1.max(b.1) < -1.0 {
             return;
         }
         let slope = (b.1 - a.1) / (b.0 - a.0);
-        let cover = &mut self.layers[layer].cover;
-        if cover.is_empty() {
-            cover.resize(self.width * self.height, 0);
-        }
-        let mut start = first;
-        for place in first as usize..length {
-            let end = last.min((place + 1) as f64);
-            let share = (end - start) * 255.0;
-            let middle = a.1 + slope * ((start + end) / 2.0 - a.0) - 0.5;
-            let low = middle.floor();
-            let rest = middle - low;
-            let low = low as i32;
-            for (at, part) in [(low, 1.0 - rest), (low.wrapping_add(1), rest)] {
-                if (at as usize) < breadth {
+        self.begin(frame);
+        // Two pixels lie on either side of the line: each gets a part of 255 by how near it is. `middle` is in parts of
+        // a pixel.
+        let cover = &mut self.cover[..];
+        let mut put = |place: usize, middle: i64, share: i64| {
+            let (low, upper) = (middle >> PARTS, ((middle & (ONE - 1)) * share) >> PARTS);
+            for (at, part) in [(low, share - upper), (low + 1, upper)] {
+                if (0..breadth as i64).contains(&at) {
                     let pixel = &mut cover[place * along + at as usize * across];
-                    *pixel = pixel.saturating_add((share * part + 0.5) as u8);
+                    *pixel = pixel.saturating_add(part as u8);
                 }
             }
-            if end >= last {
-                break;
-            }
-            start = end;
+        };
+        let middle = |from: f64, to: f64| {
+            ((a.1 + slope * ((from + to) / 2.0 - a.0) - 0.5) * ONE as f64).floor() as i64
+        };
+        let share = |from: f64, to: f64| ((to - from) * 255.0 + 0.5) as i64;
+        let (begin, end) = (first as usize, (last.ceil() as usize).min(length) - 1);
+        if begin == end {
+            return put(begin, middle(first, last), share(first, last));
         }
+        put(begin, middle(first, (begin + 1) as f64), share(first, (begin + 1) as f64));
+        let mut at = middle((begin + 1) as f64, (begin + 2) as f64);
+        let step = (slope * ONE as f64) as i64;
+        for place in begin + 1..end {
+            put(place, at, 255);
+            at = at.wrapping_add(step);
+        }
+        put(end, middle(end as f64, last), share(end as f64, last));
     }
 
-    fn disc(&mut self, layer: usize, at: Point) {
-        let (center, radius) = (self.pixel(at), self.dot);
-        let (width, height) = (self.width as f64, self.height as f64);
-        let rows = (center.y - radius - 1.0).max(0.0) as usize
-            ..(center.y + radius + 1.0).clamp(0.0, height) as usize;
-        let columns =
-            (center.x - radius - 1.0).max(0.0) as usize..(center.x + radius + 1.0).clamp(0.0, width) as usize;
-        let cover = &mut self.layers[layer].cover;
-        if cover.is_empty() {
-            cover.resize(self.width * self.height, 0);
-        }
-        for row in rows {
-            for column in columns.clone() {
+    fn disc(&mut self, frame: Frame, at: Point) {
+        let (center, radius) = (frame.pixel(at), frame.dot);
+        // A cast holds what is below zero or far too large to the ends of its range.
+        let reach = |middle: f64, most: usize| {
+            (middle - radius - 1.0) as usize..most.min((middle + radius + 1.0) as usize)
+        };
+        self.begin(frame);
+        for row in reach(center.y, frame.height) {
+            for column in reach(center.x, frame.width) {
                 let away = center.distance(Pixel::new(column as f64 + 0.5, row as f64 + 0.5));
                 let part = ((radius - away + 0.5).clamp(0.0, 1.0) * 255.0) as u8;
-                let pixel = &mut cover[row * self.width + column];
+                let pixel = &mut self.cover[row * frame.width + column];
                 *pixel = (*pixel).max(part);
             }
         }
     }
 
-    fn pixel(&self, point: Point) -> Pixel {
-        Pixel::new(self.zero.x + point.z * self.scale, self.zero.y - point.x * self.scale)
+    fn begin(&mut self, frame: Frame) {
+        if self.cover.is_empty() {
+            self.cover.resize(frame.width * frame.height, 0);
+        }
     }
 }
 
@@ -283,7 +325,7 @@ mod tests {
         let side = |turn| {
             let plot = drawn(&[StrokeShape::Arc(Arc { start, end, center, turn })]);
             let (width, _) = plot.size();
-            let middle = plot.pixel(center).x as usize;
+            let middle = plot.frame.pixel(center).x as usize;
             let right = |(at, _): &(usize, &u8)| at % width > middle;
             let all = plot.cover(0).iter().enumerate();
             all.filter(right).map(|(_, &part)| f64::from(part)).sum::<f64>() / 255.0
@@ -304,6 +346,14 @@ mod tests {
         assert!(chords(&Arc { start, end, center, turn: Turn::Counterclockwise }, 1.0) > 8);
         assert!(chords(&Arc { start, end: start, center, turn: Turn::Clockwise }, 1.0) > 8);
         assert!(chords(&Arc { start, end, center, turn: Turn::Clockwise }, 1000.0) > 3);
+    }
+
+    #[test]
+    fn only_rows_with_something_in_them_are_told() {
+        assert_eq!(drawn(&[]).rows(), 0..0);
+        let plot = drawn(&[line((25.0, 10.0), (20.0, 60.0))]);
+        let row = |x| plot.frame.pixel(Point::new(x, 0.0)).y as usize;
+        assert!(plot.rows().start.abs_diff(row(25.0)) <= 1 && plot.rows().end.abs_diff(row(20.0)) <= 1);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::text::source::Span;
 
 use super::Scene;
 use super::bounds::Bounds;
-use super::outline::{Outline, STRETCH, Stretch};
+use super::outline::{Outline, STRETCH, Stretch, StretchKey};
 
 /// A point by its diameter and Z.
 pub(super) fn point(diameter: f64, z: f64) -> Point {
@@ -174,6 +174,28 @@ fn an_outline_that_grew_equals_one_made_at_once() {
     let id = grown.id();
     grown.update(&motions);
     assert_eq!(grown.id(), id);
+}
+
+#[test]
+fn an_edit_leaves_the_measures_of_the_chunks_that_stay() {
+    let mut motions = Motions::default();
+    passes(100).into_iter().for_each(|chunk| motions.push(chunk));
+    let mut outline = Outline::of(&motions);
+    let before: Vec<StretchKey> = outline.stretches().iter().map(|stretch| stretch.key).collect();
+    // As a run does it: the chunks behind the edit come back when those before them are there again.
+    let rest = motions.split_off(10).split_off(2);
+    outline.update(&motions);
+    for chunk in passes(3) {
+        motions.push(chunk);
+        outline.update(&motions);
+    }
+    motions.append(rest, |_, chunk| (chunk.base, chunk.first_line) = (chunk.base + 7, chunk.first_line + 1));
+    outline.update(&motions);
+    outline.settle();
+    assert_eq!(said(&outline), said(&Outline::of(&motions)));
+    let after: Vec<StretchKey> = outline.stretches().iter().map(|stretch| stretch.key).collect();
+    assert_eq!((&after[..10], &after[11..]), (&before[..10], &before[12..]));
+    assert!(!before.contains(&after[10]));
 }
 
 #[test]

@@ -133,7 +133,7 @@ test('a wrong guess is put right, also after an edit', async ({ page }) => {
   // 粗车 between Russian words: GB18030 is not what it was meant to be.
   const bytes = Buffer.concat([Buffer.from('O1\n('), Buffer.from([0xb4, 0xd6, 0xb3, 0xb5]), Buffer.from(')\nG0 X1\n')]);
   await openFile(page, 'guess.nc', bytes);
-  expect(await value(page)).toBe('O1\n(粗车)\nG0 X1\n');
+  await expect.poll(() => value(page)).toBe('O1\n(粗车)\nG0 X1\n');
   await cursorBehind(page, 3, 'G0 X1');
   await page.keyboard.type('0');
   await encoding(page).selectOption('windows-1251');
@@ -149,6 +149,7 @@ test('a wrong guess is put right, also after an edit', async ({ page }) => {
   expect((await save(page)).bytes.toString('utf8')).toBe('O1\n(粗车)\nG0 X10\n');
 
   await openFile(page, 'ru.nc', Buffer.from([0x28, 0xd0, 0xe5, 0xe7, 0xe5, 0xf6, 0x29]));
+  await expect(encoding(page)).toHaveValue('windows-1251');
   await encoding(page).selectOption('gb18030');
   await expect(page.getByText('ru.nc is no GB18030 text; it stays Windows-1251.')).toBeVisible();
   await expect(encoding(page)).toHaveValue('windows-1251');

@@ -14,8 +14,9 @@
 //   block-skip  "1,2"                  the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                        the O number that is run; overrides `program` of the setup
 // The last two follow the reader, who finds a switch for each where the text has a use for it.
-// Properties: value (the program), opened (its file, with the text as it is in it). Setting one, or an attribute, fires
-// no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for automation
+// Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the text as it is
+// in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for
+// automation
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
@@ -30,6 +31,7 @@
 import { CodesDialog } from './codes';
 import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
+import { acceptFiles } from './drop';
 import { Drawing } from './drawing';
 import { Editor } from './editor';
 import { programText, type ProgramFile, type ProgramText } from './editor-file';
@@ -331,37 +333,13 @@ export class GcodePlayground extends HTMLElement {
       this.#codes.element,
     );
     root.append(frame);
-    this.#acceptFiles(editor.element);
+    acceptFiles(editor.element, {
+      hint: () => this.#strings.dropHere,
+      dropped: (file) => void this.openFile(file),
+    });
     this.addEventListener('keydown', (event) => this.#key(event), { capture: true });
     const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
     editor.setText(programText(text), file, 'final');
-  }
-
-  #acceptFiles(target: HTMLElement): void {
-    const carriesFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
-    const mark = (on: boolean): void => {
-      target.dataset['drop'] = on ? this.#strings.dropHere : '';
-    };
-    target.addEventListener('dragover', (event) => {
-      if (!carriesFile(event)) return;
-      event.preventDefault();
-      mark(true);
-    });
-    target.addEventListener('dragleave', (event) => {
-      if (!target.contains(event.relatedTarget as Node | null)) mark(false);
-    });
-    target.addEventListener(
-      'drop',
-      (event) => {
-        mark(false);
-        const file = event.dataTransfer?.files[0];
-        if (file === undefined) return;
-        event.preventDefault();
-        event.stopPropagation();
-        void this.openFile(file);
-      },
-      { capture: true },
-    );
   }
 
   #key(event: KeyboardEvent): void {

@@ -4,7 +4,7 @@
 // slices the messages that have come in are read, so newer text ends an older run at once.
 // Must not know: the page, the editor, or anything of what the program means.
 
-import init, { Playground } from '../pkg/gcode_playground.js';
+import init, { Drawn, Playground } from '../pkg/gcode_playground.js';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import type {
   Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
@@ -23,6 +23,8 @@ const COLOUR_LIMIT = 200_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
+const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom']);
+
 interface Run {
   readonly startedAt: number;
   lastProgressAt: number;
@@ -37,6 +39,8 @@ let run: Run | undefined;
 /** The newest run has ended and been reported; its messages can be asked for again in another language. */
 let reported = false;
 let drawWanted = false;
+/** A picture of very many strokes is under way. */
+let drawing = false;
 
 /** Messages that came before the interpreter was loaded. */
 const early: (Command | Question)[] = [];
@@ -118,7 +122,8 @@ function receive(message: Command | Question): void {
       core.zoom(message.factor, message.x, message.y);
       break;
   }
-  wantDraw();
+  // Of a run under way there is only a part to draw: what was there stays until it has ended, or the reader moves it.
+  if (run === undefined || MOVES.has(message.kind)) wantDraw();
 }
 
 function answer(playground: Playground, question: Question): Questions[QuestionKind]['answer'] {
@@ -219,7 +224,7 @@ function wantRun(): void {
 
 function stop(playground: Playground): void {
   if (run === undefined) return;
-  playground.stop((performance.now() - run.startedAt) / 1000);
+  playground.stop(Math.round((performance.now() - run.startedAt) / 100) / 10);
   end(playground);
 }
 
@@ -232,8 +237,9 @@ function queueSlice(): void {
 function slice(): void {
   if (core === undefined) return;
   if (run !== undefined) advance(core, run);
+  else if (drawing) draw(core);
   else lookOn(core);
-  if (run !== undefined || looking !== undefined) queueSlice();
+  if (run !== undefined || drawing || looking !== undefined) queueSlice();
 }
 
 function advance(playground: Playground, current: Run): void {
@@ -310,9 +316,16 @@ function wantDraw(): void {
   requestAnimationFrame(() => {
     drawWanted = false;
     guarded(() => {
-      if (core?.draw() === true) wantDraw();
+      if (core !== undefined) draw(core);
     });
   });
+}
+
+function draw(playground: Playground): void {
+  const drawn = playground.draw();
+  drawing = drawn === Drawn.Part;
+  if (drawing) queueSlice();
+  if (drawn === Drawn.Moved) wantDraw();
 }
 
 /** A panic leaves the interpreter unusable: say so once, and take no further message. */
@@ -322,6 +335,7 @@ function guarded(step: () => void): void {
   } catch (error) {
     core = undefined;
     run = undefined;
+    drawing = false;
     send({ kind: 'crashed', reason: describe(error) });
   }
 }

@@ -4,6 +4,8 @@
 //! and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile the last image is moved
 //! to where the camera is. Knows nothing of what lies under or over the strokes.
 
+use std::ops::Range;
+
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::OffscreenCanvas;
@@ -14,7 +16,7 @@ use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::super::outline::{Stretch, StretchKey};
 use super::super::plot::Plot;
 use super::super::view::View;
-use super::super::{Place, Scene, StrokeStyle};
+use super::super::{Place, Scene, StrokeShape, StrokeStyle};
 use super::paths::{Paths, halves, path_of};
 use super::pen::{Dash, Pen};
 use super::sheet;
@@ -43,8 +45,10 @@ extern "C" {
 pub enum Progress {
     /// What is shown is what it should be.
     Done,
-    /// The last image is shown in place of the one under way.
+    /// The last image is shown in place of the one under way, which the next call goes on with.
     UnderWay,
+    /// The last image is shown in place of one that is drawn once the camera has stood for a frame.
+    Waiting,
 }
 
 /// What the strokes are drawn from.
@@ -101,7 +105,7 @@ impl StrokeLayer {
         let camera = Some(*view.camera());
         if motions > QUICK && self.shown.is_some() && self.moved != camera && !self.shows_same_camera(view) {
             self.moved = camera;
-            return Ok(Progress::UnderWay);
+            return Ok(Progress::Waiting);
         }
         self.stroke(scene, view, &in_view)?;
         self.finish(target);
@@ -152,21 +156,26 @@ impl StrokeLayer {
             self.plot = Some((of, plot, next));
             return Ok(Progress::UnderWay);
         }
-        let pixels = self.colour(&plot, &of.view)?;
+        let rows = plot.rows();
+        let pixels = self.colour(&plot, rows.clone(), &of.view)?;
         self.image.begin(&of.view)?;
-        self.image.put(&pixels, plot.size())?;
+        self.image.clear()?;
+        if !rows.is_empty() {
+            self.image.put(&pixels, plot.size().0, rows.start)?;
+        }
         let same = of == target;
         self.finish(of);
         Ok(if same { Progress::Done } else { Progress::UnderWay })
     }
 
-    /// The pictures of a plot one over the other in their colours: red, green, blue and opacity of each pixel.
-    fn colour(&self, plot: &Plot, view: &View) -> Result<Vec<u8>, JsValue> {
-        let (width, height) = plot.size();
-        let mut pixels = vec![0; 4 * width * height];
+    /// Rows of the pictures of a plot, one over the other in their colours: red, green, blue and opacity of each pixel.
+    fn colour(&self, plot: &Plot, rows: Range<usize>, view: &View) -> Result<Vec<u8>, JsValue> {
+        let (width, _) = plot.size();
+        let part = rows.start * width..rows.end * width;
+        let mut pixels = vec![0; 4 * part.len()];
         let mut lay = |picture: usize, colour: &str, opacity: f64| -> Result<(), JsValue> {
-            if !plot.cover(picture).is_empty() {
-                lay_over(&mut pixels, plot.cover(picture), self.image.rgb(colour)?, (opacity * 255.0) as u32);
+            if let Some(cover) = plot.cover(picture).get(part.clone()) {
+                lay_over(&mut pixels, cover, self.image.rgb(colour)?, (opacity * 255.0) as u32);
             }
             Ok(())
         };
@@ -262,14 +271,18 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, place: Option
         plot.draw(PROGRAMMED, &shape);
     }
     let until = place.map_or(usize::MAX, |place| place.motion);
-    for (motion, (ink, shape)) in stretch.motions.clone().zip(scene.shapes_of(stretch)) {
-        match place {
-            Some(place) if motion == until => {
-                let (before, after) = shape.split(place.fraction);
-                plot.draw(DONE + ink.index(), &before);
-                plot.draw(ink.index(), &after);
+    let (chunk, places) = scene.chunk_of(stretch);
+    for (at, motion) in places.zip(stretch.motions.clone()) {
+        let ink = Ink::new(StrokeStyle::of(chunk.kind(at)), chunk.is_uncertain(at)).index();
+        let layer = if motion > until { ink } else { DONE + ink };
+        match (chunk.straight(at), place) {
+            (_, Some(place)) if motion == until => {
+                let (before, after) = StrokeShape::in_chunk(chunk, at).split(place.fraction);
+                plot.draw(layer, &before);
+                plot.draw(ink, &after);
             }
-            _ => plot.draw(ink.index() + if motion < until { DONE } else { 0 }, &shape),
+            (Some((from, to)), _) => plot.line(layer, from, to),
+            (None, _) => plot.draw(layer, &StrokeShape::in_chunk(chunk, at)),
         }
     }
     plot.lift();
@@ -282,6 +295,10 @@ fn lay_over(pixels: &mut [u8], cover: &[u8], colour: [u8; 3], opacity: u32) {
             continue;
         }
         let over = u32::from(cover) * opacity / 255;
+        if pixel[3] == 0 {
+            pixel.copy_from_slice(&[colour[0], colour[1], colour[2], over as u8]);
+            continue;
+        }
         let under = u32::from(pixel[3]) * (255 - over) / 255;
         let all = (over + under).max(1);
         for (channel, own) in pixel.iter_mut().zip(colour) {

@@ -99,11 +99,10 @@ impl Pen {
         Ok(())
     }
 
-    /// Sets all pixels: red, green, blue and opacity of each, row by row; width and height in device pixels.
-    pub fn put(&self, pixels: &[u8], (width, height): (usize, usize)) -> Result<(), JsValue> {
-        let image =
-            ImageData::new_with_u8_clamped_array_and_sh(Clamped(pixels), width as u32, height as u32)?;
-        self.context.put_image_data(&image, 0.0, 0.0)
+    /// Sets the pixels of rows `width` device pixels wide, from the row `top` on: red, green, blue and opacity of each.
+    pub fn put(&self, pixels: &[u8], width: usize, top: usize) -> Result<(), JsValue> {
+        let image = ImageData::new_with_u8_clamped_array(Clamped(pixels), width as u32)?;
+        self.context.put_image_data(&image, 0.0, top as f64)
     }
 
     /// Red, green and blue of a CSS colour.
