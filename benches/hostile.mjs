@@ -12,6 +12,8 @@ import { parseArgs } from 'node:util';
 
 /** Longest times for an answer, ms. */
 const MOST = { native: 1000, wasm: 2000 };
+/** Most memory of the module, bytes. */
+const MOST_MEMORY = 600e6;
 /** What is too slow runs again: the machine may have been busy. */
 const ATTEMPTS = 3;
 /** Lines that a page shows at once. */
@@ -47,9 +49,10 @@ function problemsOf(one) {
     const argv = [here, folder, '--one', JSON.stringify(one)];
     const run = spawnSync(process.execPath, argv, { encoding: 'utf8', timeout: 60_000 });
     if (run.status !== 0) return [`${one.name}: ${run.error ?? run.stderr}`];
-    const { ms, told } = JSON.parse(run.stdout);
+    const { ms, told, memory } = JSON.parse(run.stdout);
     one.wasm = Math.min(one.wasm, ms);
     if (!told) problems.push(`${one.name}: ${one.code} is not told on line ${one.line} in wasm`);
+    if (memory > MOST_MEMORY) problems.push(`${one.name}: ${memory} bytes of memory`);
   }
   if (!one.told) problems.push(`${one.name}: ${one.code} is not told on line ${one.line} natively`);
   if (one.answer > MOST.native) problems.push(`${one.name}: ${one.answer.toFixed(0)} ms natively`);
@@ -80,7 +83,7 @@ function table(cases, rows) {
 async function answer(one) {
   const { initSync, Playground } = await import('../www/pkg/gcode_playground.js');
   const bytes = readFileSync(join(folder, one.file));
-  initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+  const { memory } = initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
   const playground = new Playground();
   playground.setSetup(one.setup);
   const [begun, computed] = [performance.now(), process.cpuUsage()];
@@ -92,5 +95,6 @@ async function answer(one) {
   playground.pathLength();
   // On a busy machine the processor time, which counts what V8 compiles beside the run as well.
   const { user, system } = process.cpuUsage(computed);
-  return { ms: Math.min(performance.now() - begun, (user + system) / 1000), told };
+  const ms = Math.min(performance.now() - begun, (user + system) / 1000);
+  return { ms, told, memory: memory.buffer.byteLength };
 }

@@ -24,7 +24,8 @@ window.measure = async (address) => {
 function interpreted(text) {
   const playground = new Playground();
   const ms = time(() => {
-    playground.setText(text);
+    const { written } = new TextEncoder().encodeInto(text, playground.textBuffer(text.length));
+    playground.setTextFromBuffer(written);
     while (!playground.advance(1_000_000));
   });
   return { playground, ms };

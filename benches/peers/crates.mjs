@@ -1,15 +1,17 @@
 // One measurement of the floor, or of a crate, in wasm: `node benches/peers/crates.mjs NAME fresh|settled FILE`.
 import { readFileSync } from 'node:fs';
-import { initSync, run } from './pkg/bench_peers.js';
+import { initSync, Input } from './pkg/bench_peers.js';
 
 const [name, how, file] = process.argv.slice(2);
 const program = readFileSync(file, 'latin1');
-initSync({ module: readFileSync(new URL('pkg/bench_peers_bg.wasm', import.meta.url)) });
+const { memory } = initSync({ module: readFileSync(new URL('pkg/bench_peers_bg.wasm', import.meta.url)) });
 const encoder = new TextEncoder();
 
 function once() {
   const begun = performance.now();
-  const outcome = run(name, encoder.encode(program));
+  const input = new Input(program.length);
+  encoder.encodeInto(program, new Uint8Array(memory.buffer, input.address(), program.length));
+  const outcome = input.run(name);
   const ms = performance.now() - begun;
   if (outcome === undefined) throw new Error(`${name} is not in this build`);
   const { rows } = outcome;

@@ -59,17 +59,21 @@ pub fn segments(text: &[u8]) -> Vec<Segment> {
 fn decimal(text: &[u8], at: &mut usize) -> f64 {
     let negative = text.get(*at) == Some(&b'-');
     *at += usize::from(negative);
-    let (mut digits, mut decimals, mut behind_point) = (0u64, 0, 0);
-    loop {
-        match text.get(*at) {
-            Some(&digit @ b'0'..=b'9') => {
-                digits = digits * 10 + u64::from(digit - b'0');
-                decimals += behind_point;
-            }
-            Some(b'.') => behind_point = 1,
-            _ => break,
+    let mut digits = 0u64;
+    let mut whole = |at: &mut usize| {
+        let first = *at;
+        while let Some(digit) = text.get(*at).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10)
+        {
+            digits = digits * 10 + u64::from(digit);
+            *at += 1;
         }
+        *at - first
+    };
+    whole(at);
+    let mut decimals = 0;
+    if text.get(*at) == Some(&b'.') {
         *at += 1;
+        decimals = whole(at);
     }
     let value = digits as f64 / POWERS[decimals.min(15)];
     if negative { -value } else { value }

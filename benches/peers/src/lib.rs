@@ -30,7 +30,6 @@ impl Outcome {
 }
 
 /// Runs one of them by name; nothing if there is none of that name.
-#[wasm_bindgen]
 pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
     match name {
         "floor" => Some(Outcome::new(floor::segments(&text))),
@@ -38,5 +37,28 @@ pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
         _ => peers::run(name, text),
         #[cfg(not(feature = "peers"))]
         _ => None,
+    }
+}
+
+/// A text on its way in: JavaScript writes it where it is wanted, without a copy.
+#[wasm_bindgen]
+pub struct Input(Vec<u8>);
+
+#[wasm_bindgen]
+impl Input {
+    /// Room for so many bytes.
+    #[wasm_bindgen(constructor)]
+    pub fn new(capacity: usize) -> Self {
+        Self(vec![0; capacity])
+    }
+
+    /// Where they are in the memory of the module.
+    pub fn address(&mut self) -> usize {
+        self.0.as_mut_ptr() as usize
+    }
+
+    /// Runs one by name.
+    pub fn run(self, name: &str) -> Option<Outcome> {
+        run(name, self.0)
     }
 }
