@@ -18,6 +18,7 @@ pub mod expand;
 pub mod geometry;
 pub mod limits;
 pub mod motion;
+mod room;
 pub mod run;
 pub mod scene;
 pub mod text;

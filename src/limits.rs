@@ -1,7 +1,13 @@
 //! Every bound in one place, so that no program can hang a page or exhaust its memory. Each has its message.
+//!
+//! Those in [`Limits`] can be set (`limits` of the setup): lower as one likes, higher up to what memory and the numbers
+//! that count things have room for. The constants are those of the controls, or of how things are kept.
+
+use serde::Deserialize;
 
 /// What a run may use up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Limits {
     /// Longest text, bytes.
     pub text: usize,
@@ -17,13 +23,19 @@ pub struct Limits {
     pub repeated_blocks: usize,
     /// Most bytes of blocks that are carried out so: a block can be as long as the text.
     pub repeated_text: usize,
+    /// Most rounds of loops (`END` back to `WHILE` or `DO`) and of calls (L), all together.
+    pub rounds: usize,
+    /// Most macro statements, and words with an expression, that are worked out through jumps, loops and calls.
+    pub macro_steps: usize,
     /// Most subprograms called one within the other (0i-D and later).
     pub call_depth: usize,
     /// Most macros (G65, G66) called one within the other, among them.
     pub macro_depth: usize,
     /// Most messages that are kept.
     pub messages: usize,
-    /// Motions from one snapshot to the next: after a change of the text, at least so many run again.
+    /// Motions from one snapshot to the next: after a change of the text, at least so many run again. It changes nothing
+    /// that can be seen, so it is no setting.
+    #[serde(skip)]
     pub stride: usize,
 }
 
@@ -33,13 +45,44 @@ impl Default for Limits {
             text: 64 << 20,
             motions: 4_000_000,
             moves_per_cycle: 200_000,
-            cycle_work: 2_000_000,
+            cycle_work: 1_000_000,
             repeated_blocks: 1_000_000,
             repeated_text: 10_000_000,
+            rounds: 400_000,
+            macro_steps: 1_500_000,
             call_depth: 10,
             macro_depth: 5,
             messages: 500,
             stride: 4096,
+        }
+    }
+}
+
+impl Limits {
+    /// The settings by name: what is set, and the most that can be.
+    pub fn settings(&self) -> [(&'static str, usize, usize); 11] {
+        [
+            // Places in the text and in memory are numbers of 32 bits, and a page has 4 GB.
+            ("text", self.text, 256 << 20),
+            ("motions", self.motions, 20_000_000),
+            ("movesPerCycle", self.moves_per_cycle, 2_000_000),
+            // From here on it is a matter of patience.
+            ("cycleWork", self.cycle_work, 1_000_000_000),
+            ("repeatedBlocks", self.repeated_blocks, 1_000_000_000),
+            ("repeatedText", self.repeated_text, 1_000_000_000),
+            ("rounds", self.rounds, 1_000_000_000),
+            ("macroSteps", self.macro_steps, 1_000_000_000),
+            ("callDepth", self.call_depth, 100),
+            ("macroDepth", self.macro_depth, MACRO_LEVELS),
+            ("messages", self.messages, 100_000),
+        ]
+    }
+
+    /// Whether each is within what there is room for. The error names the one that is not.
+    pub fn check(&self) -> Result<(), String> {
+        match self.settings().into_iter().find(|(_, set, most)| set > most) {
+            Some((name, set, most)) => Err(format!("limits.{name} is {set}; it can be {most} at most")),
+            None => Ok(()),
         }
     }
 }
@@ -49,3 +92,18 @@ pub const BYTES_PER_STEP: usize = 64;
 
 /// Most words, and comments, of one block; a control takes far fewer.
 pub const WORDS_PER_BLOCK: usize = 64;
+
+/// Most digits of a number (PS0003).
+pub const DIGITS: u8 = 8;
+
+/// Largest value of a variable (semantics §8.4).
+pub const LARGEST_VARIABLE: f64 = 1e47;
+
+/// Most brackets inside each other, those of functions and of `#[…]` among them (PS0118).
+pub const BRACKETS: u8 = 5;
+
+/// Most loops (`DO`) of a program that are under way, one within the other; a control takes three.
+pub const LOOPS: usize = 30;
+
+/// Levels of local variables below the main program.
+pub const MACRO_LEVELS: usize = 5;

@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, Turn};
+use crate::room;
 use crate::text::shift::Shift;
 use crate::text::source::Span;
 
@@ -648,6 +649,7 @@ impl Motions {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         if !chunk.is_empty() {
             self.push_known(chunk, NEXT.fetch_add(1, Ordering::Relaxed));
+            room::ahead();
         }
     }
 

@@ -88,16 +88,17 @@ impl Origin {
 }
 
 impl Run {
-    /// Begins a run within the usual bounds.
-    pub fn new(text: Vec<u8>, setup: Setup) -> Self {
-        Self::within(text, setup, Limits::default())
+    /// Begins a run within other bounds than those of the setup.
+    pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
+        Self::new(text, Setup { limits, ..setup })
     }
 
-    /// Begins a run within other bounds.
-    pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
+    /// Begins a run.
+    pub fn new(text: Vec<u8>, setup: Setup) -> Self {
+        let limits = setup.limits;
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
-            interpreter: Interpreter::new(setup, limits),
+            interpreter: Interpreter::new(setup),
             block: Block::default(),
             at: Resume::default(),
             tally: Tally::default(),
@@ -286,11 +287,11 @@ impl Run {
 
     /// Begins again, with another program of the text.
     fn restart(&mut self, main: Resume) {
-        let (setup, limits) = (self.interpreter.setup().clone(), self.interpreter.limits());
+        let setup = self.interpreter.setup().clone();
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
         let is_guess = |told: &&Diagnostic| matches!(told.message, Message::SystemGuessed { .. });
         let guess = self.interpreter.diagnostics().iter().find(is_guess).cloned();
-        self.interpreter = Interpreter::new(setup, limits);
+        self.interpreter = Interpreter::new(setup);
         self.interpreter.set_system(system);
         if traced {
             self.interpreter.keep_trace();

@@ -412,7 +412,6 @@ impl Playground {
 
 impl Playground {
     fn begin(&mut self, text: Vec<u8>) {
-        make_room(text.len());
         self.lines = OnceCell::new();
         self.run = Run::new(text, self.setup.clone());
         self.forget();
@@ -467,18 +466,6 @@ impl Playground {
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
         to_js(&self.places().stroke(self.run.motions(), motion, at, self.language))
-    }
-}
-
-/// Takes the memory that the motions of a long text are likely to need, in one piece. Memory that grows bit by bit makes
-/// the browser look for garbage every time, which takes longer than the run itself.
-fn make_room(text: usize) {
-    /// Bytes of motions for a byte of text, as plain programs have it.
-    const SHARE: usize = 3;
-    /// Below this there is little to be gained.
-    const LEAST: usize = 1 << 20;
-    if text >= LEAST {
-        drop(std::hint::black_box(Vec::<u8>::with_capacity(SHARE * text)));
     }
 }
 

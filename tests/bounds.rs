@@ -5,20 +5,20 @@ mod endless;
 
 use std::time::{Duration, Instant};
 
-use endless::{MOST_SECONDS, endless, hostile};
+use endless::{MOST_SECONDS, bounds, endless, hostile};
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Diagnostic;
-use gcode_playground::limits::{Limits, WORDS_PER_BLOCK};
+use gcode_playground::limits::Limits;
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::text::source::LineIndex;
 
 /// The one door: what a program gives under a setup, in time.
 #[track_caller]
-fn run_within(most: Duration, name: &str, setup: &str, text: &str) -> Analysis {
+fn run_within(most: Duration, name: &str, setup: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Analysis {
     let setup = Setup::from_json(setup).expect("setup");
     let begun = Instant::now();
-    let analysis = analyze(text.as_bytes(), &setup);
+    let analysis = analyze(text.as_ref(), &setup);
     let took = begun.elapsed();
     assert!(took < most, "{name}: {took:?}");
     analysis
@@ -26,7 +26,7 @@ fn run_within(most: Duration, name: &str, setup: &str, text: &str) -> Analysis {
 
 /// The same, for work that adds up: the longest time is what a slow build on a busy machine may take.
 #[track_caller]
-fn run(name: &str, setup: &str, text: &str) -> Analysis {
+fn run(name: &str, setup: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Analysis {
     run_within(Duration::from_secs(10), name, setup, text)
 }
 
@@ -47,8 +47,8 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
 #[test]
 fn hostile_programs_end_with_their_message() {
     for case in hostile() {
-        let analysis = run(case.name, case.setup, &case.text);
-        let lines = LineIndex::new(case.text.as_bytes());
+        let analysis = run(&case.name, case.setup, &case.text);
+        let lines = LineIndex::new(&case.text);
         let told = |found: &Diagnostic| (found.message.code(), lines.line_of(found.span.start) + 1);
         let found: Vec<_> = analysis.diagnostics.iter().map(told).collect();
         assert!(found.contains(&(case.code, case.line)), "{}: {found:?}", case.name);
@@ -59,44 +59,46 @@ fn hostile_programs_end_with_their_message() {
 /// Each bound is met by a program that stays just within it, and told of one that goes one step further.
 #[test]
 fn every_bound_is_exact() {
-    let usual = Limits::default();
-    let told = |text: &str, limits: Limits| -> Vec<&'static str> {
-        let mut run = Run::within(text.as_bytes().to_vec(), Setup::default(), limits);
-        while !run.advance(7) {}
-        run.diagnostics().iter().map(|found| found.message.slug()).collect()
-    };
-    let check = |slug: &str, limits: Limits, within: &str, beyond: &str| {
-        let (within, beyond) = (told(within, limits), told(beyond, limits));
-        assert!(!within.contains(&slug), "{slug}: {within:?}");
-        assert!(beyond.contains(&slug), "{slug}: {beyond:?}");
-    };
-    check("text-too-long", Limits { text: 9, ..usual }, "G0X1\nM30\n", "G0 X1\nM30\n");
-    check("too-many-motions", Limits { motions: 2, ..usual }, "X1\nX2\nM30", "X1\nX2\nX3\nM30");
-    let messages = Limits { messages: 2, ..usual };
-    check("more-messages", messages, "X\nX\nM30", "X\nX\nX\nM30");
-    check("block-too-long", usual, &"M0".repeat(WORDS_PER_BLOCK), &"M0".repeat(WORDS_PER_BLOCK + 1));
-    // A peck of 1 mm takes three moves.
-    let hole = |depth: u32| format!("M3 S1 F1 M45\nX0 Z0\nG83 X0 Z-{depth} Q1000\nM30");
-    check("too-many-passes", Limits { moves_per_cycle: 13, ..usual }, &hole(3), &hole(4));
-    // Nine blocks through calls of three blocks each.
-    let calls = |rounds: u32| format!("O1\nM98 P2 L{rounds}\nM30\nO2\nG0 X1\nM99\n");
-    check("too-many-repeats", Limits { repeated_blocks: 9, ..usual }, &calls(3), &calls(4));
-    // `O2`, `G0 X1` and `M99` are ten characters.
-    check("too-much-text-repeated", Limits { repeated_text: 30, ..usual }, &calls(3), &calls(4));
-    let levels = |call: &str, most: u32| -> String {
-        (1..=most).map(|own| format!("O{own}\n{call} P{}\nM99\n", own + 1)).collect::<String>()
-            + &format!("O{}\nM99\n", most + 1)
-    };
-    for (call, most) in [("M98", usual.call_depth), ("G65", usual.macro_depth)] {
-        let most = most as u32;
-        check("calls-too-deep", usual, &levels(call, most), &levels(call, most + 1));
-        assert!(told(&levels(call, most), usual).contains(&"main-program-without-end"), "{call}");
+    for bound in bounds() {
+        let slugs = |text: &str| -> Vec<&'static str> {
+            run(bound.slug, &bound.setup, text).diagnostics.iter().map(|found| found.message.slug()).collect()
+        };
+        let (within, beyond) = (slugs(&bound.within), slugs(&bound.beyond));
+        assert!(!within.contains(&bound.slug), "{}: {within:?}", bound.slug);
+        assert!(beyond.contains(&bound.slug), "{}: {beyond:?}", bound.slug);
     }
-    // G70 reads its contour of two blocks each time.
-    let finishing = |rounds: usize| {
-        format!("M3 S1 F1\nX9 Z0\n{}M30\nN1 G0 X1\nN2 G1 Z-1\n", "G70 P1 Q2\n".repeat(rounds))
+}
+
+/// A limit can be set as low as one likes, but only as high as there is room for.
+#[test]
+fn limits_are_set_by_name_and_within_reason() {
+    let limits = |json: &str| Setup::from_json(json).map(|setup| setup.limits);
+    let usual = Limits::default();
+    assert_eq!(limits("{}"), Ok(usual));
+    assert_eq!(limits(r#"{"limits": {}}"#), Ok(usual));
+    assert_eq!(
+        limits(r#"{"limits": {"motions": 0, "callDepth": 100}}"#),
+        Ok(Limits { motions: 0, call_depth: 100, ..usual })
+    );
+    let refused = |json: &str, what: &str| {
+        let problem = limits(json).expect_err(what);
+        assert!(problem.contains(what), "{problem}");
     };
-    check("too-much-work", Limits { cycle_work: 6, ..usual }, &finishing(3), &finishing(4));
+    refused(r#"{"limits": {"motions": 20000001}}"#, "limits.motions is 20000001; it can be 20000000 at most");
+    refused(r#"{"limits": {"macroDepth": 6}}"#, "limits.macroDepth");
+    refused(r#"{"limits": {"movements": 1}}"#, "unknown field `movements`");
+    refused(r#"{"limits": {"stride": 1}}"#, "unknown field `stride`");
+    refused(r#"{"limits": {"motions": -1}}"#, "-1");
+}
+
+#[test]
+fn the_readme_lists_every_limit() {
+    let readme = include_str!("../README.md");
+    for (name, usual, most) in Limits::default().settings() {
+        let most = if most == 1_000_000_000 { "10⁹".into() } else { most.to_string() };
+        let row = format!("| `{name}` | {usual} | {most} | ");
+        assert!(readme.contains(&row), "{row}");
+    }
 }
 
 /// Why a run ends is told even behind as many messages as are kept.

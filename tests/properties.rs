@@ -289,6 +289,8 @@ const SMALL: Limits = Limits {
     cycle_work: 900,
     repeated_blocks: 300,
     repeated_text: 6_000,
+    rounds: 150,
+    macro_steps: 200,
     call_depth: 4,
     macro_depth: 3,
     messages: 30,

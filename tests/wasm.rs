@@ -5,7 +5,7 @@
 mod endless;
 mod fixtures;
 
-use endless::{MOST_SECONDS, endless, hostile};
+use endless::{MOST_SECONDS, bounds, endless, hostile};
 use fixtures::{Program, check_messages, compare};
 use gcode_playground::wasm::Playground;
 use serde_json::Value;
@@ -215,6 +215,22 @@ fn endless_cycles_are_refused_at_once() {
     }
 }
 
+/// Each limit is a setting here as well, and is told of a program that goes one step further.
+#[wasm_bindgen_test]
+fn every_bound_is_exact() {
+    for bound in bounds() {
+        let is_told = |text: &str| {
+            let mut playground = Playground::new();
+            playground.set_setup(&bound.setup).expect("setup");
+            playground.set_text(text.into());
+            while !playground.advance(1) {}
+            rows(playground.diagnostics()).iter().any(|row| row["slug"] == bound.slug)
+        };
+        assert!(!is_told(&bound.within), "{}", bound.slug);
+        assert!(is_told(&bound.beyond), "{}", bound.slug);
+    }
+}
+
 /// Most seconds that a hostile program may compute, in this build that is not made to be fast; with the time Node
 /// takes to compile what is new to it.
 const MOST_COMPUTED: f64 = 8.0;
@@ -229,7 +245,7 @@ fn hostile_programs_end_with_their_message() {
         let mut playground = Playground::new();
         playground.set_setup(case.setup).expect("setup");
         let begun = computed();
-        playground.set_text(case.text);
+        playground.set_bytes(case.text);
         while !playground.advance(1_000) {}
         let seconds = computed() - begun;
         assert!(seconds < MOST_COMPUTED, "{}: {seconds} s", case.name);

@@ -17,9 +17,12 @@ const LIMITS: Limits = Limits {
     cycle_work: 5_000,
     repeated_blocks: 1_000,
     repeated_text: 20_000,
+    rounds: 500,
+    macro_steps: 900,
     call_depth: 10,
     macro_depth: 5,
     messages: 100,
+    stride: 64,
 };
 
 fn run(text: &[u8], setup: &Setup, slice: usize) -> Analysis {

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::dialect::DialectChoice;
+use crate::limits::Limits;
 
 /// A setup as written: every key optional, an unknown key is an error that names it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -25,12 +26,17 @@ pub struct Setup {
     pub block_skip: Vec<u8>,
     /// Number of the O program to run; the first of the text when nothing is said.
     pub program: Option<u32>,
+    /// What a run may use up.
+    pub limits: Limits,
 }
 
 impl Setup {
-    /// Reads a setup from JSON. The error says what is wrong and where, and names an unknown key.
+    /// Reads a setup from JSON. The error says what is wrong and where, and names an unknown key or a limit
+    /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
-        serde_json::from_str(json).map_err(|error| error.to_string())
+        let setup: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
+        setup.limits.check()?;
+        Ok(setup)
     }
 
     /// Where the tip stands at the start: X200 Z200 when nothing is said.

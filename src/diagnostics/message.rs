@@ -126,6 +126,10 @@ pub enum Message {
     TooManyRepeats { most: usize },
     /// Too many bytes of such blocks.
     TooMuchRepeated { most: usize },
+    /// Too many rounds of loops and calls.
+    TooManyRounds { most: usize },
+    /// Too many macro statements and expressions.
+    TooManyMacroSteps { most: usize },
     /// A program that nothing calls.
     NotRun { number: u32 },
 
@@ -396,6 +400,8 @@ impl Message {
             | Self::TooMuchWork { .. }
             | Self::TooManyRepeats { .. }
             | Self::TooMuchRepeated { .. }
+            | Self::TooManyRounds { .. }
+            | Self::TooManyMacroSteps { .. }
             | Self::TextTooLong { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
@@ -422,6 +428,8 @@ impl Message {
                 | Self::TooMuchWork { .. }
                 | Self::TooManyRepeats { .. }
                 | Self::TooMuchRepeated { .. }
+                | Self::TooManyRounds { .. }
+                | Self::TooManyMacroSteps { .. }
                 | Self::CallTooDeep { .. }
                 | Self::EndlessMain
                 | Self::MacroAlarm { .. }
@@ -464,6 +472,8 @@ impl Message {
             Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
             Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
             Self::TooMuchRepeated { .. } => ("W-ENDLESS", "too-much-text-repeated", Error, None),
+            Self::TooManyRounds { .. } => ("W-ENDLESS", "too-many-rounds", Error, None),
+            Self::TooManyMacroSteps { .. } => ("W-ENDLESS", "too-many-macro-steps", Error, None),
             Self::NotRun { .. } => ("I-NOT-RUN", "program-not-run", Info, None),
             Self::NumberFromVariable { .. } => ("PS0114", "number-from-variable", Error, Some("PS0114")),
             Self::Macro { kind } => (kind.alarm(), kind.slug(), Error, Some(kind.alarm())),

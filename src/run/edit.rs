@@ -84,7 +84,7 @@ impl Run {
         text.splice(start..end, edit.insert);
         let same_origin =
             start >= origin::HEAD || self.origin == super::Origin::of(&text, &self.setup().dialect);
-        let same_way = same_origin && text.len() <= self.interpreter.limits().text;
+        let same_way = same_origin && text.len() <= self.setup().limits.text;
         match self.marks.last().filter(|_| same_way) {
             Some(mark) => {
                 self.text = text;
@@ -93,7 +93,7 @@ impl Run {
                 (self.begun, self.ended, self.finished) = (true, false, false);
                 self.due = self.next_due();
             }
-            None => *self = Self::within(text, self.setup().clone(), self.interpreter.limits()),
+            None => *self = Self::new(text, self.setup().clone()),
         }
         self.before = before.filter(|_| same_way);
         self.look_out();
@@ -155,7 +155,7 @@ impl Run {
     }
 
     fn next_due(&self) -> usize {
-        self.tally.blocks + BLOCKS_PER_MOTION * self.interpreter.limits().stride
+        self.tally.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
     /// Finds out where the run before the edit may be met next.

@@ -15,12 +15,10 @@ use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, Token, TokenKind};
 use super::source::Span;
 use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
+use crate::limits::DIGITS;
 
 /// Most faults of one block that are told; one mistake easily upsets the words behind it.
 const FAULTS_PER_BLOCK: usize = 3;
-
-/// Most digits in a number (FANUC alarm PS0003).
-const MOST_DIGITS: u8 = 8;
 
 /// Reads a program block by block.
 #[derive(Clone, Debug)]
@@ -279,7 +277,7 @@ impl<'a> Parser<'a> {
             block.fault(Diagnostic::new(message, span));
             return;
         }
-        if number.digits > MOST_DIGITS {
+        if number.digits > DIGITS {
             let quote = short_quote(self.lexer.text(), span);
             block.fault(Diagnostic::new(Message::TooManyDigits { word: quote }, span));
             return;

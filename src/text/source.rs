@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use memchr::{memchr, memchr_iter};
+
 /// A run of bytes of the program text, `start..end`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
@@ -63,39 +65,29 @@ pub struct LineColumn {
 pub struct LineIndex {
     /// First byte of each line.
     starts: Vec<u32>,
-    /// UTF-16 units before each line, counting one unit for each line end, as editors that fold CRLF do;
-    /// empty while all text is ASCII without CRLF (units are then bytes).
-    units: Vec<u32>,
+    /// Places whose UTF-16 offset is known, in order: all starts of lines, and more in long lines. Empty while all text
+    /// is ASCII without CRLF (offsets are then bytes).
+    marks: Vec<Mark>,
 }
+
+/// A place whose UTF-16 offset is known.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    byte: u32,
+    /// UTF-16 units before it, each line end counted as one, as editors that fold CRLF do.
+    units: u32,
+}
+
+/// Most bytes from a mark to the next one in a line, or one character more: a text may be a single line.
+const STRIDE: usize = 256;
 
 impl LineIndex {
     /// Reads the line starts of `text`.
     pub fn new(text: &[u8]) -> Self {
-        let mut starts = vec![0];
-        let mut plain = text.is_ascii();
-        let mut at = 0;
-        while at < text.len() {
-            match text[at] {
-                b'\n' => starts.push(at as u32 + 1),
-                b'\r' if text.get(at + 1) == Some(&b'\n') => {
-                    plain = false;
-                    at += 1;
-                    starts.push(at as u32 + 1);
-                }
-                b'\r' => starts.push(at as u32 + 1),
-                _ => {}
-            }
-            at += 1;
-        }
-        let mut index = Self { starts, units: Vec::new() };
+        let (starts, plain) = line_starts(text);
+        let mut index = Self { starts, marks: Vec::new() };
         if !plain {
-            let mut units = Vec::with_capacity(index.starts.len());
-            let mut before = 0;
-            for line in 0..index.starts.len() {
-                units.push(before);
-                before += utf16_len(index.line(text, line as u32).of(text)) + 1;
-            }
-            index.units = units;
+            index.mark(text);
         }
         index
     }
@@ -109,19 +101,35 @@ impl LineIndex {
         let bytes = (inserted as u32).wrapping_sub(replaced.len() as u32);
         let start = self.starts[first] as usize;
         let end = self.starts.get(next).map_or(text.len(), |&after| after.wrapping_add(bytes) as usize);
-        let read = Self::new(&text[start..end]);
+        let mut read = Self::new(&text[start..end]);
         // Behind the line end that ends the bytes read stands `next`, which is kept.
         let lines = read.starts.len() - usize::from(next < self.starts.len());
-        if self.units.is_empty() && !read.units.is_empty() {
-            self.units = self.starts.clone();
+        if self.marks.is_empty() && !read.marks.is_empty() {
+            self.marks = self.starts.iter().map(|&byte| Mark { byte, units: byte }).collect();
         }
-        if let Some(&before) = self.units.get(first) {
-            let own = |line: usize| before + read.units.get(line).copied().unwrap_or(read.starts[line]);
-            if next < self.units.len() {
-                let units = own(lines).wrapping_sub(self.units[next]);
-                self.units[next..].iter_mut().for_each(|before| *before = before.wrapping_add(units));
+        if !self.marks.is_empty() {
+            if read.marks.is_empty() {
+                read.mark(&text[start..end]);
             }
-            self.units.splice(first..next, (0..lines).map(own));
+            let first = self.marks.partition_point(|mark| (mark.byte as usize) < start);
+            let next = match self.starts.get(next) {
+                Some(&next) => self.marks.partition_point(|mark| mark.byte < next),
+                None => self.marks.len(),
+            };
+            let before = self.marks[first].units;
+            let own = match read.starts.get(lines) {
+                Some(&kept) => read.marks.partition_point(|mark| mark.byte < kept),
+                None => read.marks.len(),
+            };
+            if next < self.marks.len() {
+                let units = (before + read.marks[own].units).wrapping_sub(self.marks[next].units);
+                for mark in &mut self.marks[next..] {
+                    mark.byte = mark.byte.wrapping_add(bytes);
+                    mark.units = mark.units.wrapping_add(units);
+                }
+            }
+            let moved = |mark: &Mark| Mark { byte: start as u32 + mark.byte, units: before + mark.units };
+            self.marks.splice(first..next, read.marks[..own].iter().map(moved));
         }
         self.starts[next..].iter_mut().for_each(|start| *start = start.wrapping_add(bytes));
         self.starts.splice(first..next, read.starts[..lines].iter().map(|&from| start as u32 + from));
@@ -163,39 +171,88 @@ impl LineIndex {
         let byte = byte.min(text.len() as u32);
         let line = self.line_of(byte);
         let start = self.starts[line as usize];
-        let column = if self.units.is_empty() {
-            byte - start
-        } else {
-            utf16_len(&text[start as usize..byte as usize])
-        };
-        LineColumn { line, column }
+        LineColumn { line, column: self.utf16_offset(text, byte) - self.utf16_offset(text, start) }
     }
 
     /// UTF-16 offset of a byte from the start of the text, each line end counted as one unit.
     pub fn utf16_offset(&self, text: &[u8], byte: u32) -> u32 {
-        if self.units.is_empty() {
-            return byte.min(text.len() as u32);
+        let byte = byte.min(text.len() as u32);
+        if self.marks.is_empty() {
+            return byte;
         }
-        let at = self.line_column(text, byte);
-        self.units[at.line as usize] + at.column
+        let mark = self.marks[self.marks.partition_point(|mark| mark.byte <= byte) - 1];
+        mark.units + utf16_len(&text[mark.byte as usize..byte as usize])
     }
 
     /// The byte at a UTF-16 offset; the inverse of [`LineIndex::utf16_offset`].
     pub fn byte_at_utf16(&self, text: &[u8], offset: u32) -> u32 {
-        if self.units.is_empty() {
+        if self.marks.is_empty() {
             return offset.min(text.len() as u32);
         }
-        let line = self.units.partition_point(|&units| units <= offset) - 1;
-        let span = self.line(text, line as u32);
-        let mut units = self.units[line];
-        for (at, ch) in chars(span.of(text)) {
+        let mark = self.marks[self.marks.partition_point(|mark| mark.units <= offset) - 1];
+        let end = self.line(text, self.line_of(mark.byte)).end;
+        let mut units = mark.units;
+        for (at, ch) in chars(&text[mark.byte as usize..end as usize]) {
             if units >= offset {
-                return span.start + at as u32;
+                return mark.byte + at as u32;
             }
             units += ch;
         }
-        span.end
+        end
     }
+
+    /// Sets the marks.
+    fn mark(&mut self, text: &[u8]) {
+        let mut units = 0;
+        for line in 0..self.len() {
+            let span = self.line(text, line);
+            self.marks.push(Mark { byte: span.start, units });
+            let bytes = span.of(text);
+            if bytes.len() <= STRIDE {
+                units += utf16_len(bytes) + 1;
+                continue;
+            }
+            let mut next = STRIDE;
+            for (at, ch) in chars(bytes) {
+                if at >= next {
+                    self.marks.push(Mark { byte: span.start + at as u32, units });
+                    next = at + STRIDE;
+                }
+                units += ch;
+            }
+            units += 1;
+        }
+    }
+}
+
+/// First byte of each line, and whether every byte is one UTF-16 unit.
+fn line_starts(text: &[u8]) -> (Vec<u32>, bool) {
+    let ascii = text.is_ascii();
+    if memchr(b'\r', text).is_none() {
+        // As editors hand it over: counted first, because a list that grows takes twice its memory.
+        let ends = memchr_iter(b'\n', text);
+        let mut starts = Vec::with_capacity(1 + ends.clone().count());
+        starts.push(0);
+        starts.extend(ends.map(|at| at as u32 + 1));
+        return (starts, ascii);
+    }
+    let mut starts = vec![0];
+    let mut plain = ascii;
+    let mut at = 0;
+    while at < text.len() {
+        match text[at] {
+            b'\n' => starts.push(at as u32 + 1),
+            b'\r' if text.get(at + 1) == Some(&b'\n') => {
+                plain = false;
+                at += 1;
+                starts.push(at as u32 + 1);
+            }
+            b'\r' => starts.push(at as u32 + 1),
+            _ => {}
+        }
+        at += 1;
+    }
+    (starts, plain)
 }
 
 /// UTF-16 units of some bytes, as a browser counts them once it has decoded the file: a byte that is not
@@ -211,14 +268,10 @@ fn utf16_len(bytes: &[u8]) -> u32 {
 fn chars(bytes: &[u8]) -> impl Iterator<Item = (usize, u32)> {
     let mut at = 0;
     bytes.utf8_chunks().flat_map(move |chunk| {
-        let mut found: Vec<(usize, u32)> =
-            chunk.valid().char_indices().map(|(i, ch)| (at + i, ch.len_utf16() as u32)).collect();
-        at += chunk.valid().len();
-        if !chunk.invalid().is_empty() {
-            found.push((at, 1));
-            at += chunk.invalid().len();
-        }
-        found
+        let (start, end) = (at, at + chunk.valid().len());
+        at = end + chunk.invalid().len();
+        let valid = chunk.valid().char_indices().map(move |(i, ch)| (start + i, ch.len_utf16() as u32));
+        valid.chain((!chunk.invalid().is_empty()).then_some((end, 1)))
     })
 }
 
@@ -301,5 +354,24 @@ mod tests {
         let text = b"(\xff\xfe) X1";
         let index = LineIndex::new(text);
         assert_eq!(index.line_column(text, 5).column, 5);
+    }
+
+    /// A text may be one line, and thousands of places are asked for.
+    #[test]
+    fn places_in_a_long_line_are_those_of_a_count_from_its_beginning() {
+        let text = "X1 外😀;".repeat(300).into_bytes();
+        let text = [&text[..], b"\r\n\xff\xe5\xa4", &text[..], b"\xe5"].concat();
+        let index = LineIndex::new(&text);
+        let second = index.starts[1] as usize;
+        for byte in 0..=text.len() {
+            let start = if byte < second { 0 } else { second };
+            let column = utf16_len(&text[start..byte]);
+            assert_eq!(index.line_column(&text, byte as u32).column, column, "{byte}");
+        }
+        let last = index.utf16_offset(&text, text.len() as u32);
+        for offset in 0..=last {
+            let byte = index.byte_at_utf16(&text, offset);
+            assert!(index.utf16_offset(&text, byte) >= offset, "{offset}");
+        }
     }
 }

@@ -7,6 +7,7 @@ mod bench;
 mod browser;
 mod compare;
 mod debian;
+mod hostile;
 mod package;
 mod play;
 mod run;

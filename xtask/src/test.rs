@@ -1,11 +1,11 @@
-//! In: the whole working tree. Out: whether it is in order: format, lints, native tests, wasm tests under Node, the
-//! page's types, and the page in a real browser. It stops at the first step that fails.
+//! In: the whole working tree. Out: whether it is in order: format, lints, native tests, wasm tests under Node,
+//! hostile programs in release builds, the page's types, and the page in a real browser. It stops at the first step that fails.
 
 use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, package};
+use crate::{browser, hostile, package};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -34,6 +34,7 @@ pub fn main() -> Result {
         step("wasm tests under Node", wasm_pack.args(["test", "--node", "--mode", "no-install"]))?,
     );
     done("wasm package", package::wasm(&setup)?);
+    done("hostile programs", hostile::main(None)?);
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("page", package::page(&setup)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);

@@ -55,6 +55,29 @@ impl Interpreter {
         false
     }
 
+    /// Counts a round of a loop or call. False: they were too many, and the run ends here.
+    pub(super) fn count_round(&mut self, block: &Block) -> bool {
+        self.rounds += 1;
+        if self.rounds > self.limits.rounds {
+            let message = Message::TooManyRounds { most: self.limits.rounds };
+            self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| block.words_span())));
+            self.full = true;
+        }
+        !self.full
+    }
+
+    /// Counts a macro statement or expression, once the program has left the straight way. False: they were too many,
+    /// and the run ends here.
+    pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
+        self.macro_steps += usize::from(self.wandered);
+        if self.macro_steps > self.limits.macro_steps && !self.full {
+            let message = Message::TooManyMacroSteps { most: self.limits.macro_steps };
+            self.tell(Diagnostic::new(message, block.words_span()));
+            self.full = true;
+        }
+        !self.full
+    }
+
     /// M97, M98, M99.
     #[inline(never)]
     pub(super) fn pass(
@@ -172,7 +195,8 @@ impl Interpreter {
         if named.is_none() && call.rounds > 1 {
             call.rounds -= 1;
             call.loops.clear();
-            return Flow::Jump(call.head);
+            let head = call.head;
+            return if self.count_round(block) { Flow::Jump(head) } else { Flow::End };
         }
         let (caller, back) = (call.caller, call.back);
         self.leave_call();

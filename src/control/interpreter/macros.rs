@@ -7,6 +7,7 @@
 use super::*;
 use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
+use crate::limits::LOOPS;
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
 
@@ -40,6 +41,9 @@ impl Interpreter {
         if let Some(word) = block.words.first() {
             self.tell_macro(FaultKind::WordsBehind, word.span.to(block.span));
             return Flow::Next;
+        }
+        if !self.count_macro_step(block) {
+            return Flow::End;
         }
         let span = statement_span(block);
         let statement = span.of(text);
@@ -114,7 +118,7 @@ impl Interpreter {
         if let Some((Mark::Do, number)) = mark {
             self.end_of_loop(text, block, number, here);
             self.leave_loop(here);
-            self.state.course.loops().push(Loop { number, head: here.at, rounds: Rounds::One });
+            self.open_loop(Loop { number, head: here.at, rounds: Rounds::One });
         }
     }
 
@@ -159,8 +163,16 @@ impl Interpreter {
                 self.state.course.loops().truncate(old);
             }
         }
-        self.state.course.loops().push(Loop { number, head, rounds: Rounds::All });
+        self.open_loop(Loop { number, head, rounds: Rounds::All });
         Flow::Next
+    }
+
+    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so one was told to stand in itself.
+    fn open_loop(&mut self, own: Loop) {
+        let loops = self.state.course.loops();
+        if loops.len() < LOOPS {
+            loops.push(own);
+        }
     }
 
     fn leave_loop(&mut self, here: Here) {
@@ -185,7 +197,7 @@ impl Interpreter {
         loops.truncate(old + 1);
         self.wandered = true;
         self.jumped_by = Some(block.span);
-        Flow::Jump(head)
+        if self.count_round(block) { Flow::Jump(head) } else { Flow::End }
     }
 
     /// The block behind the END of a loop that begins here (PS0124 where there is none). `None`: told.
@@ -248,7 +260,7 @@ impl Interpreter {
             None => {
                 self.trace_nothing();
                 self.state.uncertain = true;
-                Flow::Next
+                if self.full { Flow::End } else { Flow::Next }
             }
         }
     }
@@ -290,6 +302,9 @@ impl Interpreter {
         word: &Word,
         places: Option<u8>,
     ) -> Option<(Option<Number>, bool)> {
+        if !self.count_macro_step(block) {
+            return None;
+        }
         // The letter, and perhaps a comma and blanks, stand before the expression.
         let written = word.span.of(text);
         let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;

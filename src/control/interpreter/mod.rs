@@ -191,6 +191,10 @@ pub struct Interpreter {
     repeated: usize,
     /// Their bytes.
     repeated_text: usize,
+    /// Rounds of loops and calls.
+    rounds: usize,
+    /// Macro statements and expressions in blocks that were carried out so.
+    macro_steps: usize,
     /// The block that jumped or called last.
     jumped_by: Option<Span>,
     /// The program has left the straight way through its text.
@@ -207,18 +211,18 @@ pub struct Interpreter {
 
 impl Interpreter {
     /// A control at power-on.
-    pub fn new(setup: Setup, limits: Limits) -> Self {
+    pub fn new(setup: Setup) -> Self {
         let dialect = Dialect::new(&setup.dialect);
-        Self::of(setup, dialect, limits)
+        Self::of(setup, dialect)
     }
 
-    fn of(setup: Setup, dialect: Dialect, limits: Limits) -> Self {
+    fn of(setup: Setup, dialect: Dialect) -> Self {
         let state = State::new(&setup, &dialect);
         let chunk = Chunk::new(0, 0, state.position);
         Self {
+            limits: setup.limits,
             setup,
             dialect,
-            limits,
             state,
             motions: Motions::default(),
             chunk,
@@ -237,6 +241,8 @@ impl Interpreter {
             furthest: 0,
             repeated: 0,
             repeated_text: 0,
+            rounds: 0,
+            macro_steps: 0,
             jumped_by: None,
             wandered: false,
             begun_elsewhere: false,
@@ -361,11 +367,6 @@ impl Interpreter {
     /// Whether a program of the text calls the one of a number.
     pub fn is_called(&mut self, text: &[u8], number: u32) -> bool {
         self.labels(text).is_called(number)
-    }
-
-    /// The bounds of the run.
-    pub fn limits(&self) -> Limits {
-        self.limits
     }
 
     /// Whether the program has left the straight way through its text.

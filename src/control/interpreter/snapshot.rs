@@ -120,7 +120,7 @@ impl Interpreter {
             heads: heads.into_iter().filter(|&head| head < at.byte).collect(),
             told: diagnostics.iter().map(told_as).collect(),
             diagnostics,
-            ..Self::of(std::mem::take(&mut self.setup), self.dialect.clone(), self.limits)
+            ..Self::of(std::mem::take(&mut self.setup), self.dialect.clone())
         };
         self.begin_chunk(*at);
     }

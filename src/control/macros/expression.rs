@@ -20,9 +20,7 @@ use std::ops::Range;
 use super::cursor::{Arithmetic, Cursor, Operator};
 use super::functions::{self, Function};
 use super::{Fault, FaultKind, Memory};
-
-/// Most brackets inside each other, those of functions and of `#[…]` among them.
-const MOST_BRACKETS: u8 = 5;
+use crate::limits::BRACKETS;
 
 /// The value behind an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
 /// the least increment of the address, in its own unit, to which ROUND rounds here.
@@ -273,7 +271,7 @@ impl<'a> Evaluator<'a> {
         if !self.cursor.eat(b'[') {
             return Err(FaultKind::Expression.at(open));
         }
-        if self.depth == MOST_BRACKETS {
+        if self.depth == BRACKETS {
             return Err(FaultKind::BracketsTooDeep.at(open));
         }
         self.depth += 1;

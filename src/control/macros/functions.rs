@@ -5,9 +5,7 @@
 
 use super::FaultKind;
 use super::cursor::{Arithmetic, Comparison};
-
-/// Largest value of a variable (semantics §8.4).
-const LARGEST: f64 = 1e47;
+use crate::limits::LARGEST_VARIABLE;
 
 /// What is nearer to zero is zero.
 const SMALLEST: f64 = 1e-29;
@@ -197,7 +195,7 @@ pub(super) fn compare(comparison: Comparison, left: Option<f64>, right: Option<f
 
 /// A result within the range of the control; there is no negative zero.
 pub(super) fn bounded(value: f64) -> Result<f64, FaultKind> {
-    if !value.is_finite() || value.abs() > LARGEST {
+    if !value.is_finite() || value.abs() > LARGEST_VARIABLE {
         return Err(FaultKind::Overflow);
     }
     Ok(if value.abs() < SMALLEST { 0.0 } else { value })

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::{FaultKind, Memory};
+use crate::limits::MACRO_LEVELS;
 
 /// Local variables of one level: #1 to #33.
 pub const LOCALS: usize = 33;
@@ -15,7 +16,7 @@ pub const LOCALS: usize = 33;
 pub type Locals = [Option<f64>; LOCALS];
 
 /// Most levels: the main program and five calls inside each other (semantics §8.5).
-pub const MOST_LEVELS: usize = 6;
+pub const MOST_LEVELS: usize = 1 + MACRO_LEVELS;
 
 /// Common variables lost at power off: #100 to #199.
 const PASSING: usize = 100;

@@ -97,6 +97,14 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("From here jumps, loops and calls ran through more than {most} characters of blocks; the run ends."))
                 .help("The loop has no end, or far too many rounds of long blocks. Look at what should end it: its condition, its counter, or L of the call.")
         }
+        Message::TooManyRounds { most } => {
+            Sentence::new(format!("Loops and calls have made more than {most} rounds; the run ends here."))
+                .help("Look at what should end this loop: its condition, its counter, or L of the call.")
+        }
+        Message::TooManyMacroSteps { most } => {
+            Sentence::new(format!("More than {most} macro statements and expressions were worked out in jumps, loops and calls; the run ends here."))
+                .help("Look at what should end the loop, or let it work out less in each round.")
+        }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} is not run: no program calls it."))
             .help("A text with several programs runs the first. Choose another one to see it."),
         Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`: N and O cannot take their number from a variable."))

@@ -94,6 +94,14 @@ pub(super) fn sentence(message: &Message) -> Sentence {
             Sentence::new(format!("从这里起，跳转、循环和调用执行的程序段超过 {most} 个字符，运行结束。"))
                 .help("循环没有终点，或很长的程序段重复次数太多。请检查循环条件、计数变量或调用的 L。")
         }
+        Message::TooManyRounds { most } => {
+            Sentence::new(format!("循环和调用的次数超过 {most} 次，运行在此结束。"))
+                .help("请检查该循环靠什么结束：条件、计数变量或调用的 L。")
+        }
+        Message::TooManyMacroSteps { most } => {
+            Sentence::new(format!("跳转、循环和调用中计算的宏语句和表达式超过 {most} 个，运行在此结束。"))
+                .help("请检查循环靠什么结束，或减少每次循环中的计算。")
+        }
         Message::NotRun { number } => Sentence::new(format!("O{number:04} 没有运行：没有程序调用它。"))
             .help("文本中有多个程序时运行第一个。可选择另一个程序查看。"),
         Message::NumberFromVariable { word } => Sentence::new(format!("`{word}`：N 和 O 的号码不能用变量给出。"))

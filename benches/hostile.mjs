@@ -1,0 +1,96 @@
+// The hostile programs in the shipped wasm, each in a fresh process, beside their native times: one table, and an error
+// when one takes too long or is not answered by its message. Run by `cargo xtask test` and `cargo xtask bench`.
+//
+//   node benches/hostile.mjs FOLDER [--show ROWS] [--report FILE]
+//
+// FOLDER has the programs and cases.json, as benches/hostile.rs writes them.
+import { spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+
+/** Longest times for an answer, ms. */
+const MOST = { native: 1000, wasm: 2000 };
+/** What is too slow runs again: the machine may have been busy. */
+const ATTEMPTS = 3;
+/** Lines that a page shows at once. */
+const SHOWN_LINES = 60;
+/** Rows of the report; all others are quick. */
+const REPORTED = 60;
+
+const here = fileURLToPath(import.meta.url);
+const { values: options, positionals } = parseArgs({
+  allowPositionals: true,
+  options: { show: { type: 'string' }, report: { type: 'string' }, one: { type: 'string' } },
+});
+const [folder] = positionals;
+
+if (options.one !== undefined) console.log(JSON.stringify(await answer(JSON.parse(options.one))));
+else judge();
+
+function judge() {
+  const cases = JSON.parse(readFileSync(join(folder, 'cases.json'), 'utf8'));
+  const problems = cases.flatMap(problemsOf);
+  cases.sort((a, b) => b.wasm - a.wasm);
+  console.log(table(cases, Number(options.show ?? cases.length)));
+  if (options.report) writeFileSync(options.report, table(cases, REPORTED));
+  for (const problem of problems) console.error(problem);
+  process.exitCode = problems.length > 0 ? 1 : 0;
+}
+
+/** Runs a program in wasm and says what is wrong. */
+function problemsOf(one) {
+  const problems = [];
+  one.wasm = Infinity;
+  for (let attempt = 0; attempt < ATTEMPTS && one.wasm > MOST.wasm; attempt++) {
+    const argv = [here, folder, '--one', JSON.stringify(one)];
+    const run = spawnSync(process.execPath, argv, { encoding: 'utf8', timeout: 60_000 });
+    if (run.status !== 0) return [`${one.name}: ${run.error ?? run.stderr}`];
+    const { ms, told } = JSON.parse(run.stdout);
+    one.wasm = Math.min(one.wasm, ms);
+    if (!told) problems.push(`${one.name}: ${one.code} is not told on line ${one.line} in wasm`);
+  }
+  if (!one.told) problems.push(`${one.name}: ${one.code} is not told on line ${one.line} natively`);
+  if (one.answer > MOST.native) problems.push(`${one.name}: ${one.answer.toFixed(0)} ms natively`);
+  if (one.wasm > MOST.wasm) problems.push(`${one.name}: ${one.wasm.toFixed(0)} ms in wasm`);
+  return problems;
+}
+
+function table(cases, rows) {
+  const highest = (column, from = 0) => Math.max(...cases.slice(from).map((one) => one[column])).toFixed(0);
+  const lines = [
+    `${cases.length} programs; native at most ${highest('answer')} ms, wasm at most ${highest('wasm')} ms.`,
+    '',
+    '| program | bytes | native, ms | wasm, ms | motions | message |',
+    '|---|---:|---:|---:|---:|---|',
+  ];
+  for (const one of cases.slice(0, rows)) {
+    const name = one.name.replaceAll('|', '\\|');
+    lines.push(`| ${name} | ${one.bytes} | ${one.answer.toFixed(0)} | ${one.wasm.toFixed(0)} | ${one.motions} | ${one.code} |`);
+  }
+  if (rows < cases.length) {
+    const [native, wasm] = [highest('answer', rows), highest('wasm', rows)];
+    lines.push(`| the other ${cases.length - rows}, at most | | ${native} | ${wasm} | | |`);
+  }
+  return lines.join('\n') + '\n';
+}
+
+/** Everything a page asks for at once, from a module that is new to this process. */
+async function answer(one) {
+  const { initSync, Playground } = await import('../www/pkg/gcode_playground.js');
+  const bytes = readFileSync(join(folder, one.file));
+  initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+  const playground = new Playground();
+  playground.setSetup(one.setup);
+  const [begun, computed] = [performance.now(), process.cpuUsage()];
+  playground.setBytes(bytes);
+  while (!playground.advance(1000));
+  const summary = playground.summary();
+  const told = playground.diagnostics().some((row) => row.code === one.code && row.line === one.line);
+  playground.tokens(0, Math.min(summary.lines, SHOWN_LINES));
+  playground.pathLength();
+  // On a busy machine the processor time, which counts what V8 compiles beside the run as well.
+  const { user, system } = process.cpuUsage(computed);
+  return { ms: Math.min(performance.now() - begun, (user + system) / 1000), told };
+}

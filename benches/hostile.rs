@@ -1,0 +1,124 @@
+//! Times of the hostile programs of `tests/endless`, natively. Part of `cargo xtask test` and `cargo xtask bench`.
+//!
+//! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with what is said of
+//! them and their times; `benches/hostile.mjs` reads it, runs the same in wasm and judges.
+
+#[path = "../tests/endless/mod.rs"]
+#[allow(dead_code, unused_imports, reason = "the tests use the rest of it")]
+mod endless;
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use std::{env, fs, io};
+
+use endless::{Hostile, MOST_SECONDS, hostile};
+use gcode_playground::api::{Places, Summary};
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::run::Run;
+use gcode_playground::scene::outline::Outline;
+use gcode_playground::text::highlight::highlight;
+use gcode_playground::text::source::LineIndex;
+use serde::Serialize;
+
+/// A program that is too slow runs again so many times: the machine may have been busy.
+const MORE_ATTEMPTS: usize = 2;
+
+/// Lines that a page shows at once.
+const SHOWN_LINES: u32 = 60;
+
+/// A program and what its run gave.
+#[derive(Serialize)]
+struct Case {
+    name: String,
+    file: String,
+    setup: &'static str,
+    bytes: usize,
+    /// Code and line of the message that must be told.
+    code: &'static str,
+    line: u32,
+    /// Whether it was.
+    told: bool,
+    motions: u32,
+    /// Milliseconds until the messages are there, and what a page shows first.
+    answer: f64,
+}
+
+fn main() -> io::Result<()> {
+    // cargo puts options of its own behind ours.
+    let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
+    let folder = PathBuf::from(folder.unwrap_or_else(|| "target/hostile".into()));
+    fs::create_dir_all(&folder)?;
+    let all: io::Result<Vec<Case>> =
+        hostile().iter().enumerate().map(|(index, case)| measured(case, index, &folder)).collect();
+    fs::write(folder.join("cases.json"), serde_json::to_string(&all?)?)
+}
+
+fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {
+    let file = format!("{index:03}.nc");
+    fs::write(folder.join(&file), &case.text)?;
+    let setup = Setup::from_json(case.setup).map_err(io::Error::other)?;
+    let mut best = answer(case, &setup);
+    for _ in 0..MORE_ATTEMPTS {
+        if best.0 > 1e3 * MOST_SECONDS {
+            best.0 = best.0.min(answer(case, &setup).0);
+        }
+    }
+    let (answer, told, motions) = best;
+    Ok(Case {
+        name: case.name.clone(),
+        file,
+        setup: case.setup,
+        bytes: case.text.len(),
+        code: case.code,
+        line: case.line,
+        told,
+        motions,
+        answer,
+    })
+}
+
+/// Everything a page asks for at once: milliseconds, whether the message was told, and how many motions there are.
+fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
+    let watch = Watch::start();
+    let mut run = Run::new(case.text.clone(), setup.clone());
+    while !run.advance(1_000) {}
+    let summary = Summary::new(run.motions(), run.diagnostics());
+    let lines = LineIndex::new(&case.text);
+    let places = Places { text: &case.text, lines: &lines };
+    let row = |found| places.diagnostic(found, Language::English);
+    let told: Vec<_> = run.diagnostics().iter().map(row).collect();
+    let shown = lines.line(&case.text, lines.len().min(SHOWN_LINES) - 1).end as usize;
+    let tokens: Vec<_> =
+        highlight(&case.text, 0, shown).into_iter().map(|(span, _)| places.offsets(span)).collect();
+    let length = Outline::of(run.motions()).length();
+    let taken = watch.milliseconds();
+    std::hint::black_box((tokens, length));
+    (taken, told.iter().any(|row| row.code == case.code && row.line == case.line), summary.motions)
+}
+
+/// Measures what a piece of work takes: on a busy machine the time it was given a processor, where the system tells it.
+struct Watch {
+    begun: Instant,
+    computed: Option<f64>,
+}
+
+impl Watch {
+    fn start() -> Self {
+        Self { begun: Instant::now(), computed: computed() }
+    }
+
+    fn milliseconds(&self) -> f64 {
+        let taken = self.begun.elapsed().as_secs_f64() * 1e3;
+        match (self.computed, computed()) {
+            (Some(before), Some(after)) => taken.min(after - before),
+            _ => taken,
+        }
+    }
+}
+
+/// Milliseconds this thread has computed, as Linux tells it.
+fn computed() -> Option<f64> {
+    let told = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    told.split_whitespace().next()?.parse::<f64>().ok().map(|nanoseconds| nanoseconds / 1e6)
+}

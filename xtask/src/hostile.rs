@@ -1,0 +1,30 @@
+//! In: the wasm package. Out: whether every hostile program is answered in time, natively and in that package, and a
+//! table of the times.
+
+use std::env;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crate::run::{self, Result, command, step};
+
+/// Rows of the table on the terminal.
+const SHOWN: usize = 12;
+
+/// Runs them all, in release builds; `report` is where the whole table goes.
+pub fn main(report: Option<&PathBuf>) -> Result<Duration> {
+    let folder = run::root().join(target()).join("hostile");
+    let mut native = command("cargo");
+    native.args(["run", "--quiet", "--release", "--example", "hostile", "--"]).arg(&folder);
+    let measured = step("hostile programs, native", &mut native)?;
+    let mut node = command("node");
+    node.arg("benches/hostile.mjs").arg(&folder).args(["--show", &SHOWN.to_string()]);
+    if let Some(report) = report {
+        node.arg("--report").arg(report);
+    }
+    Ok(measured + step("hostile programs, wasm", &mut node)?)
+}
+
+/// The folder of what is built.
+pub fn target() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from)
+}
