@@ -25,3 +25,13 @@ fn a_million_plain_lines(bencher: Bencher) {
 fn a_shaft_of_sixty_lines(bencher: Bencher) {
     run(bencher, workload::shaft());
 }
+
+#[divan::bench]
+fn ten_thousand_box_cycles(bencher: Bencher) {
+    run(bencher, workload::boxes(10_000));
+}
+
+#[divan::bench(args = [100, 300, 1_000, 2_000, 3_000, 10_000])]
+fn roughing_along_points(bencher: Bencher, points: u32) {
+    run(bencher, workload::contour(points));
+}

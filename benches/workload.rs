@@ -65,21 +65,50 @@ pub fn plain(lines: usize) -> String {
     text
 }
 
-/// A shaft of 60 lines with facing, roughing passes by G90, a taper, an arc and a thread, as a class writes it.
+/// A shaft of some sixty lines as a class writes it: facing, G71 and G70, a groove by G75, a bore by G74, a thread by G76.
 pub fn shaft() -> String {
-    let mut text = String::from(
-        "%\nO0301 (SHAFT)\nG21 G40 G97 G99\nG28 U0 W0\nT0101\nG50 S2500\nG96 S180 M3\nG0 X64.0 Z5.0 M8\n\
-         G94 X-1.6 Z1.0 F0.2\nZ0.5\nZ0\nG0 X62.0 Z2.0\nG90 X58.0 Z-80.0 F0.25\n",
-    );
-    for step in 1..18 {
-        let _ = writeln!(text, "X{}.0 Z-{}.5", 58 - 2 * step, 80 - 3 * step);
+    String::from(
+        "%\nO0301 (SHAFT)\nG21 G40 G97 G99\nG28 U0 W0\nT0101 (ROUGHING)\nG50 S2500\nG96 S180 M3\nG0 X64.0 Z5.0 M8\n\
+         G94 X-1.6 Z1.0 F0.2\nZ0.5\nZ0\nG0 X62.0 Z2.0\nG71 U2.0 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G0 X14.0\n\
+         G1 Z0 F0.12\nX20.0 Z-3.0\nZ-25.0\nX24.0\nG3 X28.0 Z-27.0 R2.0\nG1 Z-40.0\nX36.0 Z-50.0\nZ-65.0\n\
+         G2 X44.0 Z-69.0 R4.0\nG1 X50.0\nX54.0 Z-71.0\nZ-85.0\nN20 X62.0\nG0 X150.0 Z100.0 M9\nT0202 (FINISHING)\n\
+         G96 S220 M3\nG0 X62.0 Z2.0 M8\nG70 P10 Q20\nG0 X150.0 Z100.0 M9\nT0303 (GROOVE)\nG97 S600 M3\nG0 X40.0 Z-56.0 M8\n\
+         G75 R0.5\nG75 X30.0 Z-60.0 P1500 Q2500 F0.06\nG0 X150.0\nZ100.0 M9\nT0404 (BORE)\nS900 M3\nG0 X0 Z3.0 M8\n\
+         G74 R1.0\nG74 Z-35.0 Q6000 F0.1\nG0 Z100.0 M9\nX150.0\nT0505 (THREAD)\nS700 M3\nG0 X24.0 Z4.0 M8\n\
+         G76 P020060 Q100 R0.05\nG76 X17.4 Z-22.0 P1300 Q350 F2.0\nG0 X150.0 Z100.0 M9\nT0100\nM5\nG28 U0 W0\nM30\n%\n",
+    )
+}
+
+/// So many box cycles, G90, each by one modal line.
+pub fn boxes(count: u32) -> String {
+    let mut text = String::from("G21 G40 G97 G99\nS900 M3\nG0 X102. Z2. M8\nG90 X100. Z-50. F.2\n");
+    for index in 1..count {
+        let _ = writeln!(
+            text,
+            "X{}.{} Z-{}.{}",
+            99 - index / 10 % 80,
+            index % 10,
+            10 + index % 90,
+            index / 90 % 10
+        );
     }
-    text.push_str(
-        "G0 X62.0 Z2.0\nG90 X30.0 Z-20.0 R-5.0\nX26.0\nX22.0\nG0 X150.0 Z100.0 M9\nT0202\nG96 S220 M3\nG0 X18.0 Z2.0\n\
-         G1 Z0.0 F0.12\nX20.0 Z-1.0\nZ-20.0\nX24.0\nG3 X28.0 Z-22.0 R2.0\nG1 Z-35.0\nX36.0 Z-45.0\nZ-60.0\n\
-         G2 X44.0 Z-64.0 R4.0\nG1 X50.0\nX54.0 Z-66.0\nG0 X150.0 Z100.0\nT0505\nG97 S700 M3\nG0 X24.0 Z4.0\n\
-         G92 X19.2 Z-15.0 F2.0\nX18.6\nX18.2\nX17.9\nX17.6\nG0 X150.0 Z100.0\nM5\nM30\n%\n",
+    text.push_str("G0 X150. Z100. M9\nM5\nM30\n");
+    text
+}
+
+/// G71 by 0.1 mm and G70 along a contour of so many points, which rises from 20 to 60 mm of diameter in waves: G71 cuts
+/// their hollows too.
+pub fn contour(points: u32) -> String {
+    let mut text = String::from(
+        "G21 G40 G97 G99\nS900 M3\nG0 X70. Z2. M8\nG71 U.1 R.1\nG71 P10 Q20 U.2 W.05 F.2\nN10 G0 X20. Z1.\n",
     );
+    for index in 1..=points {
+        let share = f64::from(index) / f64::from(points);
+        let wave = 0.4 * (f64::from(index) * 0.2).sin();
+        let x = (20_000.0 + 40_000.0 * share + 1_000.0 * wave) as i64;
+        let _ = writeln!(text, "G1 X{} Z{}", mm(x), mm(-20 * i64::from(index)));
+    }
+    text.push_str("N20 X70.\nG70 P10 Q20\nG0 X150. Z100. M9\nM5\nM30\n");
     text
 }
 

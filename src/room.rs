@@ -20,7 +20,7 @@ mod wasm {
     const PAGE: usize = 1 << 16;
 
     /// The memory grows by at least one part in so many.
-    const SHARE: usize = 4;
+    const SHARE: usize = 8;
 
     /// Grows the memory by a good part of what there is, if it has grown since the last time.
     pub fn ahead() {

@@ -1,27 +1,132 @@
-//! In: the wasm package. Out: a table of times, wasm under Node next to a floor measured in the same run.
+//! In: the options. Out: the tables of `benches/README.md`: the playground beside a floor and its peers, natively, in wasm
+//! under Node and in a browser, and the times of the hostile programs.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
-use crate::package;
-use crate::run::{self, Result, command, step};
+use crate::run::{self, Result, command, npm, step};
 use crate::setup::Setup;
+use crate::{browser, hostile, package};
 
 #[path = "../../benches/workload.rs"]
 mod workload;
 
+/// Points of the contours that are roughed.
+const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
+
+/// What `cargo xtask bench` was told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Only the playground and the floor are measured: no peer is installed.
+    pub own: bool,
+    /// The tables go into `benches/README.md`.
+    pub write: bool,
+    /// How often everything is measured.
+    pub rounds: Option<u32>,
+}
+
 /// `cargo xtask bench`.
-pub fn main() -> Result {
+pub fn main(options: Options) -> Result {
     let setup = Setup::for_building()?;
+    let browser = browser::ensure()?;
     package::wasm(&setup)?;
-    let folder = run::root().join("target/bench");
+    let binaries = run::root().join(hostile::target());
+    let peers = binaries.join("bench-peers");
+    build_floor_and_peers(&setup, options, &peers)?;
+    let mut native = command("cargo");
+    step("compiling the native run", native.args(["build", "--release", "--example", "native"]))?;
+    let folder = binaries.join("bench");
+    write_programs(&folder)?;
+    let [measures, hostile_times] = ["measures.md", "hostile.md"].map(|name| folder.join(name));
+    let mut node = command("node");
+    node.arg("benches/measure.mjs").arg(&folder).env(browser::VARIABLE, browser);
+    node.arg("--binaries").arg(binaries.join("release/examples")).arg("--peers").arg(peers.join("release"));
+    node.arg("--report").arg(&measures);
+    if let Some(rounds) = options.rounds {
+        node.arg("--rounds").arg(rounds.to_string());
+    }
+    if options.own {
+        node.arg("--own");
+    }
+    step("measuring", &mut node)?;
+    hostile::main(Some(&hostile_times))?;
+    if options.write {
+        write_tables(&[("measures", measures), ("hostile", hostile_times)])?;
+    }
+    Ok(())
+}
+
+/// The floor and the crates as wasm and as a native program; the packages of npm.
+fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Result {
+    let folder = run::root().join("benches/peers");
+    let features: &[&str] = if options.own { &[] } else { &["--features", "peers"] };
+    let mut wasm_pack = setup.command("wasm-pack");
+    wasm_pack.current_dir(&folder).env("CARGO_TARGET_DIR", target);
+    wasm_pack.args([
+        "build",
+        "--release",
+        "--target",
+        "web",
+        "--mode",
+        "no-install",
+        "--out-name",
+        "bench_peers",
+    ]);
+    step("building the floor and the crates for wasm", wasm_pack.arg("--").args(features))?;
+    let mut cargo = command("cargo");
+    cargo.current_dir(&folder).env("CARGO_TARGET_DIR", target);
+    step("building them natively", cargo.args(["build", "--release", "--bin", "native"]).args(features))?;
+    if !options.own {
+        let mut npm = npm();
+        npm.current_dir(&folder).args(["ci", "--no-audit", "--no-fund"]);
+        // A peer that is missing is told in the table.
+        if let Err(problem) = step("installing the peers from npm", &mut npm) {
+            run::say(problem);
+        }
+    }
+    Ok(())
+}
+
+fn write_programs(folder: &Path) -> Result {
+    fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let write = |name: &str, text: String| {
         fs::write(folder.join(name), text).map_err(|error| format!("cannot write {name}: {error}"))
     };
-    fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     write("plain.nc", workload::plain(1_000_000))?;
     write("shaft.nc", workload::shaft())?;
-    let mut node = command("node");
-    node.arg("benches/wasm.mjs").arg(&folder);
-    step("measuring in wasm under Node", &mut node)?;
-    Ok(())
+    write("boxes.nc", workload::boxes(10_000))?;
+    POINTS.iter().try_for_each(|&points| write(&format!("contour-{points}.nc"), workload::contour(points)))
+}
+
+/// Puts tables between their marks in `benches/README.md`.
+fn write_tables(tables: &[(&str, PathBuf)]) -> Result {
+    let path = run::root().join("benches/README.md");
+    let read = |path: &Path| {
+        fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
+    };
+    let mut text = read(&path)?;
+    for (name, table) in tables {
+        text = between(&text, name, &read(table)?)
+            .ok_or_else(|| format!("{} has no marks for `{name}`", path.display()))?;
+    }
+    fs::write(&path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+}
+
+/// A text with another content between `<!-- name -->` and `<!-- /name -->`.
+fn between(text: &str, name: &str, content: &str) -> Option<String> {
+    let (head, rest) = text.split_once(&format!("<!-- {name} -->\n"))?;
+    let (_, tail) = rest.split_once(&format!("<!-- /{name} -->"))?;
+    Some(format!("{head}<!-- {name} -->\n{}\n<!-- /{name} -->{tail}", content.trim_end()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_go_between_their_marks() {
+        let text = "a\n<!-- x -->\nold\n<!-- /x -->\nb\n";
+        assert_eq!(between(text, "x", "new\n").as_deref(), Some("a\n<!-- x -->\nnew\n<!-- /x -->\nb\n"));
+        assert_eq!(between(text, "y", "new"), None);
+    }
 }

@@ -25,7 +25,9 @@ use play::{Browser, Options};
 const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
 cargo xtask test                          check and test everything
-cargo xtask bench                         measure the interpreter in wasm
+cargo xtask bench [--own] [--write] [--rounds N]
+                                          measure beside a floor and other programs, print the tables
+                                          (--own: without the others; --write: into benches/README.md)
 cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask setup                         only install what the other commands need
@@ -36,7 +38,7 @@ cargo xtask setup                         only install what the other commands n
 enum Task {
     Play(Options),
     Test,
-    Bench,
+    Bench(bench::Options),
     Compare(Vec<String>),
     Setup,
     Help,
@@ -56,7 +58,7 @@ fn main() -> ExitCode {
     let result = match task {
         Task::Play(options) => play::main(options),
         Task::Test => test::main(),
-        Task::Bench => bench::main(),
+        Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
         Task::Setup => setup::main(),
         Task::Help => {
@@ -77,7 +79,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
     match words {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
         ["test"] => Ok(Task::Test),
-        ["bench"] => Ok(Task::Bench),
+        ["bench", options @ ..] if !options.contains(&"--help") => parse_bench(options).map(Task::Bench),
         ["compare-linuxcnc", options @ ..] => {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
         }
@@ -104,6 +106,24 @@ fn parse_play(words: &[&str]) -> run::Result<Options> {
     Ok(options)
 }
 
+fn parse_bench(words: &[&str]) -> run::Result<bench::Options> {
+    let mut options = bench::Options::default();
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match *word {
+            "--own" => options.own = true,
+            "--write" => options.write = true,
+            "--rounds" => {
+                let number = words.next().ok_or("--rounds wants a number")?;
+                let rounds = number.parse().ok().filter(|&rounds| rounds > 0);
+                options.rounds = Some(rounds.ok_or_else(|| format!("`{number}` is no number of rounds"))?);
+            }
+            other => return Err(format!("`{other}` is not understood")),
+        }
+    }
+    Ok(options)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,6 +139,10 @@ mod tests {
             parse(&["compare-linuxcnc", "--seed", "2"]),
             Ok(Task::Compare(vec!["--seed".into(), "2".into()]))
         );
+        let own = bench::Options { own: true, rounds: Some(3), write: false };
+        assert_eq!(parse(&["bench", "--own", "--rounds", "3"]), Ok(Task::Bench(own)));
+        assert_eq!(parse(&["bench", "--help"]), Ok(Task::Help));
+        assert!(parse(&["bench", "--rounds", "0"]).is_err());
         assert!(parse(&["play", "--port", "x"]).is_err());
         assert!(parse(&["play", "--port"]).is_err());
         assert!(parse(&["test", "more"]).is_err());

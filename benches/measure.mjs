@@ -1,0 +1,161 @@
+// Everything that `cargo xtask bench` measures, round by round, and the tables of it. Each measurement is a process of its
+// own; in every round all take their turn, so that a slow minute of the machine meets them all. Ratios are taken within
+// a round. Figures are medians over the rounds.
+//
+//   node benches/measure.mjs FOLDER --binaries DIR [--peers DIR] [--rounds N] [--own] [--report FILE]
+//
+// FOLDER has the programs, DIR the native binaries. With --own only the playground and the floor are measured.
+import { spawnSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+
+const { values: options, positionals } = parseArgs({
+  allowPositionals: true,
+  options: { binaries: { type: 'string' }, peers: { type: 'string' }, rounds: { type: 'string' }, own: { type: 'boolean' }, report: { type: 'string' } },
+});
+const [folder] = positionals;
+const rounds = Number(options.rounds ?? 5);
+const here = fileURLToPath(new URL('.', import.meta.url));
+const program = (name) => join(folder, `${name}.nc`);
+const lines = (name) => readFileSync(program(name), 'latin1').split('\n').length - 1;
+const node = (script, ...argv) => [process.execPath, '--max-old-space-size=8000', join(here, script), ...argv];
+const TITLES = { plain: 'a million plain lines', shaft: 'a shaft of sixty lines: G71 G70 G74 G75 G76', boxes: 'ten thousand G90 cycles' };
+const POINTS = [100, 300, 1000, 2000, 3000, 10_000];
+
+const jobs = new Map();
+const add = (name, argv, more = {}) => jobs.set(name, { argv, runs: [], ...more });
+const FLOOR = 'floor, wasm';
+const OWN = 'gcode-playground, wasm';
+
+// The floor comes first in each round: what follows is held against it.
+add(FLOOR, node('peers/crates.mjs', 'floor', 'fresh', program('plain')));
+add('floor, native', [join(options.peers, 'native'), 'floor', program('plain')]);
+add(OWN, node('own.mjs', 'fresh', program('plain')));
+add('gcode-playground, native', [join(options.binaries, 'native'), program('plain')]);
+if (!options.own) peers();
+add('floor settled', node('peers/crates.mjs', 'floor', 'settled', program('plain')));
+for (const name of ['plain', 'shaft', 'boxes', ...POINTS.map((points) => `contour-${points}`)]) {
+  add(`settled ${name}`, node('own.mjs', 'settled', program(name)));
+}
+for (const what of ['text', 'motions', 'edits']) add(what, node('own.mjs', what, program('plain')));
+add('browser', node('page/measure.mjs', program('plain')));
+
+function peers() {
+  const npm = JSON.parse(readFileSync(join(here, 'peers/package.json'), 'utf8')).dependencies;
+  for (const [name, version] of Object.entries(npm)) add(`${name} ${version} (npm)`, node('peers/npm.mjs', name, program('plain')));
+  const manifest = readFileSync(join(here, 'peers/Cargo.toml'), 'utf8');
+  for (const [, name, version] of manifest.matchAll(/^([a-z-]+) = \{ version = "=([\d.]+)", .*optional/gm)) {
+    add(`${name} ${version} (crate), wasm`, node('peers/crates.mjs', name, 'fresh', program('plain')));
+    add(`${name} ${version} (crate), native`, [join(options.peers, 'native'), name, program('plain')]);
+  }
+  add('LinuxCNC rs274 (whole process)', ['rs274', '-g', program('plain'), '/dev/null'], { external: true });
+}
+
+for (let round = 1; round <= rounds; round++) {
+  for (const [name, job] of jobs) if (job.problem === undefined) measure(name, job);
+  console.error(`round ${round} of ${rounds} is done`);
+}
+const report = [interpreting(), settled(), boundary(), memory(), edits(), browser()].join('\n\n') + '\n';
+console.log(report);
+if (options.report) writeFileSync(options.report, report);
+
+function measure(name, job) {
+  const begun = performance.now();
+  const run = spawnSync(job.argv[0], job.argv.slice(1), { encoding: 'utf8', timeout: 120_000, maxBuffer: 1 << 26 });
+  const wall = performance.now() - begun;
+  if (run.error?.code === 'ENOENT') job.problem = 'not installed';
+  else if (run.status !== 0) job.problem = `failed: ${(run.stderr || String(run.error)).trim().split('\n').at(-1)}`;
+  else job.runs.push(job.external ? { ms: wall } : JSON.parse(run.stdout.trim().split('\n').at(-1)));
+  if (job.problem !== undefined) console.error(`${name}: ${job.problem}`);
+}
+
+/** The runs of a job; an error where one of ours failed. */
+function runsOf(name) {
+  const { runs, problem } = jobs.get(name);
+  if (problem !== undefined) throw new Error(`${name}: ${problem}`);
+  return runs;
+}
+
+function interpreting() {
+  const count = lines('plain');
+  const floor = runsOf(FLOOR);
+  const measured = [...jobs].filter(([, job]) => job.argv.includes(program('plain')) && job.runs[0]?.ms !== undefined)
+    .filter(([name]) => !name.includes('settled'));
+  measured.sort(([, a], [, b]) => median(a.runs, 'ms') - median(b.runs, 'ms'));
+  const rows = measured.map(([name, { runs }]) => {
+    const ratio = middle(runs.map(({ ms }, round) => ms / floor[round].ms));
+    const ms = median(runs, 'ms');
+    return [name, fixed(ms), range(runs, 'ms'), ratio.toFixed(2), (count / ms / 1000).toFixed(2), runs[0].rows ?? ''];
+  });
+  for (const [name, { problem }] of jobs) if (problem !== undefined) rows.push([name, problem, '', '', '', '']);
+  return table(`A million plain lines, the first time in a process (${rounds} rounds)`,
+    ['', 'ms', 'min–max', '× wasm floor', 'Mlines/s', 'rows'], rows);
+}
+
+function settled() {
+  const floor = median(runsOf('floor settled'), 'ms');
+  const rows = ['plain', 'shaft', 'boxes', ...POINTS.map((points) => `contour-${points}`)].map((name) => {
+    const runs = runsOf(`settled ${name}`);
+    const ms = median(runs, 'ms');
+    const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * Number(name.slice(8)))).toFixed(0) : '';
+    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${name.slice(8)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
+  });
+  rows.unshift(['a million plain lines, floor', floor.toFixed(3), range(runsOf('floor settled'), 'ms'), '', '']);
+  return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'motions', 'ns for each motion and point read'], rows);
+}
+
+function boundary() {
+  const rows = ['text', 'motions'].flatMap((what) => {
+    const runs = runsOf(what);
+    return Object.keys(runs[0]).map((way) => [way, fixed(median(runs, way)), range(runs, way)]);
+  });
+  return table('Over the boundary: 20 MB of text in, the columns of a million motions out and one of them read', ['way', 'ms', 'min–max'], rows);
+}
+
+function memory() {
+  const [run] = runsOf(OWN);
+  const bytes = readFileSync(program('plain')).length;
+  const row = [(run.memory / 1e6).toFixed(1), ((run.memory - bytes) / run.rows).toFixed(1), (run.memory / bytes).toFixed(1)];
+  return table('Memory of the module after a million plain lines', ['MB', 'bytes a motion, beside the text', 'bytes a byte of text'], [row]);
+}
+
+function edits() {
+  const runs = runsOf('edits');
+  const row = ['median', 'p95', 'max'].map((figure) => median(runs, figure).toFixed(1));
+  return table('A digit changed at 200 places of the million lines, each time run to the end again, ms', ['median', '95 %', 'longest'], [row]);
+}
+
+function browser() {
+  const { runs, problem } = jobs.get('browser');
+  if (problem !== undefined) return `### In Chromium\n\n${problem}`;
+  const rows = [
+    ['interpreting, fresh', 'fresh'], ['interpreting, settled', 'settled'], ['measuring the picture', 'measured'],
+    ['painting the whole picture, all slices', 'picture'], ['the longest slice', 'slice'],
+    ['plain batches of Path2D: making them', 'building'], ['plain batches of Path2D: stroking them', 'plain'],
+  ].map(([name, figure]) => [name, fixed(median(runs, figure)), range(runs, figure)]);
+  return table('The same in headless Chromium, drawn by software', ['', 'ms', 'min–max'], rows);
+}
+
+function table(title, head, rows) {
+  const line = (cells) => `| ${cells.join(' | ')} |`;
+  return [`### ${title}`, '', line(head), `|---|${'---:|'.repeat(head.length - 1)}`, ...rows.map(line)].join('\n');
+}
+
+function median(runs, figure) {
+  return middle(runs.map((run) => run[figure]));
+}
+
+function middle(values) {
+  return [...values].sort((a, b) => a - b)[values.length >> 1];
+}
+
+function range(runs, figure) {
+  const values = runs.map((run) => run[figure]);
+  return `${fixed(Math.min(...values))}–${fixed(Math.max(...values))}`;
+}
+
+function fixed(ms) {
+  return ms < 1 ? ms.toFixed(3) : ms < 100 ? ms.toFixed(1) : ms.toFixed(0);
+}

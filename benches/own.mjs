@@ -1,0 +1,108 @@
+// One measurement of the playground's wasm package in this process, as one line of JSON.
+//
+//   node benches/own.mjs fresh|settled|text|motions|edits FILE
+import { readFileSync } from 'node:fs';
+import { initSync, Playground } from '../www/pkg/gcode_playground.js';
+
+const [what, file] = process.argv.slice(2);
+const bytes = readFileSync(file);
+const wasm = initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+const EDITS = 200;
+
+const measures = { fresh, settled, text, motions, edits };
+console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
+
+/** Text in, motions and messages there: the first time in a process. */
+function fresh(program) {
+  const before = wasm.memory.buffer.byteLength;
+  const playground = new Playground();
+  const ms = time(() => run(playground, program));
+  const memory = wasm.memory.buffer.byteLength;
+  return { ms, rows: playground.summary().motions, memory, grown: memory - before };
+}
+
+/** The same again and again; the first half warms up. */
+function settled(program) {
+  const times = [];
+  let rows = 0;
+  const enough = performance.now() + 1500;
+  while (times.length < 6 || performance.now() < enough) {
+    const playground = new Playground();
+    times.push(time(() => run(playground, program)));
+    rows = playground.summary().motions;
+    playground.free();
+  }
+  return { ms: median(times.slice(times.length >> 1)), rows };
+}
+
+/** Ways in for a text. Nothing runs: the program is only handed over. */
+function text(program) {
+  const ways = {
+    'setText(string)': (playground) => playground.setText(program),
+    'setBytes(bytes)': (playground) => playground.setBytes(bytes),
+    'textBuffer, encodeInto, setTextFromBuffer': (playground) => {
+      const { written } = new TextEncoder().encodeInto(program, playground.textBuffer(program.length));
+      playground.setTextFromBuffer(written);
+    },
+  };
+  return Object.fromEntries(Object.entries(ways).map(([name, way]) => [name, median(repeated(7, () => way(new Playground())))]));
+}
+
+/** Ways out for the motions: all columns of all chunks, one of them read. */
+function motions(program) {
+  const playground = new Playground();
+  run(playground, program);
+  const read = (chunk) => {
+    let sum = 0;
+    for (const x of chunk.x) sum += x;
+    return sum;
+  };
+  const all = (way) => () => {
+    for (let index = 0; index < playground.chunkCount(); index++) read(playground[way](index));
+  };
+  return {
+    'chunk (copies)': median(repeated(9, all('chunk'))),
+    'chunkView (views)': median(repeated(9, all('chunkView'))),
+  };
+}
+
+/** One digit after another changed somewhere, and everything run to its end again. */
+function edits(program) {
+  const playground = new Playground();
+  run(playground, program);
+  playground.summary();
+  let seed = 1;
+  const random = (below) => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) % below;
+  const times = [];
+  while (times.length < EDITS) {
+    const at = random(program.length);
+    if (!(program[at] >= '0' && program[at] <= '9')) continue;
+    times.push(time(() => {
+      playground.edit(at, at + 1, String(random(10)));
+      while (!playground.advance(1000));
+      playground.summary();
+      playground.diagnostics();
+    }));
+  }
+  times.sort((a, b) => a - b);
+  return { median: median(times), p95: times[Math.floor(0.95 * EDITS)], max: times[EDITS - 1] };
+}
+
+function run(playground, program) {
+  playground.setText(program);
+  while (!playground.advance(1_000_000));
+}
+
+function repeated(times, action) {
+  return Array.from({ length: times }, () => time(action));
+}
+
+function time(action) {
+  const begun = performance.now();
+  action();
+  return performance.now() - begun;
+}
+
+function median(values) {
+  return [...values].sort((a, b) => a - b)[values.length >> 1];
+}

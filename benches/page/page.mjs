@@ -1,0 +1,102 @@
+// What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the public wasm interface only.
+import init, { Playground } from '../../www/pkg/gcode_playground.js';
+
+const SIZE = { width: 1200, height: 800 };
+/** Segments of a path of the plain painter. */
+const PER_PATH = 1000;
+const FRAMES = 7;
+
+/** Interpreting and drawing a program: milliseconds by name. */
+window.measure = async (address) => {
+  const [text] = await Promise.all([fetch(address).then((response) => response.text()), init()]);
+  const fresh = interpreted(text);
+  const settled = median(Array.from({ length: 5 }, () => {
+    const again = interpreted(text);
+    again.playground.free();
+    return again.ms;
+  }));
+  const { playground } = fresh;
+  const own = ownPainter(playground);
+  const plain = plainPainter(playground);
+  return { fresh: fresh.ms, settled, motions: playground.summary().motions, ...own, ...plain };
+};
+
+function interpreted(text) {
+  const playground = new Playground();
+  const ms = time(() => {
+    playground.setText(text);
+    while (!playground.advance(1_000_000));
+  });
+  return { playground, ms };
+}
+
+/** The whole picture until nothing is left to paint, and the longest time a page stands still for it. */
+function ownPainter(playground) {
+  const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
+  const measured = time(() => playground.pathLength());
+  playground.attachCanvas(canvas);
+  playground.resize(SIZE.width, SIZE.height, 1);
+  playground.fit();
+  const whole = [];
+  const slices = [];
+  for (let frame = 0; frame < FRAMES; frame++) {
+    playground.zoom(frame % 2 ? 1.01 : 1 / 1.01, SIZE.width / 2, SIZE.height / 2);
+    let sum = 0;
+    for (let more = true; more; ) {
+      const slice = time(() => {
+        more = playground.draw() === true;
+        flush(canvas);
+      });
+      slices.push(slice);
+      sum += slice;
+    }
+    whole.push(sum);
+  }
+  return { measured, picture: median(whole), slice: Math.max(...slices.slice(slices.length / FRAMES)) };
+}
+
+/** The same strokes as batches of Path2D, as one would write it by hand: nothing is left out or looked up. */
+function plainPainter(playground) {
+  const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
+  const context = canvas.getContext('2d');
+  const [origin, unit] = [playground.screenOf(0, 0), playground.screenOf(2, 1)];
+  const [perZ, perX] = [unit[0] - origin[0], unit[1] - origin[1]];
+  const paths = [];
+  const building = time(() => {
+    let [path, count] = [new Path2D(), 0];
+    for (let index = 0; index < playground.chunkCount(); index++) {
+      const { x, z } = playground.chunk(index);
+      for (let at = 0; at < x.length; at++) {
+        const [right, down] = [origin[0] + z[at] * perZ, origin[1] + x[at] * perX];
+        path.lineTo(right, down);
+        if (++count % PER_PATH === 0) {
+          paths.push(path);
+          path = new Path2D();
+          path.moveTo(right, down);
+        }
+      }
+    }
+    paths.push(path);
+  });
+  const frames = Array.from({ length: FRAMES }, () => time(() => {
+    context.clearRect(0, 0, SIZE.width, SIZE.height);
+    for (const path of paths) context.stroke(path);
+    flush(canvas);
+  }));
+  return { building, plain: median(frames) };
+}
+
+/** Waits until what was drawn is there. */
+function flush(canvas) {
+  canvas.getContext('2d').getImageData(0, 0, 1, 1);
+}
+
+function time(action) {
+  const begun = performance.now();
+  action();
+  return performance.now() - begun;
+}
+
+function median(values) {
+  return [...values].sort((a, b) => a - b)[values.length >> 1];
+}

@@ -1,0 +1,42 @@
+//! The floor and the peers behind one door, for wasm and native alike.
+//!
+//! In: the bytes of a program and a name. Out: how many rows came of it, and the rows themselves, so that dropping them
+//! is not measured.
+
+pub mod floor;
+#[cfg(feature = "peers")]
+mod peers;
+
+use std::any::Any;
+use std::hint::black_box;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What came of a program.
+#[wasm_bindgen]
+pub struct Outcome {
+    /// Rows: segments where a peer makes motions, else lines or words.
+    pub rows: usize,
+    /// Kept alive for as long as this is.
+    _kept: Box<dyn Any>,
+}
+
+impl Outcome {
+    fn new<T: 'static>(rows: Vec<T>) -> Self {
+        // Rows that nobody reads might else not be written.
+        let rows = black_box(rows);
+        Self { rows: rows.len(), _kept: Box::new(rows) }
+    }
+}
+
+/// Runs one of them by name; nothing if there is none of that name.
+#[wasm_bindgen]
+pub fn run(name: &str, text: Vec<u8>) -> Option<Outcome> {
+    match name {
+        "floor" => Some(Outcome::new(floor::segments(&text))),
+        #[cfg(feature = "peers")]
+        _ => peers::run(name, text),
+        #[cfg(not(feature = "peers"))]
+        _ => None,
+    }
+}
