@@ -135,7 +135,8 @@ fn a_text_can_be_handed_in_through_the_buffer() {
 /// A text that was edited gives what the same text gives at once, whatever its line ends and characters.
 #[wasm_bindgen_test]
 fn an_edited_text_runs_as_the_text_it_became() {
-    let cases: [(&str, &[(u32, u32, &str)], &str); 4] = [
+    type Edits = &'static [(u32, u32, &'static str)];
+    let cases: [(&str, Edits, &str); 4] = [
         ("G0 X50\nG1 Z-20 F0.2\nM30\n", &[(4, 6, "60")], "G0 X60\nG1 Z-20 F0.2\nM30\n"),
         ("(外圆😀) G0 X50\r\nM30\r\n", &[(6, 6, "\n"), (1, 3, "")], "(😀)\n G0 X50\r\nM30\r\n"),
         ("G0 X5\r\nZ1\r\nG33.7\n", &[(5, 6, " ")], "G0 X5 Z1\r\nG33.7\n"),
