@@ -8,8 +8,7 @@ use std::cell::OnceCell;
 use std::ops::Range;
 
 use js_sys::{Float64Array, Uint8Array};
-use serde::{Deserialize, Serialize};
-use tsify::Tsify;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
@@ -23,7 +22,7 @@ use crate::scene::Scene;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::outline::Outline;
-use crate::scene::palette;
+use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
 use crate::scene::view::{Mark, View};
 use crate::text::highlight::highlight;
@@ -31,45 +30,6 @@ use crate::text::source::{LineIndex, Span};
 
 /// How near a stroke the pointer must be, CSS pixels.
 const REACH: f64 = 8.0;
-
-/// CSS colours of the picture.
-#[derive(Deserialize, Tsify)]
-#[serde(rename_all = "camelCase")]
-pub struct Palette {
-    background: String,
-    grid: String,
-    axis: String,
-    text: String,
-    stock: String,
-    stock_edge: String,
-    rapid: String,
-    feed: String,
-    thread: String,
-    highlight: String,
-    hover: String,
-    tool: String,
-    uncertain: String,
-}
-
-impl From<Palette> for palette::Palette {
-    fn from(colours: Palette) -> Self {
-        Self {
-            background: colours.background,
-            grid: colours.grid,
-            axis: colours.axis,
-            text: colours.text,
-            stock: colours.stock,
-            stock_edge: colours.stock_edge,
-            rapid: colours.rapid,
-            feed: colours.feed,
-            thread: colours.thread,
-            highlight: colours.highlight,
-            hover: colours.hover,
-            tool: colours.tool,
-            uncertain: colours.uncertain,
-        }
-    }
-}
 
 /// A program, its run and its picture.
 #[wasm_bindgen]
@@ -306,8 +266,7 @@ impl Playground {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
     ) -> Result<(), JsValue> {
-        let colours: Palette = serde_wasm_bindgen::from_value(colours)?;
-        self.view.palette = colours.into();
+        self.view.palette = palette(&colours)?;
         Ok(())
     }
 
@@ -540,6 +499,29 @@ fn view_of(chunk: &Chunk) -> MotionChunkView {
             z: Float64Array::view(chunk.zs()),
         }
     }
+}
+
+/// The colours a page gives, each a text.
+fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
+    let colour = |key: &str| {
+        let missing = || JsValue::from_str(&format!("the palette has no `{key}`"));
+        js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string().ok_or_else(missing)
+    };
+    Ok(Palette {
+        background: colour("background")?,
+        grid: colour("grid")?,
+        axis: colour("axis")?,
+        text: colour("text")?,
+        stock: colour("stock")?,
+        stock_edge: colour("stockEdge")?,
+        rapid: colour("rapid")?,
+        feed: colour("feed")?,
+        thread: colour("thread")?,
+        highlight: colour("highlight")?,
+        hover: colour("hover")?,
+        tool: colour("tool")?,
+        uncertain: colour("uncertain")?,
+    })
 }
 
 /// Motions of one chunk as columns.

@@ -55,6 +55,17 @@ pub enum GSystem {
     C,
 }
 
+impl GSystem {
+    /// Its letter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
+        }
+    }
+}
+
 /// Which G codes there are, and by which numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CodeList {

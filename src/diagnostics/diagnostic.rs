@@ -22,6 +22,7 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// A message at a place, as grave as it usually is.
+    #[inline(never)]
     pub fn new(message: Message, span: Span) -> Self {
         Self { severity: message.severity(), message, span, fixes: Vec::new() }
     }

@@ -4,6 +4,7 @@
 
 /// CSS colours of everything that is drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
 pub struct Palette {
     /// Behind everything.
     pub background: String,

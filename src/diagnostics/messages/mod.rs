@@ -1,12 +1,19 @@
-//! The sentences, one exhaustive match for each language: a message without a translation does not compile.
+//! The sentences. A message has a [`Wording`] and arguments; each language is one exhaustive match from wordings to
+//! templates, so a message without a translation does not compile; one small function fills the templates in.
 
+mod arguments;
 pub mod codes;
 mod en;
+mod phrases;
 mod ru;
+mod wording;
 mod zh;
 
 use super::message::Message;
-use crate::geometry::virtual_plane::Surface;
+use arguments::fill;
+use phrases::Phrase;
+pub use phrases::describe_motion;
+use wording::Wording;
 
 /// A language the messages exist in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,6 +47,22 @@ impl Language {
             .find(|language| tag.to_ascii_lowercase().starts_with(language.tag()))
             .unwrap_or_default()
     }
+
+    fn template(self, wording: Wording) -> &'static str {
+        match self {
+            Self::English => en::sentence(wording),
+            Self::Chinese => zh::sentence(wording),
+            Self::Russian => ru::sentence(wording),
+        }
+    }
+
+    fn phrase(self, phrase: Phrase) -> &'static str {
+        match self {
+            Self::English => en::phrase(phrase),
+            Self::Chinese => zh::phrase(phrase),
+            Self::Russian => ru::phrase(phrase),
+        }
+    }
 }
 
 /// What is said of a message.
@@ -50,57 +73,24 @@ pub struct Sentence {
     pub help: Option<String>,
 }
 
-impl Sentence {
-    fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), help: None }
-    }
-
-    fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
-        self
-    }
-}
-
 impl Message {
     /// The message in a language.
     pub fn sentence(&self, language: Language) -> Sentence {
-        match language {
-            Language::English => en::sentence(self),
-            Language::Chinese => zh::sentence(self),
-            Language::Russian => ru::sentence(self),
-        }
+        let template = language.template(Wording::of(self));
+        let arguments = self.arguments();
+        let (message, help) = match template.split_once('\n') {
+            Some((message, help)) => (message, Some(fill(help, &arguments))),
+            None => (template, None),
+        };
+        Sentence { message: fill(message, &arguments), help }
     }
 
     /// The title of its repair in a language.
     pub fn fix_title(&self, language: Language) -> String {
-        match language {
-            Language::English => en::fix_title(self),
-            Language::Chinese => zh::fix_title(self),
-            Language::Russian => ru::fix_title(self),
+        match phrases::title(self) {
+            Some(title) => fill(language.phrase(title), &self.arguments()),
+            None => self.sentence(language).message,
         }
-    }
-}
-
-/// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.
-pub fn describe_motion(motion: &crate::motion::Motion, passes: Option<u32>, language: Language) -> String {
-    match language {
-        Language::English => en::motion(motion, passes),
-        Language::Chinese => zh::motion(motion, passes),
-        Language::Russian => ru::motion(motion, passes),
-    }
-}
-
-/// Where a motion ends, in the words of a block; behind an arrow the place of the machine, where the program counts
-/// in a virtual plane.
-fn end_of(motion: &crate::motion::Motion) -> String {
-    let (x, z) = (number(2.0 * motion.to.x), number(motion.to.z));
-    let Some(rotary) = motion.rotary else { return format!("X{x} Z{z}") };
-    let c = number(rotary.to);
-    let Some(own) = rotary.virtual_move else { return format!("X{x} Z{z} C{c}°") };
-    let end = own.way.at(1.0);
-    match own.surface {
-        Surface::Face => format!("X{} C{} Z{z} → X{x} C{c}°", number(2.0 * end.z), number(end.x)),
-        Surface::Cylinder { .. } => format!("X{x} Z{z} C{c}°"),
     }
 }
 

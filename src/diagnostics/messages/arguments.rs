@@ -1,0 +1,254 @@
+//! The words and numbers a sentence quotes, and how they get into it.
+//!
+//! In: a message; a template such as `{word} has no number.`. Out: the message's arguments by name; the sentence.
+//! The sentences are data: nothing here knows a language.
+
+use super::number;
+use crate::diagnostics::message::Message;
+
+/// A word or number that a sentence quotes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Value<'a> {
+    /// Words, as they are.
+    Text(&'a str),
+    /// An address or an axis.
+    Letter(char),
+    /// A whole number.
+    Count(i64),
+    /// A measure, as people write it.
+    Number(f64),
+    /// The number of a program, in four digits at least.
+    Program(u32),
+}
+
+impl Value<'_> {
+    fn write(self, out: &mut String) {
+        match self {
+            Self::Text(text) => out.push_str(text),
+            Self::Letter(letter) => out.push(letter),
+            Self::Count(count) => out.push_str(&count.to_string()),
+            Self::Number(value) => out.push_str(&number(value)),
+            Self::Program(program) => {
+                let digits = program.to_string();
+                out.extend(std::iter::repeat_n('0', 4usize.saturating_sub(digits.len())));
+                out.push_str(&digits);
+            }
+        }
+    }
+}
+
+/// Arguments of a sentence by the names that stand in its templates.
+pub(super) type Arguments<'a> = Vec<(&'static str, Value<'a>)>;
+
+/// A template with its arguments in place of the `{names}`. A name that is none stays as it is; the tests find it.
+pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
+    let mut out = String::with_capacity(template.len() + 16);
+    let mut rest = template.split('{');
+    out.push_str(rest.next().unwrap_or_default());
+    for part in rest {
+        let value =
+            |name: &str| arguments.iter().find(|argument| argument.0 == name).map(|argument| argument.1);
+        match part.split_once('}').and_then(|(name, behind)| Some((value(name)?, behind))) {
+            Some((value, behind)) => {
+                value.write(&mut out);
+                out.push_str(behind);
+            }
+            None => {
+                out.push('{');
+                out.push_str(part);
+            }
+        }
+    }
+    out
+}
+
+impl Message {
+    /// What its sentences quote.
+    pub(super) fn arguments(&self) -> Arguments<'_> {
+        use Value::{Count, Letter, Number, Program, Text};
+        match self {
+            Self::NumberMissing { address } => vec![("address", Letter(*address))],
+            Self::AddressMissing { number } | Self::ZeroForO { number } => vec![("number", Text(number))],
+            Self::NotUnderstood { text } | Self::PlainText { text } | Self::TextAfterSemicolon { text } => {
+                vec![("text", Text(text))]
+            }
+            Self::SecondPoint { word }
+            | Self::TooManyDigits { word }
+            | Self::CommaForPoint { word, .. }
+            | Self::ProgramNotFound { word }
+            | Self::NumberFromVariable { word }
+            | Self::ReferenceNumber { word }
+            | Self::OffsetNumber { word }
+            | Self::TipNumber { word }
+            | Self::PeckZero { word }
+            | Self::UnknownG { word }
+            | Self::UnknownM { word }
+            | Self::MakerG { word }
+            | Self::PointNotAllowed { word }
+            | Self::MinusNotAllowed { word }
+            | Self::ToolWithSetting { word }
+            | Self::ToolNumber { word }
+            | Self::DwellWithPoint { word }
+            | Self::AxisNotHere { word }
+            | Self::PolarForbidden { word }
+            | Self::PolarFrame { word }
+            | Self::PolarAngle { word }
+            | Self::CylinderForbidden { word }
+            | Self::ContourNotFound { word }
+            | Self::ContourIllegal { word }
+            | Self::ContourCall { word }
+            | Self::ContourOpenEnd { word, .. }
+            | Self::AllowanceSign { word }
+            | Self::PeckNegative { word }
+            | Self::ReliefNegative { word }
+            | Self::AmountInMillimetres { word }
+            | Self::CornerNoMove { word }
+            | Self::CornerTooLarge { word }
+            | Self::CornerNone { word }
+            | Self::CornerAxis { word, .. }
+            | Self::CornerInThread { word }
+            | Self::CornerWithCompensation { word }
+            | Self::AngleNoPoint { word, .. } => vec![("word", Text(word))],
+            Self::BlankInNumber { written, joined } => {
+                vec![("written", Text(written)), ("joined", Text(joined))]
+            }
+            Self::LetterForDigit { word, digit, .. } => vec![("word", Text(word)), ("digit", Text(digit))],
+            Self::PrintedMinus
+            | Self::CommentOpen
+            | Self::CommentNested
+            | Self::EmptyProgram
+            | Self::ProgramNumberZero
+            | Self::NoEnd
+            | Self::NoReturn
+            | Self::EndlessMain
+            | Self::Macro { .. }
+            | Self::NoIntermediate
+            | Self::DataPassedOver
+            | Self::G90AsAbsolute
+            | Self::LetterIInG92 { .. }
+            | Self::G28NoAxis
+            | Self::DwellNoTime
+            | Self::CAxisNotConnected
+            | Self::LiveToolStopped
+            | Self::PolarFeedPerTurn
+            | Self::PolarNoRadius
+            | Self::CylinderFormat
+            | Self::FeedMissing
+            | Self::SpindleStopped
+            | Self::NoSpeedClamp
+            | Self::ArcNowhere
+            | Self::ThreadNoDepth { .. }
+            | Self::CompensationPlane => vec![],
+            Self::BlockTooLong { most }
+            | Self::TooManyMotions { most }
+            | Self::TooMuchWork { most }
+            | Self::CallTooDeep { most, .. }
+            | Self::TooManyRepeats { most }
+            | Self::TooManyRounds { most }
+            | Self::TooManyMacroSteps { most }
+            | Self::TooMuchRepeated { most } => vec![("most", Count(*most as i64))],
+            Self::TextTooLong { bytes, most } => {
+                vec![("bytes", Count(*bytes as i64)), ("most", Count(*most as i64))]
+            }
+            Self::DuplicateProgram { number } => vec![("number", Count(i64::from(*number)))],
+            Self::NotRun { number } => vec![("number", Program(*number))],
+            Self::MoreMessages { hidden } => vec![("hidden", Count(*hidden as i64))],
+            Self::Stopped { seconds } => vec![("seconds", Number(*seconds))],
+            Self::CallNoNumber { code }
+            | Self::HoleNoDepth { code }
+            | Self::HoleOfOthers { code }
+            | Self::PlaneCompensation { code }
+            | Self::LeadMissing { code }
+            | Self::ThreadAtSurfaceSpeed { code }
+            | Self::ArcNoCenter { code }
+            | Self::ContourNotNamed { code }
+            | Self::ContourFirstBlock { code }
+            | Self::ContourTypeTwo { code }
+            | Self::ContourNothingToCut { code }
+            | Self::CyclePlane { code, .. }
+            | Self::CompensationOnArc { code }
+            | Self::CompensationIdle { code } => vec![("code", Text(code))],
+            Self::SequenceNotFound { sequence } => vec![("sequence", Count(i64::from(*sequence)))],
+            Self::MacroAlarm { number, words } => vec![("number", Count(*number)), ("words", Text(words))],
+            Self::SystemVariable { variable } => vec![("variable", Count(i64::from(*variable)))],
+            Self::Foreign { origin } => vec![("origin", Text(origin.name()))],
+            Self::SystemGuessed { system } => vec![("system", Text(system.name()))],
+            Self::NotAtReference { x, z } | Self::MachineZero { x, z } => {
+                vec![("x", Number(*x)), ("z", Number(*z))]
+            }
+            Self::HoleInForce { word, hole, .. } => vec![("word", Text(word)), ("hole", Text(hole))],
+            Self::NotSupported { what } => vec![("what", Text(what))],
+            Self::DuplicateWord { address, used } => {
+                vec![("address", Letter(*address)), ("used", Text(used))]
+            }
+            Self::SameGroup { dropped, used } => vec![("dropped", Text(dropped)), ("used", Text(used))],
+            Self::AbsoluteAndIncremental { absolute, incremental, used } => {
+                vec![("absolute", Text(absolute)), ("incremental", Text(incremental)), ("used", Text(used))]
+            }
+            Self::ShortTool { word, offset } => {
+                vec![("word", Text(word)), ("offset", Count(i64::from(*offset)))]
+            }
+            Self::PlaneNotHere { word } => vec![("word", Text(word))],
+            Self::PolarNotAlone { code, other } => vec![("code", Text(code)), ("other", Text(other))],
+            Self::PolarCenter { distance } => vec![("distance", Number(*distance))],
+            Self::PlaneLeftOn { code, off } => vec![("code", Text(code)), ("off", Text(off))],
+            Self::FeedUnit { feed, .. } | Self::FeedNotRepeated { feed, .. } => vec![("feed", Number(*feed))],
+            Self::ClampReversed { lowest, highest } => {
+                vec![("lowest", Number(*lowest)), ("highest", Number(*highest))]
+            }
+            Self::ArcRadiusTooSmall { radius, distance } => vec![
+                ("radius", Number(*radius)),
+                ("distance", Number(*distance)),
+                ("least", Number(distance / 2.0)),
+            ],
+            Self::ArcEndOffCircle { start_radius, end_radius } => {
+                vec![("start_radius", Number(*start_radius)), ("end_radius", Number(*end_radius))]
+            }
+            Self::ArcRadiusNegative { radius }
+            | Self::CompensationOvercut { radius, .. }
+            | Self::CompensationNoIntersection { radius } => vec![("radius", Number(*radius))],
+            Self::TaperBeyondStart { taper, limit, axis } => {
+                vec![("taper", Number(*taper)), ("limit", Number(*limit)), ("axis", Letter(*axis))]
+            }
+            Self::TaperNotExtended { taper, needed, crossing, wanted, axis } => vec![
+                ("taper", Number(*taper)),
+                ("needed", Number(*needed)),
+                ("crossing", Number(*crossing)),
+                ("wanted", Number(*wanted)),
+                ("axis", Letter(*axis)),
+            ],
+            Self::ContourReachesOver { code, word, line } => {
+                vec![("code", Text(code)), ("word", Text(word)), ("line", Count(i64::from(*line)))]
+            }
+            Self::ContourBothAxes { code, other } => vec![("code", Text(code)), ("other", Letter(*other))],
+            Self::ContourTurnsBack { code, axis, line } => {
+                vec![("code", Text(code)), ("axis", Letter(*axis)), ("line", Count(i64::from(*line)))]
+            }
+            Self::ContourBeyondStart { code, axis } => vec![("code", Text(code)), ("axis", Letter(*axis))],
+            Self::DepthNotPositive { code, depth } => {
+                vec![("code", Text(code)), ("depth", Number(depth.unwrap_or_default()))]
+            }
+            Self::PatternPasses { passes } => vec![("passes", Number(passes.unwrap_or_default()))],
+            Self::TooManyPasses { code, most } => vec![("code", Text(code)), ("most", Count(*most as i64))],
+            Self::PeckMissing { code, address } => vec![("code", Text(code)), ("address", Letter(*address))],
+            Self::ThreadAngle { angle } => vec![("angle", Number(*angle))],
+            Self::ThreadLeastDepth { least, height } => {
+                vec![("least", Number(*least)), ("height", Number(*height))]
+            }
+            Self::ThreadStartInside { start, crest } => {
+                vec![("start", Number(*start)), ("crest", Number(*crest))]
+            }
+            Self::CornerTwice { word, other } => vec![("word", Text(word)), ("other", Text(other))],
+            Self::CycleWord { code, word } | Self::CycleAxis { code, word } => {
+                vec![("code", Text(code)), ("word", Text(word))]
+            }
+            Self::FinishStart { roughed_x, roughed_z } => {
+                vec![("roughed_x", Number(*roughed_x)), ("roughed_z", Number(*roughed_z))]
+            }
+            Self::FinishWithoutRoughing { first, last } => {
+                vec![("first", Count(i64::from(*first))), ("last", Count(i64::from(*last)))]
+            }
+            Self::LeadRunsOut { lead } => vec![("lead", Number(*lead))],
+        }
+    }
+}
