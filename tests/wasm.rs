@@ -10,7 +10,7 @@ use fixtures::{Program, check_messages, compare};
 use gcode_playground::wasm::Playground;
 use serde_json::Value;
 use wasm_bindgen::prelude::wasm_bindgen;
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen(module = "fs")]
