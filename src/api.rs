@@ -313,11 +313,11 @@ pub struct CodeRow {
 
 /// The table of supported codes in a language, a list of codes first.
 pub fn codes(first: CodeList, language: Language) -> Codes {
-    let mut lists = CodeList::ALL;
     // The others keep their order behind it.
-    lists.sort_by_key(|&list| list != first);
-    let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() });
-    Codes { columns: columns.into(), rows: codes::rows().map(|row| code_row(row, language)).collect() }
+    let others = CodeList::ALL.into_iter().filter(|&list| list != first);
+    let lists = [first].into_iter().chain(others);
+    let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() }).collect();
+    Codes { columns, rows: codes::rows().map(|row| code_row(row, language)).collect() }
 }
 
 fn column_key(list: CodeList) -> &'static str {

@@ -7,7 +7,7 @@
 use std::cell::OnceCell;
 use std::ops::Range;
 
-use js_sys::{Float64Array, Uint8Array};
+use js_sys::{Float64Array, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -528,22 +528,22 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
 #[wasm_bindgen(getter_with_clone)]
 pub struct MotionChunk {
     /// 0 rapid, 1 feed, 2 arc clockwise, 3 arc counter-clockwise, 4 thread, 5 dwell.
-    pub kind: Vec<u8>,
+    pub kind: Uint8Array,
     /// End points: radius, mm.
-    pub x: Vec<f64>,
+    pub x: Float64Array,
     /// End points: length, mm.
-    pub z: Vec<f64>,
+    pub z: Float64Array,
     /// Lines, from 1.
-    pub line: Vec<u32>,
+    pub line: Uint32Array,
 }
 
 impl MotionChunk {
     fn new(chunk: &Chunk) -> Self {
         Self {
-            kind: chunk.kinds().to_vec(),
-            x: chunk.xs().to_vec(),
-            z: chunk.zs().to_vec(),
-            line: (0..chunk.len()).map(|index| chunk.line(index) + 1).collect(),
+            kind: chunk.kinds().into(),
+            x: chunk.xs().into(),
+            z: chunk.zs().into(),
+            line: (0..chunk.len()).map(|index| chunk.line(index) + 1).collect::<Vec<_>>()[..].into(),
         }
     }
 }

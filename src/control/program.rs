@@ -76,7 +76,9 @@ impl Labels {
             calls.extend(called(&block).map(|called| (labels.programs.len() - 1, called)));
         }
         labels.labels.sort_unstable_by_key(Label::key);
-        labels.called = calls.iter().map(|&(_, called)| called).collect();
+        for &(_, called) in &calls {
+            labels.called.insert(called);
+        }
         for program in &labels.programs {
             if let Some(number) = program.number {
                 labels.heads.entry(number).or_insert(program.head);

@@ -13,7 +13,7 @@
 //! cutting: each pocket to its bottom before the next one.
 
 use super::{Approach, Contour, Move, Piece, sign};
-use crate::geometry::{Arc, Point, SAME, Turn};
+use crate::geometry::{Arc, Point, SAME, Turn, within};
 use crate::motion::{MotionKind, Step};
 
 /// Which way the passes run.
@@ -316,7 +316,7 @@ fn crossing(piece: &Piece, level: f64) -> f64 {
             center.z + ((radius - depth) * (radius + depth)).max(0.0).sqrt().copysign(side)
         }
     };
-    along.clamp(from.z.min(to.z), from.z.max(to.z))
+    within(along, from.z.min(to.z), from.z.max(to.z))
 }
 
 /// A pass at the depth `level`·Δd.

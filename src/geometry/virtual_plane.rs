@@ -50,7 +50,7 @@ impl Way {
                 let (dx, dz) = (to.x - from.x, to.z - from.z);
                 let square = dx * dx + dz * dz;
                 let t = if square > 0.0 { -(from.x * dx + from.z * dz) / square } else { 0.0 };
-                self.at(t.clamp(0.0, 1.0)).distance(origin)
+                self.at(super::within(t, 0.0, 1.0)).distance(origin)
             }
             Self::Arc(arc) => {
                 let ends = arc.start.distance(origin).min(arc.end.distance(origin));

@@ -4,7 +4,7 @@
 //! right and X up, both at the same scale; pixels are CSS pixels from the top left corner. Knows nothing of
 //! motions.
 
-use crate::geometry::Point;
+use crate::geometry::{Point, within};
 
 use super::bounds::Bounds;
 
@@ -68,7 +68,7 @@ impl Camera {
         let height = (size.height - BOTTOM_RULER - top - bottom).max(1.0);
         let along = width / bounds.length().max(LEAST_EXTENT);
         let across = height / bounds.height().max(LEAST_EXTENT);
-        let scale = along.min(across).clamp(SCALES[0], SCALES[1]);
+        let scale = within(along.min(across), SCALES[0], SCALES[1]);
         let center_z = (bounds.min.z + bounds.max.z) / 2.0;
         let center_x = (bounds.min.x + bounds.max.x) / 2.0;
         let origin = Point::new(
@@ -83,7 +83,7 @@ impl Camera {
         let [left, top, right, bottom] = PADDING;
         let scale = (width - LEFT_RULER - left - right).max(1.0) / bounds.length().max(LEAST_EXTENT);
         let height = bounds.height().max(LEAST_EXTENT) * scale + BOTTOM_RULER + top + bottom;
-        height.clamp(least, most).round()
+        within(height, least, most).round()
     }
 
     /// Size of the picture.
@@ -124,7 +124,7 @@ impl Camera {
             return;
         }
         let point = self.to_world(fixed);
-        self.scale = (self.scale * factor).clamp(SCALES[0], SCALES[1]);
+        self.scale = within(self.scale * factor, SCALES[0], SCALES[1]);
         let moved = self.to_screen(point);
         self.pan(fixed.x - moved.x, fixed.y - moved.y);
     }

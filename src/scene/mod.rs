@@ -287,7 +287,7 @@ impl<'a> Scene<'a> {
         let sized = outside > 0.0 && stock.length > 0.0 && outside.is_finite() && stock.length.is_finite();
         sized.then(|| StockShape {
             bounds: Bounds {
-                min: Point::new(bore.clamp(0.0, outside), stock.face - stock.length),
+                min: Point::new(crate::geometry::within(bore, 0.0, outside), stock.face - stock.length),
                 max: Point::new(outside, stock.face),
             },
         })

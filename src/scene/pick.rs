@@ -79,7 +79,7 @@ fn nearest(shape: &StrokeShape, pointer: Point) -> Point {
                 return *from;
             }
             let t = ((pointer.x - from.x) * dx + (pointer.z - from.z) * dz) / square;
-            shape.at(t.clamp(0.0, 1.0))
+            shape.at(crate::geometry::within(t, 0.0, 1.0))
         }
         StrokeShape::Arc(arc) => nearest_on_arc(arc, pointer),
         StrokeShape::Dot(at) => *at,

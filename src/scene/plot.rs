@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::geometry::{Arc, Point, Turn};
+use crate::geometry::{Arc, Point, Turn, within};
 
 use super::StrokeShape;
 use super::camera::{Camera, Pixel};
@@ -223,7 +223,7 @@ impl Layer {
         for row in reach(center.y, frame.height) {
             for column in reach(center.x, frame.width) {
                 let away = center.distance(Pixel::new(column as f64 + 0.5, row as f64 + 0.5));
-                let part = ((radius - away + 0.5).clamp(0.0, 1.0) * 255.0) as u8;
+                let part = (within(radius - away + 0.5, 0.0, 1.0) * 255.0) as u8;
                 let pixel = &mut self.cover[row * frame.width + column];
                 *pixel = (*pixel).max(part);
             }
@@ -254,7 +254,7 @@ fn chords(arc: &Arc, scale: f64) -> u32 {
     }
     // The height of a flat arc is an eighth of its angle squared, times the radius.
     let pieces = (arc.sweep().abs() * (radius * scale / (8.0 * SAGITTA)).sqrt()).ceil();
-    pieces.clamp(3.0, MOST_CHORDS) as u32
+    within(pieces, 3.0, MOST_CHORDS) as u32
 }
 
 #[cfg(test)]

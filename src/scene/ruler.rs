@@ -115,7 +115,7 @@ struct Step {
 impl Step {
     /// The smallest round step that is not smaller than `least`.
     fn at_least(least: f64) -> Self {
-        let least = least.clamp(1e-6, 1e9);
+        let least = crate::geometry::within(least, 1e-6, 1e9);
         let power = least.log10().floor() as i32;
         let digits = [(1, power), (2, power), (5, power), (1, power + 1)];
         let fits = |step: &Step| step.value() >= least * (1.0 - 1e-9);

@@ -111,7 +111,8 @@ impl View {
     /// Takes another size of picture, CSS pixels, and another ratio of device pixels to CSS pixels.
     pub fn resize(&mut self, scene: &Scene, size: Size, pixel_ratio: f64) {
         self.camera.resize(Size { width: size.width.max(0.0), height: size.height.max(0.0) });
-        self.pixel_ratio = if pixel_ratio.is_finite() { pixel_ratio.clamp(0.25, 8.0) } else { 1.0 };
+        self.pixel_ratio =
+            if pixel_ratio.is_finite() { crate::geometry::within(pixel_ratio, 0.25, 8.0) } else { 1.0 };
         self.follow(scene);
     }
 }

@@ -35,6 +35,7 @@ pub fn main() -> Result {
     );
     done("wasm package", package::wasm(&setup)?);
     done("hostile programs", hostile::main(None)?);
+    done("wasm size", package::size()?);
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("page", package::page(&setup)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);

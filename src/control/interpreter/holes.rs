@@ -153,7 +153,10 @@ impl Interpreter {
         };
         request.moved = true;
         self.leave_compensation();
-        let repeats = words.get(b'K').and_then(plain).map_or(1.0, |repeats| repeats.clamp(0.0, MOST_REPEATS));
+        let repeats = words
+            .get(b'K')
+            .and_then(plain)
+            .map_or(1.0, |repeats| crate::geometry::within(repeats, 0.0, MOST_REPEATS));
         let turning =
             if self.state.incremental { words.get(b'C').or(words.get(b'H')) } else { words.get(b'H') };
         let turned = turning.and_then(|word| reading.degrees(word)).unwrap_or(0.0);

@@ -454,7 +454,7 @@ fn calls_macro(word: &Word) -> bool {
 /// Decimals that keep all of a double that matters.
 fn places_of(value: f64) -> u8 {
     const DIGITS: f64 = 15.0;
-    (DIGITS - value.abs().max(1.0).log10().ceil()).clamp(0.0, DIGITS) as u8
+    crate::geometry::within(DIGITS - value.abs().max(1.0).log10().ceil(), 0.0, DIGITS) as u8
 }
 
 /// A value as a number with so many decimals; `None` where it is too large for any address.

@@ -205,8 +205,8 @@ pub struct Interpreter {
     heads: BTreeSet<u32>,
     /// The blocks carried out, in order, if they are asked for.
     trace: Option<Vec<Executed>>,
-    /// Messages told, by place and name: what runs again is not told again.
-    told: BTreeSet<(u32, &'static str)>,
+    /// Messages told, in order of place and name: what runs again is not told again.
+    told: Vec<(u32, &'static str)>,
 }
 
 impl Interpreter {
@@ -248,7 +248,7 @@ impl Interpreter {
             begun_elsewhere: false,
             heads: BTreeSet::new(),
             trace: None,
-            told: BTreeSet::new(),
+            told: Vec::new(),
         }
     }
 
@@ -318,7 +318,11 @@ impl Interpreter {
         if self.diagnostics.len() >= self.limits.messages && !diagnostic.message.ends_the_run() {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
-        } else if self.told.insert(snapshot::told_as(&diagnostic)) {
+            return;
+        }
+        let known = snapshot::told_as(&diagnostic);
+        if let Err(place) = self.told.binary_search(&known) {
+            self.told.insert(place, known);
             self.diagnostics.push(diagnostic);
         }
     }

@@ -144,7 +144,7 @@ impl Interpreter {
     pub(super) fn starts(&self, words: &Words, cycle: Single) -> u64 {
         let several = cycle == Single::Threading && self.dialect.control == Control::Gsk;
         let starts = words.get(b'L').filter(|_| several).and_then(plain);
-        starts.map_or(1, |starts| starts.clamp(1.0, 99.0) as u64)
+        starts.map_or(1, |starts| crate::geometry::within(starts, 1.0, 99.0) as u64)
     }
 
     /// How G92 leaves the thread: J and K (GSK), or the chamfer in tenths of a lead.

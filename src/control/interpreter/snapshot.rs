@@ -110,6 +110,8 @@ impl Interpreter {
         let mut diagnostics = std::mem::take(&mut self.diagnostics);
         diagnostics.truncate(*told);
         let heads = std::mem::take(&mut self.heads);
+        let mut known: Vec<_> = diagnostics.iter().map(told_as).collect();
+        known.sort_unstable();
         *self = Self {
             state: state.clone(),
             motions,
@@ -118,7 +120,7 @@ impl Interpreter {
             doubtful: *doubtful,
             furthest: at.byte,
             heads: heads.into_iter().filter(|&head| head < at.byte).collect(),
-            told: diagnostics.iter().map(told_as).collect(),
+            told: known,
             diagnostics,
             ..Self::of(std::mem::take(&mut self.setup), self.dialect.clone())
         };

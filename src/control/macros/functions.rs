@@ -243,7 +243,7 @@ fn cut(value: f64, most: f64) -> Result<f64, FaultKind> {
     if value.abs() > most + ARGUMENT_ERROR {
         return Err(FaultKind::FunctionArgument);
     }
-    Ok(value.clamp(-most, most))
+    Ok(crate::geometry::within(value, -most, most))
 }
 
 fn whole(value: f64) -> Result<i64, FaultKind> {

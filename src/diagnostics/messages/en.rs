@@ -4,611 +4,322 @@ use super::phrases::Phrase;
 use super::wording::Wording;
 
 /// The message, and on a second line its help.
+#[rustfmt::skip] // One line each.
 pub(super) const fn sentence(wording: Wording) -> &'static str {
     use Wording::*;
     match wording {
-        NumberMissing => {
-            "`{address}` has no number.\n\
-            Every address letter needs a value behind it. A remark belongs in brackets: `( … )`."
-        }
-        AddressMissing => {
-            "The number `{number}` has no address letter.\n\
-            Put the letter it belongs to in front of it, such as X, Z or F."
-        }
-        NotUnderstood => {
-            "`{text}` does not belong to any word.\n\
-            Was a sign misread or lost here? A remark belongs in brackets: `( … )`."
-        }
-        PlainText => {
-            "`{text}` is plain text, not a block.\n\
-            A control stops here with an alarm. Put remarks in brackets: `( … )`."
-        }
-        SecondPoint => {
-            "`{word}` has two decimal points.\n\
-            Delete one of them; check which number was meant."
-        }
-        TooManyDigits => {
-            "`{word}` has more than 8 digits.\n\
-            Controls take up to 8 digits in a number, the decimals included."
-        }
-        BlankInNumber => {
-            "`{written}` has a blank inside its number; a control reads `{joined}`.\n\
-            Delete the blank, or put in the letter that was lost."
-        }
-        LetterForDigit => {
-            "`{word}` has a letter where the digit {digit} belongs.\n\
-            The letter O and the digit 0, and l and 1, look alike; the control knows the difference."
-        }
-        ZeroForO => {
-            "`{number}` was read as a program number: the first character should be the letter O.\n\
-            Program numbers begin with the letter O, not with a zero."
-        }
-        PrintedMinus => {
-            "This is a printed dash, not a minus sign; it was read as a minus.\n\
-            A control does not know this character. Replace it with `-`."
-        }
-        CommaForPoint => {
-            "`{word}` has a comma where the decimal point belongs.\n\
-            G-code writes decimals with a point."
-        }
-        CommentOpen => {
-            "This bracket is never closed; the rest of the line was taken as a comment.\n\
-            Close the comment with `)`. A control may swallow the following blocks too."
-        }
-        CommentNested => {
-            "There are brackets inside this comment.\n\
-            For a control the comment ends at the first `)`; what follows it would be read as words."
-        }
-        TextAfterSemicolon => {
-            "`{text}` behind the `;` was taken as a remark.\n\
-            On a FANUC or GSK control `;` ends a block; a remark belongs in brackets: `( … )`."
-        }
-        BlockTooLong => {
-            "This block has more than {most} words.\n\
-            Was a line end lost? The rest of the block is not read."
-        }
-        TextTooLong => {
-            "The text has {bytes} bytes; the playground reads up to {most}.\n\
-            Split the program, or open only the part you want to see."
-        }
-        EmptyProgram => {
-            "There is no program yet.\n\
-            Type or paste one, or pick an example from the gallery."
-        }
-        ProgramNumberZero => {
-            "O0 is not a program number.\n\
-            Use a number from O1 to O9999."
-        }
-        DuplicateProgram => {
-            "O{number} stands here a second time.\n\
-            A control keeps only one program under a number."
-        }
-        NoEnd => {
-            "The program ends without M30 or M02.\n\
-            Put M30 at the end: without it the control stops with an alarm, and spindle and coolant keep running."
-        }
-        MoreMessages => {
-            "{hidden} more messages are not shown.\n\
-            Mend the first ones; later ones are often their consequence."
-        }
-        TooManyMotions => {
-            "The program makes more than {most} motions; the rest is not shown.\n\
-            Is an amount in a cycle far too small?"
-        }
-        TooMuchWork => {
-            "The cycles take more than {most} steps to work out; what follows is not shown.\n\
-            Each call of G70 to G73 reads its contour again. Call long contours less often, and correct the cycles that are refused."
-        }
+        NumberMissing => "`{address}` has no number.\n\
+            Every address letter needs a value behind it. A remark belongs in brackets: `( … )`.",
+        AddressMissing => "The number `{number}` has no address letter.\n\
+            Put the letter it belongs to in front of it, such as X, Z or F.",
+        NotUnderstood => "`{text}` does not belong to any word.\n\
+            Was a sign misread or lost here? A remark belongs in brackets: `( … )`.",
+        PlainText => "`{text}` is plain text, not a block.\n\
+            A control stops here with an alarm. Put remarks in brackets: `( … )`.",
+        SecondPoint => "`{word}` has two decimal points.\n\
+            Delete one of them; check which number was meant.",
+        TooManyDigits => "`{word}` has more than 8 digits.\n\
+            Controls take up to 8 digits in a number, the decimals included.",
+        BlankInNumber => "`{written}` has a blank inside its number; a control reads `{joined}`.\n\
+            Delete the blank, or put in the letter that was lost.",
+        LetterForDigit => "`{word}` has a letter where the digit {digit} belongs.\n\
+            The letter O and the digit 0, and l and 1, look alike; the control knows the difference.",
+        ZeroForO => "`{number}` was read as a program number: the first character should be the letter O.\n\
+            Program numbers begin with the letter O, not with a zero.",
+        PrintedMinus => "This is a printed dash, not a minus sign; it was read as a minus.\n\
+            A control does not know this character. Replace it with `-`.",
+        CommaForPoint => "`{word}` has a comma where the decimal point belongs.\n\
+            G-code writes decimals with a point.",
+        CommentOpen => "This bracket is never closed; the rest of the line was taken as a comment.\n\
+            Close the comment with `)`. A control may swallow the following blocks too.",
+        CommentNested => "There are brackets inside this comment.\n\
+            For a control the comment ends at the first `)`; what follows it would be read as words.",
+        TextAfterSemicolon => "`{text}` behind the `;` was taken as a remark.\n\
+            On a FANUC or GSK control `;` ends a block; a remark belongs in brackets: `( … )`.",
+        BlockTooLong => "This block has more than {most} words.\n\
+            Was a line end lost? The rest of the block is not read.",
+        TextTooLong => "The text has {bytes} bytes; the playground reads up to {most}.\n\
+            Split the program, or open only the part you want to see.",
+        EmptyProgram => "There is no program yet.\n\
+            Type or paste one, or pick an example from the gallery.",
+        ProgramNumberZero => "O0 is not a program number.\n\
+            Use a number from O1 to O9999.",
+        DuplicateProgram => "O{number} stands here a second time.\n\
+            A control keeps only one program under a number.",
+        NoEnd => "The program ends without M30 or M02.\n\
+            Put M30 at the end: without it the control stops with an alarm, and spindle and coolant keep running.",
+        MoreMessages => "{hidden} more messages are not shown.\n\
+            Mend the first ones; later ones are often their consequence.",
+        TooManyMotions => "The program makes more than {most} motions; the rest is not shown.\n\
+            Is an amount in a cycle far too small?",
+        TooMuchWork => "The cycles take more than {most} steps to work out; what follows is not shown.\n\
+            Each call of G70 to G73 reads its contour again. Call long contours less often, and correct the cycles that are refused.",
         Stopped => "The run was stopped after {seconds} s; what follows is not shown.",
-        CallNoNumber => {
-            "{code} does not say what it calls.\n\
-            P gives the number of the program: M98 P1000 calls O1000, M98 P1000 L3 calls it three times."
-        }
-        ProgramNotFound => {
-            "No program of the number in `{word}` stands in this text, so the call is passed over.\n\
-            Put the subprogram behind the main program: O and its number, its blocks, M99. Without L, digits in front of the last four are the repeats: P51002 is five times O1002."
-        }
-        SequenceNotFound => {
-            "No block N{sequence} stands in this program, so the jump is passed over.\n\
-            The search stays within the O program it starts in."
-        }
-        CallTooDeep => {
-            "More than {most} calls stand one within the other; the run ends here.\n\
-            A program that calls itself, or two that call each other, never end."
-        }
-        NoReturn => {
-            "This subprogram ends without M99.\n\
-            A control stops here with an alarm. The picture goes on behind the call."
-        }
-        EndlessMain => {
-            "M99 in a main program goes back to its head, for ever; one round is drawn.\n\
-            That is usual with a bar feeder. As a subprogram, called by M98 from another, it would return to its caller. Write M30 to end the program."
-        }
-        TooManyRepeats => {
-            "From here more than {most} blocks were run by jumps, loops and calls; the run ends.\n\
-            The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call."
-        }
-        TooMuchRepeated => {
-            "From here jumps, loops and calls ran through more than {most} characters of blocks; the run ends.\n\
-            The loop has no end, or far too many rounds of long blocks. Look at what should end it: its condition, its counter, or L of the call."
-        }
-        TooManyRounds => {
-            "Loops and calls have made more than {most} rounds; the run ends here.\n\
-            Look at what should end this loop: its condition, its counter, or L of the call."
-        }
-        TooManyMacroSteps => {
-            "More than {most} macro statements and expressions were worked out in jumps, loops and calls; the run ends here.\n\
-            Look at what should end the loop, or let it work out less in each round."
-        }
-        NotRun => {
-            "O{number} is not run: no program calls it.\n\
-            A text with several programs runs the first. Choose another one to see it."
-        }
-        NumberFromVariable => {
-            "`{word}`: N and O cannot take their number from a variable.\n\
-            Write the number out. GOTO, P and Q may name it by a variable."
-        }
+        CallNoNumber => "{code} does not say what it calls.\n\
+            P gives the number of the program: M98 P1000 calls O1000, M98 P1000 L3 calls it three times.",
+        ProgramNotFound => "No program of the number in `{word}` stands in this text, so the call is passed over.\n\
+            Put the subprogram behind the main program: O and its number, its blocks, M99. Without L, digits in front of the last four are the repeats: P51002 is five times O1002.",
+        SequenceNotFound => "No block N{sequence} stands in this program, so the jump is passed over.\n\
+            The search stays within the O program it starts in.",
+        CallTooDeep => "More than {most} calls stand one within the other; the run ends here.\n\
+            A program that calls itself, or two that call each other, never end.",
+        NoReturn => "This subprogram ends without M99.\n\
+            A control stops here with an alarm. The picture goes on behind the call.",
+        EndlessMain => "M99 in a main program goes back to its head, for ever; one round is drawn.\n\
+            That is usual with a bar feeder. As a subprogram, called by M98 from another, it would return to its caller. Write M30 to end the program.",
+        TooManyRepeats => "From here more than {most} blocks were run by jumps, loops and calls; the run ends.\n\
+            The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call.",
+        TooMuchRepeated => "From here jumps, loops and calls ran through more than {most} characters of blocks; the run ends.\n\
+            The loop has no end, or far too many rounds of long blocks. Look at what should end it: its condition, its counter, or L of the call.",
+        TooManyRounds => "Loops and calls have made more than {most} rounds; the run ends here.\n\
+            Look at what should end this loop: its condition, its counter, or L of the call.",
+        TooManyMacroSteps => "More than {most} macro statements and expressions were worked out in jumps, loops and calls; the run ends here.\n\
+            Look at what should end the loop, or let it work out less in each round.",
+        NotRun => "O{number} is not run: no program calls it.\n\
+            A text with several programs runs the first. Choose another one to see it.",
+        NumberFromVariable => "`{word}`: N and O cannot take their number from a variable.\n\
+            Write the number out. GOTO, P and Q may name it by a variable.",
         MacroOverflow => "This value is too large to be a number of a macro.",
-        MacroDivisionByZero => {
-            "This divides by zero.\n\
-            A vacant variable counts as 0."
-        }
-        MacroUnknownFunction => {
-            "There is no such function.\n\
-            SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, with their values in `[ ]`."
-        }
-        MacroExpression => {
-            "This expression cannot be read.\n\
-            Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values."
-        }
+        MacroDivisionByZero => "This divides by zero.\n\
+            A vacant variable counts as 0.",
+        MacroUnknownFunction => "There is no such function.\n\
+            SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, with their values in `[ ]`.",
+        MacroExpression => "This expression cannot be read.\n\
+            Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values.",
         MacroBracketOpen => "This `[` has no `]`.",
-        MacroNumberOrCondition => {
-            "A condition stands where a number belongs, or a number where a condition belongs.\n\
-            A condition compares: `[#1 GT 10]`, with EQ NE GT GE LT LE."
-        }
-        MacroVariableNumber => {
-            "There is no such variable.\n\
-            Local #1 to #33, common #100 to #199 and #500 to #999, system variables from #1000 on."
-        }
+        MacroNumberOrCondition => "A condition stands where a number belongs, or a number where a condition belongs.\n\
+            A condition compares: `[#1 GT 10]`, with EQ NE GT GE LT LE.",
+        MacroVariableNumber => "There is no such variable.\n\
+            Local #1 to #33, common #100 to #199 and #500 to #999, system variables from #1000 on.",
         MacroReadOnly => "This variable can only be read, not written.",
         MacroBracketsTooDeep => "More than five brackets stand inside each other.",
-        MacroFunctionArgument => {
-            "The function has no result for this value.\n\
-            Such as the root or the logarithm of a negative number."
-        }
+        MacroFunctionArgument => "The function has no result for this value.\n\
+            Such as the root or the logarithm of a negative number.",
         MacroCallsTooDeep => "Too many macro calls stand inside each other.",
         MacroEndMissing => "This DO has no END of the same number.",
-        MacroFormat => {
-            "This macro statement cannot be read.\n\
-            Such as `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`."
-        }
+        MacroFormat => "This macro statement cannot be read.\n\
+            Such as `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`.",
         MacroLoopNumber => "The number of a loop is 1, 2 or 3, and END belongs to a DO that runs.",
-        MacroWordsBehind => {
-            "A macro statement must have its block to itself.\n\
-            Put the words of the machine in a block of their own."
-        }
+        MacroWordsBehind => "A macro statement must have its block to itself.\n\
+            Put the words of the machine in a block of their own.",
         MacroJumpTarget => "GOTO needs a sequence number from 1 to 99999.",
-        MacroArgumentLetter => {
-            "This letter cannot hand an argument to a macro.\n\
-            G, L, N, O and P cannot be used."
-        }
-        MacroAlarm => {
-            "The program stops itself with alarm {number}: {words}\n\
-            #3000 raises an alarm of the program's own. It usually checks what it was given: look at the condition before it, and at the arguments of the call."
-        }
-        SystemVariable => {
-            "#{variable} is a variable of the machine that is not known here; it reads as vacant.\n\
-            What depends on it may be drawn wrong."
-        }
-        ForeignMill => {
-            "This looks like a program for a milling machine.\n\
-            The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same."
-        }
-        ForeignPrinter => {
-            "This looks like a program for a 3D printer.\n\
-            The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same."
-        }
-        ForeignControl => {
-            "This looks like a program for {origin}, which is not supported here.\n\
-            The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same."
-        }
-        SystemGuessed => {
-            "Read as G-code system {system}: this word does not belong to system A.\n\
-            In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure."
-        }
+        MacroArgumentLetter => "This letter cannot hand an argument to a macro.\n\
+            G, L, N, O and P cannot be used.",
+        MacroAlarm => "The program stops itself with alarm {number}: {words}\n\
+            #3000 raises an alarm of the program's own. It usually checks what it was given: look at the condition before it, and at the arguments of the call.",
+        SystemVariable => "#{variable} is a variable of the machine that is not known here; it reads as vacant.\n\
+            What depends on it may be drawn wrong.",
+        ForeignMill => "This looks like a program for a milling machine.\n\
+            The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same.",
+        ForeignPrinter => "This looks like a program for a 3D printer.\n\
+            The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same.",
+        ForeignControl => "This looks like a program for {origin}, which is not supported here.\n\
+            The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same.",
+        SystemGuessed => "Read as G-code system {system}: this word does not belong to system A.\n\
+            In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure.",
         ReferenceNumber => "`{word}` names no reference point: P2, P3 or P4 go with G30.",
-        NotAtReference => {
-            "G27 does not end at the reference point, X{x} Z{z} here.\n\
-            G27 checks that the tool stands there, and raises an alarm where it does not."
-        }
+        NotAtReference => "G27 does not end at the reference point, X{x} Z{z} here.\n\
+            G27 checks that the tool stands there, and raises an alarm where it does not.",
         NoIntermediate => "G29 has no intermediate point: no G28 or G30 came before.",
-        MachineZero => {
-            "G53 counts from the machine's own zero; here the reference point X{x} Z{z} is taken for it.\n\
-            The machine knows where that is, the program does not. Set `refPoint` in the setup to where the slides stand at home."
-        }
+        MachineZero => "G53 counts from the machine's own zero; here the reference point X{x} Z{z} is taken for it.\n\
+            The machine knows where that is, the program does not. Set `refPoint` in the setup to where the slides stand at home.",
         OffsetNumber => "`{word}` names no entry of the offset table.",
         TipNumber => "`{word}` is no tip direction: 0 to 9.",
         DataPassedOver => "What follows up to G11 is data for the control's tables; it is passed over.",
-        HoleInForce => {
-            "`{word}` may not stand while {hole} is in force.\n\
-            Write G80 before it: until then every X, Z or C makes another hole."
-        }
-        PeckZero => {
-            "`{word}` is no depth of a peck.\n\
-            Q is the depth of each peck in micrometres, as in Q5000. Without Q the hole is drilled in one cut."
-        }
-        HoleNoDepth => {
-            "{code} has no depth.\n\
-            G83 G84 G85 need Z or W, G87 G88 G89 need X or U for the bottom of the hole."
-        }
-        HoleOfOthers => {
-            "{code} is not in FANUC's system A; it is drawn as on lathes that have it.\n\
-            It drills along Z from the start point and back. FANUC turning controls drill with G83, or with G74."
-        }
-        UnknownG => {
-            "`{word}` is not a G code of this control.\n\
-            The whole block is not carried out. Check the number."
-        }
-        UnknownM => {
-            "`{word}` is known only to some machines; it is passed over.\n\
-            The machine's own manual says what it does."
-        }
-        NotSupported => {
-            "{what} is not supported here.\n\
-            This is no fault of the program. Motions after it may be wrong and are drawn faint."
-        }
-        MakerG => {
-            "`{word}` depends on the machine; it is passed over.\n\
-            Makers use such numbers for codes of their own. What it does is not drawn."
-        }
+        HoleInForce => "`{word}` may not stand while {hole} is in force.\n\
+            Write G80 before it: until then every X, Z or C makes another hole.",
+        PeckZero => "`{word}` is no depth of a peck.\n\
+            Q is the depth of each peck in micrometres, as in Q5000. Without Q the hole is drilled in one cut.",
+        HoleNoDepth => "{code} has no depth.\n\
+            G83 G84 G85 need Z or W, G87 G88 G89 need X or U for the bottom of the hole.",
+        HoleOfOthers => "{code} is not in FANUC's system A; it is drawn as on lathes that have it.\n\
+            It drills along Z from the start point and back. FANUC turning controls drill with G83, or with G74.",
+        UnknownG => "`{word}` is not a G code of this control.\n\
+            The whole block is not carried out. Check the number.",
+        UnknownM => "`{word}` is known only to some machines; it is passed over.\n\
+            The machine's own manual says what it does.",
+        NotSupported => "{what} is not supported here.\n\
+            This is no fault of the program. Motions after it may be wrong and are drawn faint.",
+        MakerG => "`{word}` depends on the machine; it is passed over.\n\
+            Makers use such numbers for codes of their own. What it does is not drawn.",
         PointNotAllowed => "`{word}` must be a whole number, without a point.",
         MinusNotAllowed => "`{word}` cannot be negative.",
-        DuplicateWord => {
-            "{address} stands twice in this block; `{used}` counts.\n\
-            The control takes the later one, or stops with an alarm. Delete the wrong one."
-        }
-        SameGroup => {
-            "`{dropped}` and `{used}` exclude each other; `{used}` counts.\n\
-            Both belong to one modal group. In a block the last of a group is valid."
-        }
-        AbsoluteAndIncremental => {
-            "`{absolute}` and `{incremental}` name the same axis; `{used}` counts.\n\
-            Controls differ here: FANUC takes the later word, GSK the absolute one."
-        }
-        ToolWithSetting => {
-            "`{word}` may not stand in one block with G50, G10 or G04.\n\
-            Call the tool in a block of its own."
-        }
-        ShortTool => {
-            "`{word}` has no station number: it selects offset {offset} and leaves the turret where it is.\n\
-            On a four-digit control write station and offset, such as T0101."
-        }
-        ToolNumber => {
-            "`{word}` is not a tool number.\n\
-            Write station and offset, such as T0101."
-        }
-        G90AsAbsolute => {
-            "G90 on a lathe is the turning cycle, not absolute programming.\n\
-            X and Z are always absolute here, U and W incremental. As it stands, the next X or Z would start a cycle: delete G90."
-        }
-        LetterIIsTaper => {
-            "I in G92 was read as the taper, as R.\n\
-            FANUC reads I as the taper (the old spelling of R), GSK as threads per inch."
-        }
-        LetterIIsThreads => {
-            "I in G92 was read as threads per inch.\n\
-            FANUC reads I as the taper (the old spelling of R), GSK as threads per inch."
-        }
-        G28NoAxis => {
-            "G28 names no axis, so nothing moves.\n\
-            Write G28 U0 W0 to send both axes home."
-        }
-        DwellWithPoint => {
-            "`{word}` has a point; it was read as seconds.\n\
-            FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere."
-        }
-        DwellNoTime => {
-            "G04 has no time, so it does not wait.\n\
-            Write X or U in seconds, or P in milliseconds."
-        }
-        AxisNotHere => {
-            "The Y axis of `{word}` is not supported here: only X, Z and C are drawn.\n\
-            The moves of X and Z are drawn all the same, faint from here on. Said once."
-        }
-        PlaneNotHere => {
-            "Arcs in the plane of {word} are not supported here outside G12.1.\n\
-            Turning needs G18. Milling arcs on the end face are written under G12.1. Said once."
-        }
-        CAxisNotConnected => {
-            "C moves here, but nothing before has connected the C axis.\n\
-            Which code does depends on the machine: M45 and G28 H0 on some. Under spindle control C raises an alarm."
-        }
-        LiveToolStopped => {
-            "A live tool cuts here, but nothing before has started it.\n\
-            Which code does depends on the machine: M13 or M14 with S on some."
-        }
-        PolarForbidden => {
-            "`{word}` is not allowed between G12.1 and G13.1.\n\
-            There only G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99 may stand: approach with G01, or leave by G13.1 first."
-        }
-        PolarFrame => {
-            "`{word}` changes coordinates between G12.1 and G13.1.\n\
-            Set the zero point before G12.1: X0 must be the centre of the spindle."
-        }
-        PolarNotAlone => {
-            "{code} must stand alone in its block, without `{other}`.\n\
-            Move the other words to a block of their own."
-        }
-        PlaneCompensation => {
-            "{code} stands under G41 or G42.\n\
-            Compensation begins and ends inside: behind G12.1 or G07.1 C…, and by G40 before G13.1 or G07.1 C0."
-        }
-        PolarFeedPerTurn => {
-            "Feed per turn (G99) makes no sense in polar interpolation.\n\
-            The spindle only positions there: write G98 and F in mm per minute."
-        }
-        PolarNoRadius => {
-            "G41 or G42 has no cutter radius here, so nothing is compensated.\n\
-            Give the offset of the tool a radius; then the cutter's centre keeps that distance from the path."
-        }
-        PolarAngle => {
-            "`{word}` looks like degrees; between G12.1 and G13.1 C is a length in mm.\n\
-            The path is written in a plane: X as a diameter to the right, C in mm upwards."
-        }
-        PolarCenter => {
-            "The path comes within {distance} mm of the spindle axis, where C would have to turn without bound.\n\
-            A control slows down there or stops with an alarm. Keep away from the centre."
-        }
-        PlaneLeftOn => {
-            "Interpolation with C is still on at `{code}`.\n\
-            Write {off} in a block of its own before."
-        }
-        CylinderFormat => {
-            "G07.1 needs C with the radius of the cylinder, and nothing else.\n\
-            G07.1 C30 begins with a radius of 30 mm, G07.1 C0 ends it. It may not be begun twice."
-        }
-        CylinderForbidden => {
-            "`{word}` is not allowed in cylindrical interpolation.\n\
-            There only G01 to G04 and G40 to G42 may stand, arcs are given by R, and rapids come before G07.1 or behind G07.1 C0."
-        }
-        FeedMissing => {
-            "There is no feed: no F other than zero has been given before this cut.\n\
-            Fresh from power-on a control stops here; otherwise it cuts with the F of the program before. Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute)."
-        }
-        LeadMissing => {
-            "{code} has no lead.\n\
-            F gives the lead of the thread in mm."
-        }
-        FeedPerTurnTooLarge => {
-            "F{feed} under G99 is {feed} mm per turn of the spindle.\n\
-            That is far too much for a cut. Was G98 (mm per minute) meant? Set the control's feed mode, or write G98."
-        }
-        FeedPerMinuteTooSmall => {
-            "F{feed} under G98 is only {feed} mm per minute.\n\
-            Was G99 (mm per turn) meant? Set the control's feed mode, or write G99."
-        }
-        FeedNotRepeatedPerTurn => {
-            "After G99 the old F{feed} now counts as mm per turn.\n\
-            Write F anew whenever the feed mode changes."
-        }
-        FeedNotRepeatedPerMinute => {
-            "After G98 the old F{feed} now counts as mm per minute.\n\
-            Write F anew whenever the feed mode changes."
-        }
-        SpindleStopped => {
-            "The tool cuts while the spindle stands still.\n\
-            Start the spindle with M03 or M04 before the first cut."
-        }
-        NoSpeedClamp => {
-            "G96 without a highest spindle speed.\n\
-            Towards the centre the speed rises without bound. Give a limit first, such as G50 S2000."
-        }
+        DuplicateWord => "{address} stands twice in this block; `{used}` counts.\n\
+            The control takes the later one, or stops with an alarm. Delete the wrong one.",
+        SameGroup => "`{dropped}` and `{used}` exclude each other; `{used}` counts.\n\
+            Both belong to one modal group. In a block the last of a group is valid.",
+        AbsoluteAndIncremental => "`{absolute}` and `{incremental}` name the same axis; `{used}` counts.\n\
+            Controls differ here: FANUC takes the later word, GSK the absolute one.",
+        ToolWithSetting => "`{word}` may not stand in one block with G50, G10 or G04.\n\
+            Call the tool in a block of its own.",
+        ShortTool => "`{word}` has no station number: it selects offset {offset} and leaves the turret where it is.\n\
+            On a four-digit control write station and offset, such as T0101.",
+        ToolNumber => "`{word}` is not a tool number.\n\
+            Write station and offset, such as T0101.",
+        G90AsAbsolute => "G90 on a lathe is the turning cycle, not absolute programming.\n\
+            X and Z are always absolute here, U and W incremental. As it stands, the next X or Z would start a cycle: delete G90.",
+        LetterIIsTaper => "I in G92 was read as the taper, as R.\n\
+            FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
+        LetterIIsThreads => "I in G92 was read as threads per inch.\n\
+            FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
+        G28NoAxis => "G28 names no axis, so nothing moves.\n\
+            Write G28 U0 W0 to send both axes home.",
+        DwellWithPoint => "`{word}` has a point; it was read as seconds.\n\
+            FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere.",
+        DwellNoTime => "G04 has no time, so it does not wait.\n\
+            Write X or U in seconds, or P in milliseconds.",
+        AxisNotHere => "The Y axis of `{word}` is not supported here: only X, Z and C are drawn.\n\
+            The moves of X and Z are drawn all the same, faint from here on. Said once.",
+        PlaneNotHere => "Arcs in the plane of {word} are not supported here outside G12.1.\n\
+            Turning needs G18. Milling arcs on the end face are written under G12.1. Said once.",
+        CAxisNotConnected => "C moves here, but nothing before has connected the C axis.\n\
+            Which code does depends on the machine: M45 and G28 H0 on some. Under spindle control C raises an alarm.",
+        LiveToolStopped => "A live tool cuts here, but nothing before has started it.\n\
+            Which code does depends on the machine: M13 or M14 with S on some.",
+        PolarForbidden => "`{word}` is not allowed between G12.1 and G13.1.\n\
+            There only G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99 may stand: approach with G01, or leave by G13.1 first.",
+        PolarFrame => "`{word}` changes coordinates between G12.1 and G13.1.\n\
+            Set the zero point before G12.1: X0 must be the centre of the spindle.",
+        PolarNotAlone => "{code} must stand alone in its block, without `{other}`.\n\
+            Move the other words to a block of their own.",
+        PlaneCompensation => "{code} stands under G41 or G42.\n\
+            Compensation begins and ends inside: behind G12.1 or G07.1 C…, and by G40 before G13.1 or G07.1 C0.",
+        PolarFeedPerTurn => "Feed per turn (G99) makes no sense in polar interpolation.\n\
+            The spindle only positions there: write G98 and F in mm per minute.",
+        PolarNoRadius => "G41 or G42 has no cutter radius here, so nothing is compensated.\n\
+            Give the offset of the tool a radius; then the cutter's centre keeps that distance from the path.",
+        PolarAngle => "`{word}` looks like degrees; between G12.1 and G13.1 C is a length in mm.\n\
+            The path is written in a plane: X as a diameter to the right, C in mm upwards.",
+        PolarCenter => "The path comes within {distance} mm of the spindle axis, where C would have to turn without bound.\n\
+            A control slows down there or stops with an alarm. Keep away from the centre.",
+        PlaneLeftOn => "Interpolation with C is still on at `{code}`.\n\
+            Write {off} in a block of its own before.",
+        CylinderFormat => "G07.1 needs C with the radius of the cylinder, and nothing else.\n\
+            G07.1 C30 begins with a radius of 30 mm, G07.1 C0 ends it. It may not be begun twice.",
+        CylinderForbidden => "`{word}` is not allowed in cylindrical interpolation.\n\
+            There only G01 to G04 and G40 to G42 may stand, arcs are given by R, and rapids come before G07.1 or behind G07.1 C0.",
+        FeedMissing => "There is no feed: no F other than zero has been given before this cut.\n\
+            Fresh from power-on a control stops here; otherwise it cuts with the F of the program before. Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute).",
+        LeadMissing => "{code} has no lead.\n\
+            F gives the lead of the thread in mm.",
+        FeedPerTurnTooLarge => "F{feed} under G99 is {feed} mm per turn of the spindle.\n\
+            That is far too much for a cut. Was G98 (mm per minute) meant? Set the control's feed mode, or write G98.",
+        FeedPerMinuteTooSmall => "F{feed} under G98 is only {feed} mm per minute.\n\
+            Was G99 (mm per turn) meant? Set the control's feed mode, or write G99.",
+        FeedNotRepeatedPerTurn => "After G99 the old F{feed} now counts as mm per turn.\n\
+            Write F anew whenever the feed mode changes.",
+        FeedNotRepeatedPerMinute => "After G98 the old F{feed} now counts as mm per minute.\n\
+            Write F anew whenever the feed mode changes.",
+        SpindleStopped => "The tool cuts while the spindle stands still.\n\
+            Start the spindle with M03 or M04 before the first cut.",
+        NoSpeedClamp => "G96 without a highest spindle speed.\n\
+            Towards the centre the speed rises without bound. Give a limit first, such as G50 S2000.",
         ClampReversed => "The lowest spindle speed Q{lowest} is above the highest S{highest}.",
-        ThreadAtSurfaceSpeed => {
-            "{code} cuts a thread under G96, where the spindle speed changes with X.\n\
-            Every pass must meet the same groove: give a constant speed with G97 S…."
-        }
-        ArcNoCenter => {
-            "{code} has neither R nor I, K.\n\
-            Give the radius with R, or the centre from the start point with I and K; or was G01 meant? FANUC goes straight there unless a parameter asks for the alarm."
-        }
-        ArcRadiusTooSmall => {
-            "R{radius} is too small: start and end of the arc are {distance} mm apart.\n\
-            The radius must be at least {least} mm, half the distance. X counts as a diameter."
-        }
-        ArcEndOffCircle => {
-            "The end point is not on the circle: the centre is {start_radius} mm from the start but {end_radius} mm from the end.\n\
-            I is a radius value from the start point to the centre, K the same along Z; both have a sign."
-        }
-        ArcRadiusNegative => {
-            "This control does not take R{radius}.\n\
-            Give arcs of more than 180° with I and K."
-        }
-        ArcNowhere => {
-            "The arc ends where it begins, so with R nothing moves.\n\
-            A full circle is written with I and K."
-        }
-        TaperBeyondHalf => {
-            "`R{taper}` is larger than half of `{axis}{limit}`: the cut would begin outside the start point.\n\
-            When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point."
-        }
-        TaperBeyondLength => {
-            "`R{taper}` is larger than the length of `{axis}{limit}`: the cut would begin outside the start point.\n\
-            When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point."
-        }
-        TaperNotExtended => {
-            "R{taper} is the taper of the drawing, not of the real start point: the cut leaves the stock at {axis}{crossing}, not {axis}{wanted}.\n\
-            The cut begins outside the stock, so R must be longer in proportion: R{needed}."
-        }
-        ContourNotNamed => {
-            "{code} needs both P and Q.\n\
-            P names the first block of the contour by its N number, Q the last."
-        }
-        ContourNotFound => {
-            "No block has the number that `{word}` names.\n\
-            P names the first block of the contour, Q the last, which must stand behind it in the same program."
-        }
-        ContourFirstBlock => {
-            "The first block of the contour of {code} does not move by G00 or G01.\n\
-            It takes the tool from the start point to where the contour begins."
-        }
-        ContourIllegal => {
-            "`{word}` may not stand between P and Q.\n\
-            A contour holds moves by G00, G01, G02 and G03 only. The cycle is not carried out."
-        }
-        ContourReachesOver => {
-            "P and Q of {code} take in another operation: `{word}` in line {line}.\n\
-            Look at the sequence numbers: one may stand twice, or Q may name a block far behind. The cycle is not carried out."
-        }
-        ContourCall => {
-            "`{word}` calls a subprogram inside a contour.\n\
-            Write the moves out between P and Q. The cycle is not carried out."
-        }
-        ContourBothAxes => {
-            "The first block of the contour of {code} names {other} too, though it does not move.\n\
-            Controls take two axes there as type II (pockets). Leave the word out for type I."
-        }
-        ContourTypeTwo => {
-            "The first block of the contour of {code} moves both axes, which this control does not take.\n\
-            Without pockets (type II) only one axis may move there."
-        }
-        ContourTurnsBack => {
-            "The contour of {code} turns back in {axis} at line {line}.\n\
-            Type I takes contours that go one way in both axes; type II, with two axes in the first block, allows pockets in depth."
-        }
-        ContourBeyondStart => {
-            "The contour of {code} goes beyond the start point in {axis}.\n\
-            Start the cycle outside the contour."
-        }
-        ContourNothingToCut => {
-            "Between the start point and this contour there is nothing for {code} to cut.\n\
-            The contour needs a depth below the start point and a way along it: more than its first and last block."
-        }
-        ContourOpenEnd => {
-            "`{word}` in the last block of the contour has no next move.\n\
-            A contour cannot end in a chamfer, a rounded corner or an open angle."
-        }
-        DepthMissing => {
-            "{code} has no depth of cut.\n\
-            Give it in a first block, such as G71 U2 R0.5 or G72 W2 R0.5. U or W beside P and Q is the allowance."
-        }
-        DepthNotPositive => {
-            "The depth of cut {depth} of {code} must be larger than zero.\n\
-            It has no sign: the cycle finds its direction from the contour. Digits below 0.001 mm do not count."
-        }
-        AllowanceSign => {
-            "The allowance `{word}` points into the part.\n\
-            Outside work has a positive U, bores a negative one; W points away from the direction of cut."
-        }
-        PatternNoPasses => {
-            "G73 has no number of passes.\n\
-            Give it as R in a first block, such as G73 U9 W2 R5."
-        }
+        ThreadAtSurfaceSpeed => "{code} cuts a thread under G96, where the spindle speed changes with X.\n\
+            Every pass must meet the same groove: give a constant speed with G97 S….",
+        ArcNoCenter => "{code} has neither R nor I, K.\n\
+            Give the radius with R, or the centre from the start point with I and K; or was G01 meant? FANUC goes straight there unless a parameter asks for the alarm.",
+        ArcRadiusTooSmall => "R{radius} is too small: start and end of the arc are {distance} mm apart.\n\
+            The radius must be at least {least} mm, half the distance. X counts as a diameter.",
+        ArcEndOffCircle => "The end point is not on the circle: the centre is {start_radius} mm from the start but {end_radius} mm from the end.\n\
+            I is a radius value from the start point to the centre, K the same along Z; both have a sign.",
+        ArcRadiusNegative => "This control does not take R{radius}.\n\
+            Give arcs of more than 180° with I and K.",
+        ArcNowhere => "The arc ends where it begins, so with R nothing moves.\n\
+            A full circle is written with I and K.",
+        TaperBeyondHalf => "`R{taper}` is larger than half of `{axis}{limit}`: the cut would begin outside the start point.\n\
+            When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
+        TaperBeyondLength => "`R{taper}` is larger than the length of `{axis}{limit}`: the cut would begin outside the start point.\n\
+            When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
+        TaperNotExtended => "R{taper} is the taper of the drawing, not of the real start point: the cut leaves the stock at {axis}{crossing}, not {axis}{wanted}.\n\
+            The cut begins outside the stock, so R must be longer in proportion: R{needed}.",
+        ContourNotNamed => "{code} needs both P and Q.\n\
+            P names the first block of the contour by its N number, Q the last.",
+        ContourNotFound => "No block has the number that `{word}` names.\n\
+            P names the first block of the contour, Q the last, which must stand behind it in the same program.",
+        ContourFirstBlock => "The first block of the contour of {code} does not move by G00 or G01.\n\
+            It takes the tool from the start point to where the contour begins.",
+        ContourIllegal => "`{word}` may not stand between P and Q.\n\
+            A contour holds moves by G00, G01, G02 and G03 only. The cycle is not carried out.",
+        ContourReachesOver => "P and Q of {code} take in another operation: `{word}` in line {line}.\n\
+            Look at the sequence numbers: one may stand twice, or Q may name a block far behind. The cycle is not carried out.",
+        ContourCall => "`{word}` calls a subprogram inside a contour.\n\
+            Write the moves out between P and Q. The cycle is not carried out.",
+        ContourBothAxes => "The first block of the contour of {code} names {other} too, though it does not move.\n\
+            Controls take two axes there as type II (pockets). Leave the word out for type I.",
+        ContourTypeTwo => "The first block of the contour of {code} moves both axes, which this control does not take.\n\
+            Without pockets (type II) only one axis may move there.",
+        ContourTurnsBack => "The contour of {code} turns back in {axis} at line {line}.\n\
+            Type I takes contours that go one way in both axes; type II, with two axes in the first block, allows pockets in depth.",
+        ContourBeyondStart => "The contour of {code} goes beyond the start point in {axis}.\n\
+            Start the cycle outside the contour.",
+        ContourNothingToCut => "Between the start point and this contour there is nothing for {code} to cut.\n\
+            The contour needs a depth below the start point and a way along it: more than its first and last block.",
+        ContourOpenEnd => "`{word}` in the last block of the contour has no next move.\n\
+            A contour cannot end in a chamfer, a rounded corner or an open angle.",
+        DepthMissing => "{code} has no depth of cut.\n\
+            Give it in a first block, such as G71 U2 R0.5 or G72 W2 R0.5. U or W beside P and Q is the allowance.",
+        DepthNotPositive => "The depth of cut {depth} of {code} must be larger than zero.\n\
+            It has no sign: the cycle finds its direction from the contour. Digits below 0.001 mm do not count.",
+        AllowanceSign => "The allowance `{word}` points into the part.\n\
+            Outside work has a positive U, bores a negative one; W points away from the direction of cut.",
+        PatternNoPasses => "G73 has no number of passes.\n\
+            Give it as R in a first block, such as G73 U9 W2 R5.",
         PatternPasses => "G73 cannot make {passes} passes.",
-        TooManyPasses => {
-            "{code} would make more than {most} moves; it is not carried out.\n\
-            Is the depth, the peck or the first cut far too small? Amounts without a point may be micrometres."
-        }
-        PeckNegative => {
-            "`{word}` cannot be negative.\n\
-            Pecks and steps have no sign: the direction follows from the end point."
-        }
-        PeckMissing => {
-            "{code} moves this axis but has no {address}.\n\
-            P is the amount along X (radius), Q along Z."
-        }
-        ReliefNegative => {
-            "The relief `{word}` cannot be negative here.\n\
-            Its direction follows from the steps."
-        }
-        AmountInMillimetres => {
-            "`{word}` was read as mm (inches under G20).\n\
-            FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide."
-        }
-        ThreadAngle => {
-            "{angle}° is no tool angle of G76.\n\
-            FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P."
-        }
-        ThreadLeastDepth => {
-            "The least depth {least} mm is larger than the thread height {height} mm.\n\
-            Q of the first block and P of the second are micrometres."
-        }
-        ThreadNoHeight => {
-            "G76 needs a thread height P larger than zero.\n\
-            P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres."
-        }
-        ThreadNoFirstDepth => {
-            "G76 needs a first depth Q larger than zero.\n\
-            P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres."
-        }
-        ThreadStartInside => {
-            "G76 starts at X{start}, inside the crest of the thread at X{crest}.\n\
-            The tool returns to the start X after every pass: it must clear the work."
-        }
-        CornerNoMove => {
-            "`{word}` has no straight move behind it to form a corner with.\n\
-            The next block must move by G01 (G02 and G03 for `,C` and `,R`)."
-        }
+        TooManyPasses => "{code} would make more than {most} moves; it is not carried out.\n\
+            Is the depth, the peck or the first cut far too small? Amounts without a point may be micrometres.",
+        PeckNegative => "`{word}` cannot be negative.\n\
+            Pecks and steps have no sign: the direction follows from the end point.",
+        PeckMissing => "{code} moves this axis but has no {address}.\n\
+            P is the amount along X (radius), Q along Z.",
+        ReliefNegative => "The relief `{word}` cannot be negative here.\n\
+            Its direction follows from the steps.",
+        AmountInMillimetres => "`{word}` was read as mm (inches under G20).\n\
+            FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide.",
+        ThreadAngle => "{angle}° is no tool angle of G76.\n\
+            FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P.",
+        ThreadLeastDepth => "The least depth {least} mm is larger than the thread height {height} mm.\n\
+            Q of the first block and P of the second are micrometres.",
+        ThreadNoHeight => "G76 needs a thread height P larger than zero.\n\
+            P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
+        ThreadNoFirstDepth => "G76 needs a first depth Q larger than zero.\n\
+            P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
+        ThreadStartInside => "G76 starts at X{start}, inside the crest of the thread at X{crest}.\n\
+            The tool returns to the start X after every pass: it must clear the work.",
+        CornerNoMove => "`{word}` has no straight move behind it to form a corner with.\n\
+            The next block must move by G01 (G02 and G03 for `,C` and `,R`).",
         CornerTooLarge => "`{word}` is larger than the moves beside it.",
-        CornerNone => {
-            "`{word}`: these two moves form no corner.\n\
-            The path goes straight on or turns back on itself."
-        }
-        CornerAxis => {
-            "`{word}` does not fit the next move.\n\
-            Without a comma, a chamfer or radius joins a move along one axis to a move along the other; its sign is the direction of the next move."
-        }
+        CornerNone => "`{word}`: these two moves form no corner.\n\
+            The path goes straight on or turns back on itself.",
+        CornerAxis => "`{word}` does not fit the next move.\n\
+            Without a comma, a chamfer or radius joins a move along one axis to a move along the other; its sign is the direction of the next move.",
         CornerTwice => "`{word}` and `{other}` both ask for a corner; a block can have one.",
-        CornerInThread => {
-            "`{word}`: a thread cannot end in a chamfer or a rounded corner.\n\
-            Put the corner into a block with G01."
-        }
-        CornerWithCompensation => {
-            "`{word}` stands where compensation begins or ends.\n\
-            Put G40, G41 and G42 into a block without a corner."
-        }
-        CyclePlane => {
-            "{code} works only in the plane G18.\n\
-            Write G18 before it."
-        }
-        CycleWord => {
-            "`{word}` may not stand in a block with {code}.\n\
-            The end of the contour is in its blocks P to Q; the cycle takes P, Q, U, W and F, S, T."
-        }
+        CornerInThread => "`{word}`: a thread cannot end in a chamfer or a rounded corner.\n\
+            Put the corner into a block with G01.",
+        CornerWithCompensation => "`{word}` stands where compensation begins or ends.\n\
+            Put G40, G41 and G42 into a block without a corner.",
+        CyclePlane => "{code} works only in the plane G18.\n\
+            Write G18 before it.",
+        CycleWord => "`{word}` may not stand in a block with {code}.\n\
+            The end of the contour is in its blocks P to Q; the cycle takes P, Q, U, W and F, S, T.",
         CycleAxis => "`{word}`: {code} moves only X and Z.",
-        FinishStart => {
-            "G70 does not start where the contour was roughed from, X{roughed_x} Z{roughed_z}.\n\
-            The first and the last move are rapids: from another point they may cross the part."
-        }
-        FinishWithoutRoughing => {
-            "The contour N{first} to N{last} is finished by G70, but no G71, G72 or G73 roughs it.\n\
-            Is the blank near the finished size, or do P and Q name the wrong blocks?"
-        }
-        AngleNoPoint => {
-            "`{word}` leads to no point.\n\
-            Angles count from +Z, counter-clockwise. Two lines must cross; one line needs X or Z beside its angle."
-        }
-        CompensationOnArc => {
-            "{code} may not begin or end on an arc.\n\
-            Put G40, G41 and G42 on a straight move (G00 or G01)."
-        }
-        CompensationOvercut => {
-            "A nose of R{radius} does not fit here: it would cut into the contour.\n\
-            A step is lower, a groove narrower or an inner arc smaller than the nose."
-        }
+        FinishStart => "G70 does not start where the contour was roughed from, X{roughed_x} Z{roughed_z}.\n\
+            The first and the last move are rapids: from another point they may cross the part.",
+        FinishWithoutRoughing => "The contour N{first} to N{last} is finished by G70, but no G71, G72 or G73 roughs it.\n\
+            Is the blank near the finished size, or do P and Q name the wrong blocks?",
+        AngleNoPoint => "`{word}` leads to no point.\n\
+            Angles count from +Z, counter-clockwise. Two lines must cross; one line needs X or Z beside its angle.",
+        CompensationOnArc => "{code} may not begin or end on an arc.\n\
+            Put G40, G41 and G42 on a straight move (G00 or G01).",
+        CompensationOvercut => "A nose of R{radius} does not fit here: it would cut into the contour.\n\
+            A step is lower, a groove narrower or an inner arc smaller than the nose.",
         CompensationNoIntersection => "With a nose of R{radius} these two moves do not meet.",
-        CompensationPlane => {
-            "The plane may not change while G41 or G42 is on.\n\
-            Write G40 first."
-        }
-        LeadRunsOut => {
-            "The lead of G34 would become {lead} mm.\n\
-            K is the change of lead for each turn; it must leave the lead positive to the end."
-        }
-        CompensationIdle => {
-            "Nose radius compensation is on, but it changes nothing in this {code}.\n\
-            Threads are cut without it; G90 and G94 need a nose radius in the tool's offset."
-        }
+        CompensationPlane => "The plane may not change while G41 or G42 is on.\n\
+            Write G40 first.",
+        LeadRunsOut => "The lead of G34 would become {lead} mm.\n\
+            K is the change of lead for each turn; it must leave the lead positive to the end.",
+        CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
+            Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",
     }
 }
 

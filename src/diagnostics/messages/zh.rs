@@ -4,611 +4,322 @@ use super::phrases::Phrase;
 use super::wording::Wording;
 
 /// The message, and on a second line its help.
+#[rustfmt::skip] // One line each.
 pub(super) const fn sentence(wording: Wording) -> &'static str {
     use Wording::*;
     match wording {
-        NumberMissing => {
-            "地址 `{address}` 后面没有数值。\n\
-            每个地址后面都要有数值。注释要写在括号里：`( … )`。"
-        }
-        AddressMissing => {
-            "数值 `{number}` 前面缺少地址。\n\
-            请在前面补上对应的地址，如 X、Z 或 F。"
-        }
-        NotUnderstood => {
-            "`{text}` 不属于任何指令字。\n\
-            是不是抄错或漏掉了字符？注释要写在括号里：`( … )`。"
-        }
-        PlainText => {
-            "`{text}` 是普通文字，不是程序段。\n\
-            系统读到这里会报警。说明文字要写在括号里：`( … )`。"
-        }
-        SecondPoint => {
-            "`{word}` 中有两个小数点。\n\
-            请核对数值，删去多余的小数点。"
-        }
-        TooManyDigits => {
-            "`{word}` 的数值超过 8 位。\n\
-            系统最多接受 8 位数字，小数部分也计算在内。"
-        }
-        BlankInNumber => {
-            "`{written}` 的数值中间有空格，系统会读成 `{joined}`。\n\
-            请删去空格；如果是漏了地址，请补上。"
-        }
-        LetterForDigit => {
-            "`{word}` 中该写数字 {digit} 的地方写成了字母。\n\
-            字母 O 与数字 0、字母 l 与数字 1 看上去很像，但系统会区分。"
-        }
-        ZeroForO => {
-            "`{number}` 已按程序号读取：第一个字符应为字母 O。\n\
-            程序号以字母 O 开头，不是数字 0。"
-        }
-        PrintedMinus => {
-            "这是印刷用的横线，不是负号；这里已按负号读取。\n\
-            系统不认识这个字符，请改成 `-`。"
-        }
-        CommaForPoint => {
-            "`{word}` 中该写小数点的地方写成了逗号。\n\
-            G 代码的小数点是 `.`，不能用逗号代替。"
-        }
-        CommentOpen => {
-            "括号没有闭合，本行余下的内容都当作注释。\n\
-            请用 `)` 结束注释，否则系统可能把后面的程序段也当成注释。"
-        }
-        CommentNested => {
-            "注释里又出现了括号。\n\
-            系统读到第一个 `)` 就认为注释结束，后面的内容会当成指令字。"
-        }
-        TextAfterSemicolon => {
-            "`;` 后面的 `{text}` 已当作注释。\n\
-            在 FANUC 和 GSK 系统上，`;` 表示程序段结束；注释要写在括号里：`( … )`。"
-        }
-        BlockTooLong => {
-            "这个程序段的指令字超过 {most} 个。\n\
-            是不是漏了换行？程序段余下的内容没有读取。"
-        }
-        TextTooLong => {
-            "程序有 {bytes} 字节，这里最多读取 {most} 字节。\n\
-            请把程序拆开，或只打开要看的部分。"
-        }
-        EmptyProgram => {
-            "还没有程序。\n\
-            请输入或粘贴程序，也可以从示例库中选一个。"
-        }
-        ProgramNumberZero => {
-            "O0 不能用作程序号。\n\
-            程序号的范围是 O1～O9999。"
-        }
-        DuplicateProgram => {
-            "程序号 O{number} 在这里重复出现。\n\
-            同一个程序号，系统只能存一个程序。"
-        }
-        NoEnd => {
-            "程序结尾没有 M30 或 M02。\n\
-            请在结尾写上 M30：否则系统报警停止时，主轴还在转，冷却液也没有关。"
-        }
-        MoreMessages => {
-            "还有 {hidden} 条提示没有显示。\n\
-            请先改正前面的错误，后面的往往由它们引起。"
-        }
-        TooManyMotions => {
-            "程序的刀具运动超过 {most} 段，其余没有显示。\n\
-            是不是循环中的某个量写得太小了？"
-        }
-        TooMuchWork => {
-            "各循环的计算超过 {most} 步，后面的内容没有显示。\n\
-            G70～G73 每调用一次都要重新读取精加工路线。请减少对长路线的调用，并改正不能执行的循环。"
-        }
+        NumberMissing => "地址 `{address}` 后面没有数值。\n\
+            每个地址后面都要有数值。注释要写在括号里：`( … )`。",
+        AddressMissing => "数值 `{number}` 前面缺少地址。\n\
+            请在前面补上对应的地址，如 X、Z 或 F。",
+        NotUnderstood => "`{text}` 不属于任何指令字。\n\
+            是不是抄错或漏掉了字符？注释要写在括号里：`( … )`。",
+        PlainText => "`{text}` 是普通文字，不是程序段。\n\
+            系统读到这里会报警。说明文字要写在括号里：`( … )`。",
+        SecondPoint => "`{word}` 中有两个小数点。\n\
+            请核对数值，删去多余的小数点。",
+        TooManyDigits => "`{word}` 的数值超过 8 位。\n\
+            系统最多接受 8 位数字，小数部分也计算在内。",
+        BlankInNumber => "`{written}` 的数值中间有空格，系统会读成 `{joined}`。\n\
+            请删去空格；如果是漏了地址，请补上。",
+        LetterForDigit => "`{word}` 中该写数字 {digit} 的地方写成了字母。\n\
+            字母 O 与数字 0、字母 l 与数字 1 看上去很像，但系统会区分。",
+        ZeroForO => "`{number}` 已按程序号读取：第一个字符应为字母 O。\n\
+            程序号以字母 O 开头，不是数字 0。",
+        PrintedMinus => "这是印刷用的横线，不是负号；这里已按负号读取。\n\
+            系统不认识这个字符，请改成 `-`。",
+        CommaForPoint => "`{word}` 中该写小数点的地方写成了逗号。\n\
+            G 代码的小数点是 `.`，不能用逗号代替。",
+        CommentOpen => "括号没有闭合，本行余下的内容都当作注释。\n\
+            请用 `)` 结束注释，否则系统可能把后面的程序段也当成注释。",
+        CommentNested => "注释里又出现了括号。\n\
+            系统读到第一个 `)` 就认为注释结束，后面的内容会当成指令字。",
+        TextAfterSemicolon => "`;` 后面的 `{text}` 已当作注释。\n\
+            在 FANUC 和 GSK 系统上，`;` 表示程序段结束；注释要写在括号里：`( … )`。",
+        BlockTooLong => "这个程序段的指令字超过 {most} 个。\n\
+            是不是漏了换行？程序段余下的内容没有读取。",
+        TextTooLong => "程序有 {bytes} 字节，这里最多读取 {most} 字节。\n\
+            请把程序拆开，或只打开要看的部分。",
+        EmptyProgram => "还没有程序。\n\
+            请输入或粘贴程序，也可以从示例库中选一个。",
+        ProgramNumberZero => "O0 不能用作程序号。\n\
+            程序号的范围是 O1～O9999。",
+        DuplicateProgram => "程序号 O{number} 在这里重复出现。\n\
+            同一个程序号，系统只能存一个程序。",
+        NoEnd => "程序结尾没有 M30 或 M02。\n\
+            请在结尾写上 M30：否则系统报警停止时，主轴还在转，冷却液也没有关。",
+        MoreMessages => "还有 {hidden} 条提示没有显示。\n\
+            请先改正前面的错误，后面的往往由它们引起。",
+        TooManyMotions => "程序的刀具运动超过 {most} 段，其余没有显示。\n\
+            是不是循环中的某个量写得太小了？",
+        TooMuchWork => "各循环的计算超过 {most} 步，后面的内容没有显示。\n\
+            G70～G73 每调用一次都要重新读取精加工路线。请减少对长路线的调用，并改正不能执行的循环。",
         Stopped => "运行 {seconds} 秒后被中止，后面的内容没有显示。",
-        CallNoNumber => {
-            "{code} 没有指明调用哪个程序。\n\
-            P 为程序号：M98 P1000 调用 O1000，M98 P1000 L3 调用三次。"
-        }
-        ProgramNotFound => {
-            "文本中没有 `{word}` 所指的程序，该调用被跳过。\n\
-            子程序写在主程序之后：O 加程序号、程序段、M99。没有 L 时，最后四位之前的数字为重复次数：P51002 即 O1002 调用五次。"
-        }
-        SequenceNotFound => {
-            "本程序中没有顺序号 N{sequence}，该跳转被跳过。\n\
-            只在所在的 O 程序内检索。"
-        }
-        CallTooDeep => {
-            "调用嵌套超过 {most} 层，运行在此结束。\n\
-            程序调用自身，或两个程序互相调用，永远不会结束。"
-        }
-        NoReturn => {
-            "该子程序结尾没有 M99。\n\
-            系统在此报警停止；图形从调用处之后继续。"
-        }
-        EndlessMain => {
-            "主程序中的 M99 返回程序开头，无限循环；图中只画一遍。\n\
-            自动送料加工常这样写。作为子程序由 M98 调用时，则返回调用它的程序。结束程序请写 M30。"
-        }
-        TooManyRepeats => {
-            "从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。\n\
-            循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。"
-        }
-        TooMuchRepeated => {
-            "从这里起，跳转、循环和调用执行的程序段超过 {most} 个字符，运行结束。\n\
-            循环没有终点，或很长的程序段重复次数太多。请检查循环条件、计数变量或调用的 L。"
-        }
-        TooManyRounds => {
-            "循环和调用的次数超过 {most} 次，运行在此结束。\n\
-            请检查该循环靠什么结束：条件、计数变量或调用的 L。"
-        }
-        TooManyMacroSteps => {
-            "跳转、循环和调用中计算的宏语句和表达式超过 {most} 个，运行在此结束。\n\
-            请检查循环靠什么结束，或减少每次循环中的计算。"
-        }
-        NotRun => {
-            "O{number} 没有运行：没有程序调用它。\n\
-            文本中有多个程序时运行第一个。可选择另一个程序查看。"
-        }
-        NumberFromVariable => {
-            "`{word}`：N 和 O 的号码不能用变量给出。\n\
-            请直接写出号码。GOTO、P、Q 可以用变量指定。"
-        }
+        CallNoNumber => "{code} 没有指明调用哪个程序。\n\
+            P 为程序号：M98 P1000 调用 O1000，M98 P1000 L3 调用三次。",
+        ProgramNotFound => "文本中没有 `{word}` 所指的程序，该调用被跳过。\n\
+            子程序写在主程序之后：O 加程序号、程序段、M99。没有 L 时，最后四位之前的数字为重复次数：P51002 即 O1002 调用五次。",
+        SequenceNotFound => "本程序中没有顺序号 N{sequence}，该跳转被跳过。\n\
+            只在所在的 O 程序内检索。",
+        CallTooDeep => "调用嵌套超过 {most} 层，运行在此结束。\n\
+            程序调用自身，或两个程序互相调用，永远不会结束。",
+        NoReturn => "该子程序结尾没有 M99。\n\
+            系统在此报警停止；图形从调用处之后继续。",
+        EndlessMain => "主程序中的 M99 返回程序开头，无限循环；图中只画一遍。\n\
+            自动送料加工常这样写。作为子程序由 M98 调用时，则返回调用它的程序。结束程序请写 M30。",
+        TooManyRepeats => "从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。\n\
+            循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。",
+        TooMuchRepeated => "从这里起，跳转、循环和调用执行的程序段超过 {most} 个字符，运行结束。\n\
+            循环没有终点，或很长的程序段重复次数太多。请检查循环条件、计数变量或调用的 L。",
+        TooManyRounds => "循环和调用的次数超过 {most} 次，运行在此结束。\n\
+            请检查该循环靠什么结束：条件、计数变量或调用的 L。",
+        TooManyMacroSteps => "跳转、循环和调用中计算的宏语句和表达式超过 {most} 个，运行在此结束。\n\
+            请检查循环靠什么结束，或减少每次循环中的计算。",
+        NotRun => "O{number} 没有运行：没有程序调用它。\n\
+            文本中有多个程序时运行第一个。可选择另一个程序查看。",
+        NumberFromVariable => "`{word}`：N 和 O 的号码不能用变量给出。\n\
+            请直接写出号码。GOTO、P、Q 可以用变量指定。",
         MacroOverflow => "数值太大，超出宏程序的范围。",
-        MacroDivisionByZero => {
-            "除数为零。\n\
-            空变量按 0 计算。"
-        }
-        MacroUnknownFunction => {
-            "没有这个函数。\n\
-            可用 SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD，自变量写在 `[ ]` 内。"
-        }
-        MacroExpression => {
-            "无法读取该表达式。\n\
-            写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。"
-        }
+        MacroDivisionByZero => "除数为零。\n\
+            空变量按 0 计算。",
+        MacroUnknownFunction => "没有这个函数。\n\
+            可用 SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD，自变量写在 `[ ]` 内。",
+        MacroExpression => "无法读取该表达式。\n\
+            写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。",
         MacroBracketOpen => "该 `[` 没有对应的 `]`。",
-        MacroNumberOrCondition => {
-            "应为数值处写了条件，或应为条件处写了数值。\n\
-            条件用于比较：`[#1 GT 10]`，可用 EQ NE GT GE LT LE。"
-        }
-        MacroVariableNumber => {
-            "没有这个变量。\n\
-            局部变量 #1～#33，公共变量 #100～#199、#500～#999，系统变量从 #1000 起。"
-        }
+        MacroNumberOrCondition => "应为数值处写了条件，或应为条件处写了数值。\n\
+            条件用于比较：`[#1 GT 10]`，可用 EQ NE GT GE LT LE。",
+        MacroVariableNumber => "没有这个变量。\n\
+            局部变量 #1～#33，公共变量 #100～#199、#500～#999，系统变量从 #1000 起。",
         MacroReadOnly => "该变量只能读，不能写。",
         MacroBracketsTooDeep => "方括号嵌套超过五层。",
-        MacroFunctionArgument => {
-            "函数对该值无解。\n\
-            例如负数的平方根或对数。"
-        }
+        MacroFunctionArgument => "函数对该值无解。\n\
+            例如负数的平方根或对数。",
         MacroCallsTooDeep => "宏调用嵌套层数太多。",
         MacroEndMissing => "该 DO 没有同号的 END。",
-        MacroFormat => {
-            "无法读取该宏语句。\n\
-            写法如 `#1=#2+1`、`IF[#1 GT 5]GOTO 10`、`IF[#1 EQ 0]THEN #2=1`、`WHILE[#1 LE 9]DO1` … `END1`。"
-        }
+        MacroFormat => "无法读取该宏语句。\n\
+            写法如 `#1=#2+1`、`IF[#1 GT 5]GOTO 10`、`IF[#1 EQ 0]THEN #2=1`、`WHILE[#1 LE 9]DO1` … `END1`。",
         MacroLoopNumber => "循环号为 1、2 或 3，且 END 要与正在执行的 DO 对应。",
-        MacroWordsBehind => {
-            "宏语句必须单独一段。\n\
-            把 NC 指令写在另一段。"
-        }
+        MacroWordsBehind => "宏语句必须单独一段。\n\
+            把 NC 指令写在另一段。",
         MacroJumpTarget => "GOTO 需要 1～99999 的顺序号。",
-        MacroArgumentLetter => {
-            "该地址不能作为宏的自变量。\n\
-            不能使用 G、L、N、O、P。"
-        }
-        MacroAlarm => {
-            "程序自身发出报警 {number}：{words}\n\
-            #3000 由程序发出报警，多用于检查数据：请查看它之前的条件和调用时的自变量。"
-        }
-        SystemVariable => {
-            "#{variable} 是这里未知的机床系统变量，读作空值。\n\
-            与它有关的图形可能不正确。"
-        }
-        ForeignMill => {
-            "这像是铣床程序。\n\
-            本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。"
-        }
-        ForeignPrinter => {
-            "这像是 3D 打印机程序。\n\
-            本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。"
-        }
-        ForeignControl => {
-            "这像是 {origin} 的程序，这里不支持。\n\
-            同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。"
-        }
-        SystemGuessed => {
-            "按 G 代码体系 {system} 读取：该指令不属于体系 A。\n\
-            体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。"
-        }
+        MacroArgumentLetter => "该地址不能作为宏的自变量。\n\
+            不能使用 G、L、N、O、P。",
+        MacroAlarm => "程序自身发出报警 {number}：{words}\n\
+            #3000 由程序发出报警，多用于检查数据：请查看它之前的条件和调用时的自变量。",
+        SystemVariable => "#{variable} 是这里未知的机床系统变量，读作空值。\n\
+            与它有关的图形可能不正确。",
+        ForeignMill => "这像是铣床程序。\n\
+            本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。",
+        ForeignPrinter => "这像是 3D 打印机程序。\n\
+            本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。",
+        ForeignControl => "这像是 {origin} 的程序，这里不支持。\n\
+            同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。",
+        SystemGuessed => "按 G 代码体系 {system} 读取：该指令不属于体系 A。\n\
+            体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。",
         ReferenceNumber => "`{word}` 不是参考点号：G30 用 P2、P3 或 P4。",
-        NotAtReference => {
-            "G27 的终点不是参考点，这里参考点为 X{x} Z{z}。\n\
-            G27 检查刀具是否到达参考点，未到达则报警。"
-        }
+        NotAtReference => "G27 的终点不是参考点，这里参考点为 X{x} Z{z}。\n\
+            G27 检查刀具是否到达参考点，未到达则报警。",
         NoIntermediate => "G29 没有中间点：之前没有 G28 或 G30。",
-        MachineZero => {
-            "G53 以机床零点计算；这里取参考点 X{x} Z{z} 为机床零点。\n\
-            机床零点的位置只有机床知道。请在设置的 `refPoint` 中填写回零后的位置。"
-        }
+        MachineZero => "G53 以机床零点计算；这里取参考点 X{x} Z{z} 为机床零点。\n\
+            机床零点的位置只有机床知道。请在设置的 `refPoint` 中填写回零后的位置。",
         OffsetNumber => "`{word}` 不是偏置表中的号码。",
         TipNumber => "`{word}` 不是刀尖方位号：应为 0 到 9。",
         DataPassedOver => "从这里到 G11 是写入系统数据表的数据，被跳过。",
-        HoleInForce => {
-            "{hole} 有效时不能写 `{word}`。\n\
-            先写 G80：在此之前每个 X、Z 或 C 都会再加工一个孔。"
-        }
-        PeckZero => {
-            "`{word}` 不是有效的每次切深。\n\
-            Q 是每次啄钻的深度，单位微米，例如 Q5000。不写 Q 则一次钻到底。"
-        }
-        HoleNoDepth => {
-            "{code} 没有孔深。\n\
-            G83 G84 G85 用 Z 或 W，G87 G88 G89 用 X 或 U 给出孔底。"
-        }
-        HoleOfOthers => {
-            "FANUC 体系 A 没有 {code}；按有此代码的车床画出。\n\
-            从起点沿 Z 钻孔并退回。FANUC 车床系统用 G83 或 G74 钻孔。"
-        }
-        UnknownG => {
-            "`{word}` 不是本系统的 G 代码。\n\
-            整个程序段都不执行，请核对代码。"
-        }
-        UnknownM => {
-            "`{word}` 只在部分机床上有效，这里跳过不执行。\n\
-            它的功能请查机床厂家的说明书。"
-        }
-        NotSupported => {
-            "这里不支持 {what}。\n\
-            这不是程序的错。此后的刀具轨迹可能不准确，用淡色画出。"
-        }
-        MakerG => {
-            "`{word}` 因机床而异，被跳过。\n\
-            这类号码由机床厂自定，其动作没有画出。"
-        }
+        HoleInForce => "{hole} 有效时不能写 `{word}`。\n\
+            先写 G80：在此之前每个 X、Z 或 C 都会再加工一个孔。",
+        PeckZero => "`{word}` 不是有效的每次切深。\n\
+            Q 是每次啄钻的深度，单位微米，例如 Q5000。不写 Q 则一次钻到底。",
+        HoleNoDepth => "{code} 没有孔深。\n\
+            G83 G84 G85 用 Z 或 W，G87 G88 G89 用 X 或 U 给出孔底。",
+        HoleOfOthers => "FANUC 体系 A 没有 {code}；按有此代码的车床画出。\n\
+            从起点沿 Z 钻孔并退回。FANUC 车床系统用 G83 或 G74 钻孔。",
+        UnknownG => "`{word}` 不是本系统的 G 代码。\n\
+            整个程序段都不执行，请核对代码。",
+        UnknownM => "`{word}` 只在部分机床上有效，这里跳过不执行。\n\
+            它的功能请查机床厂家的说明书。",
+        NotSupported => "这里不支持 {what}。\n\
+            这不是程序的错。此后的刀具轨迹可能不准确，用淡色画出。",
+        MakerG => "`{word}` 因机床而异，被跳过。\n\
+            这类号码由机床厂自定，其动作没有画出。",
         PointNotAllowed => "`{word}` 必须是整数，不能带小数点。",
         MinusNotAllowed => "`{word}` 不能是负值。",
-        DuplicateWord => {
-            "地址 {address} 在本程序段中出现了两次，以 `{used}` 为准。\n\
-            系统会取后一个，或者报警。请删去写错的那个。"
-        }
-        SameGroup => {
-            "`{dropped}` 与 `{used}` 不能同时有效，以 `{used}` 为准。\n\
-            两者属于同一个模态组，同一程序段中最后一个有效。"
-        }
-        AbsoluteAndIncremental => {
-            "`{absolute}` 与 `{incremental}` 指定的是同一个轴，以 `{used}` 为准。\n\
-            各系统的处理不同：FANUC 取后写的，GSK 取绝对坐标。"
-        }
-        ToolWithSetting => {
-            "`{word}` 不能与 G50、G10 或 G04 写在同一程序段。\n\
-            请把换刀单独写成一个程序段。"
-        }
-        ShortTool => {
-            "`{word}` 没有写刀号：只调用 {offset} 号刀补，刀架不转位。\n\
-            在四位数 T 代码的系统上要写全刀号和刀补号，如 T0101。"
-        }
-        ToolNumber => {
-            "`{word}` 不是有效的 T 代码。\n\
-            请写刀号和刀补号，如 T0101。"
-        }
-        G90AsAbsolute => {
-            "车床上的 G90 是外圆切削循环，不是绝对值编程。\n\
-            车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。留着 G90，下一个 X 或 Z 就会启动循环：请删去 G90。"
-        }
-        LetterIIsTaper => {
-            "G92 中的 I 已按锥度（同 R）读取。\n\
-            FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。"
-        }
-        LetterIIsThreads => {
-            "G92 中的 I 已按每英寸牙数读取。\n\
-            FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。"
-        }
-        G28NoAxis => {
-            "G28 没有指定轴，刀具不动。\n\
-            要让两轴都返回参考点，请写 G28 U0 W0。"
-        }
-        DwellWithPoint => {
-            "`{word}` 带小数点，按秒读取。\n\
-            FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。"
-        }
-        DwellNoTime => {
-            "G04 没有写时间，不会暂停。\n\
-            请用 X 或 U 指定秒数，或用 P 指定毫秒数。"
-        }
-        AxisNotHere => {
-            "这里不支持 `{word}` 的 Y 轴：只画 X、Z 和 C。\n\
-            X 和 Z 的运动照常画出，此后以淡色表示。只提示一次。"
-        }
-        PlaneNotHere => {
-            "这里不支持 G12.1 以外 {word} 平面的圆弧。\n\
-            车削用 G18；端面铣圆弧写在 G12.1 之内。只提示一次。"
-        }
-        CAxisNotConnected => {
-            "这里 C 轴运动，但之前没有连接 C 轴。\n\
-            所用代码因机床而异，例如 M45 和 G28 H0。主轴方式下使用 C 会报警。"
-        }
-        LiveToolStopped => {
-            "这里用动力刀具切削，但之前没有启动动力刀具。\n\
-            所用代码因机床而异，例如 M13 或 M14 加 S。"
-        }
-        PolarForbidden => {
-            "G12.1 与 G13.1 之间不允许使用 `{word}`。\n\
-            其间只能使用 G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99：用 G01 接近，或先用 G13.1 取消。"
-        }
-        PolarFrame => {
-            "`{word}` 在 G12.1 与 G13.1 之间改变了坐标系。\n\
-            请在 G12.1 之前设定零点：X0 必须是主轴中心。"
-        }
-        PolarNotAlone => {
-            "{code} 必须单独一段，不能与 `{other}` 同段。\n\
-            把其他指令移到另一段。"
-        }
-        PlaneCompensation => {
-            "{code} 处于 G41 或 G42 方式中。\n\
-            补偿要在方式内部建立和取消：在 G12.1 或 G07.1 C… 之后建立，在 G13.1 或 G07.1 C0 之前用 G40 取消。"
-        }
-        PolarFeedPerTurn => {
-            "极坐标插补中不能用每转进给（G99）。\n\
-            此时主轴只作定位：请写 G98，F 单位为 mm/min。"
-        }
-        PolarNoRadius => {
-            "这里 G41 或 G42 没有刀具半径，不起补偿作用。\n\
-            在刀具的偏置中填入半径，刀具中心即与轨迹保持该距离。"
-        }
-        PolarAngle => {
-            "`{word}` 像是角度；在 G12.1 与 G13.1 之间 C 是长度，单位 mm。\n\
-            轨迹写在平面内：X 向右，为直径值；C 向上，单位 mm。"
-        }
-        PolarCenter => {
-            "轨迹距主轴中心仅 {distance} mm，C 轴转速将趋于无限大。\n\
-            系统会在此减速或报警。请远离中心。"
-        }
-        PlaneLeftOn => {
-            "到 `{code}` 时带 C 轴的插补仍然有效。\n\
-            之前请单独一段写 {off}。"
-        }
-        CylinderFormat => {
-            "G07.1 需要用 C 给出圆柱半径，且不能有其他指令。\n\
-            G07.1 C30 以半径 30 mm 开始，G07.1 C0 结束；不能重复开始。"
-        }
-        CylinderForbidden => {
-            "圆柱插补中不允许使用 `{word}`。\n\
-            其间只能使用 G01 至 G04 和 G40 至 G42，圆弧用 R 给出，快速移动写在 G07.1 之前或 G07.1 C0 之后。"
-        }
-        FeedMissing => {
-            "没有进给速度：切削之前没有给出不为零的 F。\n\
-            刚开机时系统在此报警；否则按前一个程序的 F 切削。请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。"
-        }
-        LeadMissing => {
-            "{code} 没有给出导程。\n\
-            F 指定螺纹导程，单位 mm；单线螺纹的导程就是螺距。"
-        }
-        FeedPerTurnTooLarge => {
-            "G99 状态下，F{feed} 是主轴每转进给 {feed} mm。\n\
-            这样的进给量太大，无法切削。是不是要用 G98（mm/min）？请改系统的进给方式，或在程序中写 G98。"
-        }
-        FeedPerMinuteTooSmall => {
-            "G98 状态下，F{feed} 只是每分钟进给 {feed} mm。\n\
-            是不是要用 G99（mm/r）？请改系统的进给方式，或在程序中写 G99。"
-        }
-        FeedNotRepeatedPerTurn => {
-            "改用 G99 后，原来的 F{feed} 按 mm/r 计算。\n\
-            改变进给方式后，要重新写 F。"
-        }
-        FeedNotRepeatedPerMinute => {
-            "改用 G98 后，原来的 F{feed} 按 mm/min 计算。\n\
-            改变进给方式后，要重新写 F。"
-        }
-        SpindleStopped => {
-            "主轴没有转，刀具就在切削。\n\
-            切削之前，请先用 M03 或 M04 启动主轴。"
-        }
-        NoSpeedClamp => {
-            "用了 G96 恒线速，却没有限制主轴最高转速。\n\
-            越靠近中心，转速升得越高，没有上限。请先限速，如 G50 S2000。"
-        }
+        DuplicateWord => "地址 {address} 在本程序段中出现了两次，以 `{used}` 为准。\n\
+            系统会取后一个，或者报警。请删去写错的那个。",
+        SameGroup => "`{dropped}` 与 `{used}` 不能同时有效，以 `{used}` 为准。\n\
+            两者属于同一个模态组，同一程序段中最后一个有效。",
+        AbsoluteAndIncremental => "`{absolute}` 与 `{incremental}` 指定的是同一个轴，以 `{used}` 为准。\n\
+            各系统的处理不同：FANUC 取后写的，GSK 取绝对坐标。",
+        ToolWithSetting => "`{word}` 不能与 G50、G10 或 G04 写在同一程序段。\n\
+            请把换刀单独写成一个程序段。",
+        ShortTool => "`{word}` 没有写刀号：只调用 {offset} 号刀补，刀架不转位。\n\
+            在四位数 T 代码的系统上要写全刀号和刀补号，如 T0101。",
+        ToolNumber => "`{word}` 不是有效的 T 代码。\n\
+            请写刀号和刀补号，如 T0101。",
+        G90AsAbsolute => "车床上的 G90 是外圆切削循环，不是绝对值编程。\n\
+            车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。留着 G90，下一个 X 或 Z 就会启动循环：请删去 G90。",
+        LetterIIsTaper => "G92 中的 I 已按锥度（同 R）读取。\n\
+            FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
+        LetterIIsThreads => "G92 中的 I 已按每英寸牙数读取。\n\
+            FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
+        G28NoAxis => "G28 没有指定轴，刀具不动。\n\
+            要让两轴都返回参考点，请写 G28 U0 W0。",
+        DwellWithPoint => "`{word}` 带小数点，按秒读取。\n\
+            FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。",
+        DwellNoTime => "G04 没有写时间，不会暂停。\n\
+            请用 X 或 U 指定秒数，或用 P 指定毫秒数。",
+        AxisNotHere => "这里不支持 `{word}` 的 Y 轴：只画 X、Z 和 C。\n\
+            X 和 Z 的运动照常画出，此后以淡色表示。只提示一次。",
+        PlaneNotHere => "这里不支持 G12.1 以外 {word} 平面的圆弧。\n\
+            车削用 G18；端面铣圆弧写在 G12.1 之内。只提示一次。",
+        CAxisNotConnected => "这里 C 轴运动，但之前没有连接 C 轴。\n\
+            所用代码因机床而异，例如 M45 和 G28 H0。主轴方式下使用 C 会报警。",
+        LiveToolStopped => "这里用动力刀具切削，但之前没有启动动力刀具。\n\
+            所用代码因机床而异，例如 M13 或 M14 加 S。",
+        PolarForbidden => "G12.1 与 G13.1 之间不允许使用 `{word}`。\n\
+            其间只能使用 G01 G02 G03 G04 G40 G41 G42 G65 G66 G67 G98 G99：用 G01 接近，或先用 G13.1 取消。",
+        PolarFrame => "`{word}` 在 G12.1 与 G13.1 之间改变了坐标系。\n\
+            请在 G12.1 之前设定零点：X0 必须是主轴中心。",
+        PolarNotAlone => "{code} 必须单独一段，不能与 `{other}` 同段。\n\
+            把其他指令移到另一段。",
+        PlaneCompensation => "{code} 处于 G41 或 G42 方式中。\n\
+            补偿要在方式内部建立和取消：在 G12.1 或 G07.1 C… 之后建立，在 G13.1 或 G07.1 C0 之前用 G40 取消。",
+        PolarFeedPerTurn => "极坐标插补中不能用每转进给（G99）。\n\
+            此时主轴只作定位：请写 G98，F 单位为 mm/min。",
+        PolarNoRadius => "这里 G41 或 G42 没有刀具半径，不起补偿作用。\n\
+            在刀具的偏置中填入半径，刀具中心即与轨迹保持该距离。",
+        PolarAngle => "`{word}` 像是角度；在 G12.1 与 G13.1 之间 C 是长度，单位 mm。\n\
+            轨迹写在平面内：X 向右，为直径值；C 向上，单位 mm。",
+        PolarCenter => "轨迹距主轴中心仅 {distance} mm，C 轴转速将趋于无限大。\n\
+            系统会在此减速或报警。请远离中心。",
+        PlaneLeftOn => "到 `{code}` 时带 C 轴的插补仍然有效。\n\
+            之前请单独一段写 {off}。",
+        CylinderFormat => "G07.1 需要用 C 给出圆柱半径，且不能有其他指令。\n\
+            G07.1 C30 以半径 30 mm 开始，G07.1 C0 结束；不能重复开始。",
+        CylinderForbidden => "圆柱插补中不允许使用 `{word}`。\n\
+            其间只能使用 G01 至 G04 和 G40 至 G42，圆弧用 R 给出，快速移动写在 G07.1 之前或 G07.1 C0 之后。",
+        FeedMissing => "没有进给速度：切削之前没有给出不为零的 F。\n\
+            刚开机时系统在此报警；否则按前一个程序的 F 切削。请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。",
+        LeadMissing => "{code} 没有给出导程。\n\
+            F 指定螺纹导程，单位 mm；单线螺纹的导程就是螺距。",
+        FeedPerTurnTooLarge => "G99 状态下，F{feed} 是主轴每转进给 {feed} mm。\n\
+            这样的进给量太大，无法切削。是不是要用 G98（mm/min）？请改系统的进给方式，或在程序中写 G98。",
+        FeedPerMinuteTooSmall => "G98 状态下，F{feed} 只是每分钟进给 {feed} mm。\n\
+            是不是要用 G99（mm/r）？请改系统的进给方式，或在程序中写 G99。",
+        FeedNotRepeatedPerTurn => "改用 G99 后，原来的 F{feed} 按 mm/r 计算。\n\
+            改变进给方式后，要重新写 F。",
+        FeedNotRepeatedPerMinute => "改用 G98 后，原来的 F{feed} 按 mm/min 计算。\n\
+            改变进给方式后，要重新写 F。",
+        SpindleStopped => "主轴没有转，刀具就在切削。\n\
+            切削之前，请先用 M03 或 M04 启动主轴。",
+        NoSpeedClamp => "用了 G96 恒线速，却没有限制主轴最高转速。\n\
+            越靠近中心，转速升得越高，没有上限。请先限速，如 G50 S2000。",
         ClampReversed => "主轴最低转速 Q{lowest} 高于最高转速 S{highest}。",
-        ThreadAtSurfaceSpeed => {
-            "{code} 在 G96 恒线速状态下车螺纹，主轴转速会随 X 变化。\n\
-            每一刀都要切在同一条螺旋槽里，否则会乱牙：请用 G97 S… 指定固定转速。"
-        }
-        ArcNoCenter => {
-            "{code} 既没有 R，也没有 I、K。\n\
-            请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标；或者本想写 G01？FANUC 在参数未设报警时走直线。"
-        }
-        ArcRadiusTooSmall => {
-            "R{radius} 太小：圆弧起点与终点相距 {distance} mm。\n\
-            半径至少要 {least} mm，即距离的一半。注意 X 是直径值。"
-        }
-        ArcEndOffCircle => {
-            "终点不在圆上：圆心到起点是 {start_radius} mm，到终点却是 {end_radius} mm。\n\
-            I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量，都带正负号。"
-        }
-        ArcRadiusNegative => {
-            "本系统不接受 R{radius}。\n\
-            大于 180° 的圆弧请用 I、K 编程。"
-        }
-        ArcNowhere => {
-            "圆弧的终点就是起点，用 R 编程时刀具不动。\n\
-            整圆要用 I、K 编程。"
-        }
-        TaperBeyondHalf => {
-            "`R{taper}` 超过 `{axis}{limit}` 的一半：切削起点会落到循环起点之外。\n\
-            R 与 {axis} 的符号不一致时，要求 |R| ≤ |U/2|。"
-        }
-        TaperBeyondLength => {
-            "`R{taper}` 超过 `{axis}{limit}` 的长度：切削起点会落到循环起点之外。\n\
-            R 与 {axis} 的符号不一致时，要求 |R| ≤ |W|。"
-        }
-        TaperNotExtended => {
-            "R{taper} 是图样上的锥度，没有考虑实际的循环起点：锥面与毛坯边缘交于 {axis}{crossing}，而不是 {axis}{wanted}。\n\
-            切削起点在毛坯之外，R 的绝对值要按比例加大：R{needed}。"
-        }
-        ContourNotNamed => {
-            "{code} 必须同时写 P 和 Q。\n\
-            P 是精加工路线第一个程序段的顺序号，Q 是最后一个程序段的顺序号。"
-        }
-        ContourNotFound => {
-            "找不到 `{word}` 指定的程序段。\n\
-            P 指定精加工路线的第一段，Q 指定最后一段；两段要在同一个程序中，Q 段在 P 段之后。"
-        }
-        ContourFirstBlock => {
-            "{code} 精加工路线的第一段没有用 G00 或 G01 移动。\n\
-            这一段要把刀具从循环起点移到轮廓的起点。"
-        }
-        ContourIllegal => {
-            "`{word}` 不能写在 P 段到 Q 段之间。\n\
-            精加工路线只能用 G00、G01、G02、G03 编程。这个循环不执行。"
-        }
-        ContourReachesOver => {
-            "{code} 的 P、Q 之间包含了其他加工：第 {line} 行的 `{word}`。\n\
-            请检查顺序号：可能重复，或 Q 指到了很后面的程序段。该循环不执行。"
-        }
-        ContourCall => {
-            "`{word}` 在精加工路线中调用了子程序。\n\
-            请把移动指令直接写在 P 段到 Q 段之间。这个循环不执行。"
-        }
-        ContourBothAxes => {
-            "{code} 精加工路线的第一段也写了 {other}，但 {other} 向并不移动。\n\
-            第一段写了两个轴，系统会按类型 II（凹槽）处理。要用类型 I，请删去这个指令字。"
-        }
-        ContourTypeTwo => {
-            "{code} 精加工路线的第一段两轴同时移动，本系统不接受。\n\
-            没有类型 II（凹槽）功能时，这一段只能移动一个轴。"
-        }
-        ContourTurnsBack => {
-            "{code} 的精加工路线在第 {line} 行沿 {axis} 向折返。\n\
-            类型 I 要求轮廓在 X、Z 两个方向上都单调变化；类型 II（第一段写两个轴）允许切深方向有凹槽。"
-        }
-        ContourBeyondStart => {
-            "{code} 的精加工路线在 {axis} 向超出了循环起点。\n\
-            循环起点要选在轮廓之外。"
-        }
-        ContourNothingToCut => {
-            "循环起点与该轮廓之间没有可供 {code} 切削的余量。\n\
-            轮廓相对循环起点要有深度和长度：除首尾两段外还应有其他程序段。"
-        }
-        ContourOpenEnd => {
-            "`{word}` 写在精加工路线的最后一段，后面没有移动。\n\
-            精加工路线不能以倒角、倒圆或终点未定的角度结束。"
-        }
-        DepthMissing => {
-            "{code} 没有给出背吃刀量。\n\
-            请在第一个程序段中指定，如 G71 U2 R0.5 或 G72 W2 R0.5。与 P、Q 写在一起的 U、W 是精加工余量。"
-        }
-        DepthNotPositive => {
-            "{code} 的背吃刀量 {depth} 必须大于零。\n\
-            背吃刀量不带正负号，进刀方向由精加工路线决定。小于 0.001 mm 的位数会被舍去。"
-        }
-        AllowanceSign => {
-            "精加工余量 `{word}` 的方向指向零件内部。\n\
-            车外圆时 U 为正，车内孔时 U 为负；W 的方向与切削方向相反。"
-        }
-        PatternNoPasses => {
-            "G73 没有给出循环次数。\n\
-            请在第一个程序段中用 R 指定，如 G73 U9 W2 R5。"
-        }
+        ThreadAtSurfaceSpeed => "{code} 在 G96 恒线速状态下车螺纹，主轴转速会随 X 变化。\n\
+            每一刀都要切在同一条螺旋槽里，否则会乱牙：请用 G97 S… 指定固定转速。",
+        ArcNoCenter => "{code} 既没有 R，也没有 I、K。\n\
+            请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标；或者本想写 G01？FANUC 在参数未设报警时走直线。",
+        ArcRadiusTooSmall => "R{radius} 太小：圆弧起点与终点相距 {distance} mm。\n\
+            半径至少要 {least} mm，即距离的一半。注意 X 是直径值。",
+        ArcEndOffCircle => "终点不在圆上：圆心到起点是 {start_radius} mm，到终点却是 {end_radius} mm。\n\
+            I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量，都带正负号。",
+        ArcRadiusNegative => "本系统不接受 R{radius}。\n\
+            大于 180° 的圆弧请用 I、K 编程。",
+        ArcNowhere => "圆弧的终点就是起点，用 R 编程时刀具不动。\n\
+            整圆要用 I、K 编程。",
+        TaperBeyondHalf => "`R{taper}` 超过 `{axis}{limit}` 的一半：切削起点会落到循环起点之外。\n\
+            R 与 {axis} 的符号不一致时，要求 |R| ≤ |U/2|。",
+        TaperBeyondLength => "`R{taper}` 超过 `{axis}{limit}` 的长度：切削起点会落到循环起点之外。\n\
+            R 与 {axis} 的符号不一致时，要求 |R| ≤ |W|。",
+        TaperNotExtended => "R{taper} 是图样上的锥度，没有考虑实际的循环起点：锥面与毛坯边缘交于 {axis}{crossing}，而不是 {axis}{wanted}。\n\
+            切削起点在毛坯之外，R 的绝对值要按比例加大：R{needed}。",
+        ContourNotNamed => "{code} 必须同时写 P 和 Q。\n\
+            P 是精加工路线第一个程序段的顺序号，Q 是最后一个程序段的顺序号。",
+        ContourNotFound => "找不到 `{word}` 指定的程序段。\n\
+            P 指定精加工路线的第一段，Q 指定最后一段；两段要在同一个程序中，Q 段在 P 段之后。",
+        ContourFirstBlock => "{code} 精加工路线的第一段没有用 G00 或 G01 移动。\n\
+            这一段要把刀具从循环起点移到轮廓的起点。",
+        ContourIllegal => "`{word}` 不能写在 P 段到 Q 段之间。\n\
+            精加工路线只能用 G00、G01、G02、G03 编程。这个循环不执行。",
+        ContourReachesOver => "{code} 的 P、Q 之间包含了其他加工：第 {line} 行的 `{word}`。\n\
+            请检查顺序号：可能重复，或 Q 指到了很后面的程序段。该循环不执行。",
+        ContourCall => "`{word}` 在精加工路线中调用了子程序。\n\
+            请把移动指令直接写在 P 段到 Q 段之间。这个循环不执行。",
+        ContourBothAxes => "{code} 精加工路线的第一段也写了 {other}，但 {other} 向并不移动。\n\
+            第一段写了两个轴，系统会按类型 II（凹槽）处理。要用类型 I，请删去这个指令字。",
+        ContourTypeTwo => "{code} 精加工路线的第一段两轴同时移动，本系统不接受。\n\
+            没有类型 II（凹槽）功能时，这一段只能移动一个轴。",
+        ContourTurnsBack => "{code} 的精加工路线在第 {line} 行沿 {axis} 向折返。\n\
+            类型 I 要求轮廓在 X、Z 两个方向上都单调变化；类型 II（第一段写两个轴）允许切深方向有凹槽。",
+        ContourBeyondStart => "{code} 的精加工路线在 {axis} 向超出了循环起点。\n\
+            循环起点要选在轮廓之外。",
+        ContourNothingToCut => "循环起点与该轮廓之间没有可供 {code} 切削的余量。\n\
+            轮廓相对循环起点要有深度和长度：除首尾两段外还应有其他程序段。",
+        ContourOpenEnd => "`{word}` 写在精加工路线的最后一段，后面没有移动。\n\
+            精加工路线不能以倒角、倒圆或终点未定的角度结束。",
+        DepthMissing => "{code} 没有给出背吃刀量。\n\
+            请在第一个程序段中指定，如 G71 U2 R0.5 或 G72 W2 R0.5。与 P、Q 写在一起的 U、W 是精加工余量。",
+        DepthNotPositive => "{code} 的背吃刀量 {depth} 必须大于零。\n\
+            背吃刀量不带正负号，进刀方向由精加工路线决定。小于 0.001 mm 的位数会被舍去。",
+        AllowanceSign => "精加工余量 `{word}` 的方向指向零件内部。\n\
+            车外圆时 U 为正，车内孔时 U 为负；W 的方向与切削方向相反。",
+        PatternNoPasses => "G73 没有给出循环次数。\n\
+            请在第一个程序段中用 R 指定，如 G73 U9 W2 R5。",
         PatternPasses => "G73 的循环次数不能是 {passes}。",
-        TooManyPasses => {
-            "{code} 的刀具运动会超过 {most} 段，循环不执行。\n\
-            是不是背吃刀量、啄式进给量或第一刀切深写得太小了？不带小数点的数值可能按 μm 计算。"
-        }
-        PeckNegative => {
-            "`{word}` 不能是负值。\n\
-            啄式进给量和移动量不带正负号，方向由终点坐标决定。"
-        }
-        PeckMissing => {
-            "{code} 在这个轴上有移动，却没有写 {address}。\n\
-            P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量。"
-        }
-        ReliefNegative => {
-            "这里的让刀量 `{word}` 不能是负值。\n\
-            让刀方向由每次移动的方向决定。"
-        }
-        AmountInMillimetres => {
-            "`{word}` 已按 mm（G20 时按英寸）读取。\n\
-            FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。"
-        }
-        ThreadAngle => {
-            "G76 的刀尖角度不能是 {angle}°。\n\
-            FANUC 只接受 80、60、55、30、29 和 0 度，写在 P 的最后两位。"
-        }
-        ThreadLeastDepth => {
-            "最小切深 {least} mm 大于牙型高度 {height} mm。\n\
-            第一个程序段的 Q 和第二个程序段的 P 都以 μm 为单位。"
-        }
-        ThreadNoHeight => {
-            "G76 的牙型高度 P 必须大于零。\n\
-            P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。"
-        }
-        ThreadNoFirstDepth => {
-            "G76 的第一刀切深 Q 必须大于零。\n\
-            P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。"
-        }
-        ThreadStartInside => {
-            "G76 的循环起点 X{start} 没有让开螺纹牙顶 X{crest}。\n\
-            每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。"
-        }
-        CornerNoMove => {
-            "`{word}` 后面没有直线移动，无法形成拐角。\n\
-            下一个程序段要用 G01 移动（`,C` 和 `,R` 也可以用 G02、G03）。"
-        }
+        TooManyPasses => "{code} 的刀具运动会超过 {most} 段，循环不执行。\n\
+            是不是背吃刀量、啄式进给量或第一刀切深写得太小了？不带小数点的数值可能按 μm 计算。",
+        PeckNegative => "`{word}` 不能是负值。\n\
+            啄式进给量和移动量不带正负号，方向由终点坐标决定。",
+        PeckMissing => "{code} 在这个轴上有移动，却没有写 {address}。\n\
+            P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量。",
+        ReliefNegative => "这里的让刀量 `{word}` 不能是负值。\n\
+            让刀方向由每次移动的方向决定。",
+        AmountInMillimetres => "`{word}` 已按 mm（G20 时按英寸）读取。\n\
+            FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
+        ThreadAngle => "G76 的刀尖角度不能是 {angle}°。\n\
+            FANUC 只接受 80、60、55、30、29 和 0 度，写在 P 的最后两位。",
+        ThreadLeastDepth => "最小切深 {least} mm 大于牙型高度 {height} mm。\n\
+            第一个程序段的 Q 和第二个程序段的 P 都以 μm 为单位。",
+        ThreadNoHeight => "G76 的牙型高度 P 必须大于零。\n\
+            P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。",
+        ThreadNoFirstDepth => "G76 的第一刀切深 Q 必须大于零。\n\
+            P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。",
+        ThreadStartInside => "G76 的循环起点 X{start} 没有让开螺纹牙顶 X{crest}。\n\
+            每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。",
+        CornerNoMove => "`{word}` 后面没有直线移动，无法形成拐角。\n\
+            下一个程序段要用 G01 移动（`,C` 和 `,R` 也可以用 G02、G03）。",
         CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。",
-        CornerNone => {
-            "`{word}`：这两段移动之间没有拐角。\n\
-            轨迹是一直向前，或者原路折返。"
-        }
-        CornerAxis => {
-            "`{word}` 与下一段移动不符。\n\
-            不带逗号的倒角、倒圆，前后两段要分别沿不同的轴移动；正负号表示下一段的移动方向。"
-        }
+        CornerNone => "`{word}`：这两段移动之间没有拐角。\n\
+            轨迹是一直向前，或者原路折返。",
+        CornerAxis => "`{word}` 与下一段移动不符。\n\
+            不带逗号的倒角、倒圆，前后两段要分别沿不同的轴移动；正负号表示下一段的移动方向。",
         CornerTwice => "`{word}` 和 `{other}` 都是倒角指令，一个程序段只能有一个。",
-        CornerInThread => {
-            "`{word}`：螺纹切削程序段中不能倒角或倒圆。\n\
-            请把倒角写在 G01 程序段中。"
-        }
-        CornerWithCompensation => {
-            "`{word}` 写在刀尖半径补偿建立或取消的程序段中。\n\
-            请把 G40、G41、G42 写在没有倒角的程序段中。"
-        }
-        CyclePlane => {
-            "{code} 只能在 G18 平面内使用。\n\
-            请先写 G18。"
-        }
-        CycleWord => {
-            "`{word}` 不能写在 {code} 程序段中。\n\
-            轮廓由 P 到 Q 的程序段给出；循环程序段只写 P、Q、U、W 和 F、S、T。"
-        }
+        CornerInThread => "`{word}`：螺纹切削程序段中不能倒角或倒圆。\n\
+            请把倒角写在 G01 程序段中。",
+        CornerWithCompensation => "`{word}` 写在刀尖半径补偿建立或取消的程序段中。\n\
+            请把 G40、G41、G42 写在没有倒角的程序段中。",
+        CyclePlane => "{code} 只能在 G18 平面内使用。\n\
+            请先写 G18。",
+        CycleWord => "`{word}` 不能写在 {code} 程序段中。\n\
+            轮廓由 P 到 Q 的程序段给出；循环程序段只写 P、Q、U、W 和 F、S、T。",
         CycleAxis => "`{word}`：{code} 只能使用 X、Z 轴。",
-        FinishStart => {
-            "G70 的起点与粗车循环的起点 X{roughed_x} Z{roughed_z} 不同。\n\
-            第一段和最后一段是快速移动，从别的点出发可能碰到工件。"
-        }
-        FinishWithoutRoughing => {
-            "G70 精车 N{first} 到 N{last} 的轮廓，但没有 G71、G72 或 G73 粗车它。\n\
-            毛坯是否已接近成品尺寸？或者 P、Q 写错了程序段号？"
-        }
-        AngleNoPoint => {
-            "由 `{word}` 求不出终点。\n\
-            角度从 +Z 方向起按逆时针计算。两条直线必须相交；只有一条直线时，除角度外还要写 X 或 Z。"
-        }
-        CompensationOnArc => {
-            "{code} 不能在圆弧上建立或取消补偿。\n\
-            G40、G41、G42 要写在直线移动的程序段中（G00 或 G01）。"
-        }
-        CompensationOvercut => {
-            "刀尖半径 R{radius} 在这里放不下，会产生过切。\n\
-            台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。"
-        }
+        FinishStart => "G70 的起点与粗车循环的起点 X{roughed_x} Z{roughed_z} 不同。\n\
+            第一段和最后一段是快速移动，从别的点出发可能碰到工件。",
+        FinishWithoutRoughing => "G70 精车 N{first} 到 N{last} 的轮廓，但没有 G71、G72 或 G73 粗车它。\n\
+            毛坯是否已接近成品尺寸？或者 P、Q 写错了程序段号？",
+        AngleNoPoint => "由 `{word}` 求不出终点。\n\
+            角度从 +Z 方向起按逆时针计算。两条直线必须相交；只有一条直线时，除角度外还要写 X 或 Z。",
+        CompensationOnArc => "{code} 不能在圆弧上建立或取消补偿。\n\
+            G40、G41、G42 要写在直线移动的程序段中（G00 或 G01）。",
+        CompensationOvercut => "刀尖半径 R{radius} 在这里放不下，会产生过切。\n\
+            台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。",
         CompensationNoIntersection => "刀尖半径为 R{radius} 时，这两段移动补偿后没有交点。",
-        CompensationPlane => {
-            "G41 或 G42 有效时，不能切换平面。\n\
-            请先写 G40 取消补偿。"
-        }
-        LeadRunsOut => {
-            "G34 的导程会变成 {lead} mm。\n\
-            K 是主轴每转的导程增减量，直到终点导程都必须大于零。"
-        }
-        CompensationIdle => {
-            "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
-            车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。"
-        }
+        CompensationPlane => "G41 或 G42 有效时，不能切换平面。\n\
+            请先写 G40 取消补偿。",
+        LeadRunsOut => "G34 的导程会变成 {lead} mm。\n\
+            K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
+        CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
+            车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
     }
 }
 

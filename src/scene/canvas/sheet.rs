@@ -11,7 +11,7 @@ use super::super::ruler::{Axis, Tick, TickWeight, ticks};
 use super::super::view::View;
 use super::super::{Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
-use crate::geometry::Point;
+use crate::geometry::{Point, within};
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
@@ -129,7 +129,7 @@ fn name(pen: &Pen, axis: Axis, align: &str, at: Pixel, palette: &Palette) -> Res
 /// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.
 fn held(camera: &Camera, point: Point) -> Pixel {
     let (at, size) = (camera.to_screen(point), camera.size());
-    Pixel::new(at.x.clamp(-10.0, size.width + 10.0), at.y.clamp(-10.0, size.height + 10.0))
+    Pixel::new(within(at.x, -10.0, size.width + 10.0), within(at.y, -10.0, size.height + 10.0))
 }
 
 fn from_to(from: (f64, f64), to: (f64, f64)) -> (Pixel, Pixel) {

@@ -1,0 +1,249 @@
+//! The templates of all languages, held against the messages they are filled from.
+
+use super::wording::Wording;
+use super::*;
+use crate::control::dialect::GSystem;
+use crate::control::macros::FaultKind;
+use crate::control::origin::Origin;
+
+#[test]
+fn every_sentence_quotes_nothing_but_what_its_message_has() {
+    let mut said = Vec::new();
+    for message in samples() {
+        let arguments = message.arguments();
+        for language in Language::ALL {
+            let template = language.template(Wording::of(&message));
+            for name in placeholders(template) {
+                assert!(arguments.iter().any(|argument| argument.0 == name), "{name} in {template}");
+            }
+            assert!(!template.is_empty() && template.lines().count() <= 2, "{template}");
+            let sentence = message.sentence(language);
+            let help = sentence.help.unwrap_or_default();
+            assert!(!format!("{}{help}", sentence.message).contains(['{', '}']), "{template}");
+        }
+        said.push(Wording::of(&message));
+    }
+    for wording in Wording::ALL {
+        assert!(said.contains(wording), "no sample is said by {wording:?}");
+    }
+}
+
+#[test]
+fn languages_quote_the_same() {
+    let sorted = |template| {
+        let mut names: Vec<&str> = placeholders(template).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    };
+    for &wording in Wording::ALL {
+        let [english, others @ ..] = Language::ALL.map(|language| sorted(language.template(wording)));
+        for other in others {
+            assert_eq!(english, other, "{wording:?}");
+        }
+    }
+    for &phrase in Phrase::ALL {
+        let [english, others @ ..] = Language::ALL.map(|language| sorted(language.phrase(phrase)));
+        for other in others {
+            assert_eq!(english, other, "{phrase:?}");
+        }
+    }
+}
+
+#[test]
+fn what_a_message_quotes_is_not_a_template() {
+    let text = "{text} {0}".to_owned();
+    let message = Message::PlainText { text }.sentence(Language::English).message;
+    assert_eq!(message, "`{text} {0}` is plain text, not a block.");
+}
+
+#[test]
+fn numbers_read_as_people_write_them() {
+    let cases = [(10.0, "10"), (-0.00001, "0"), (2.5, "2.5"), (1.0 / 3.0, "0.3333"), (-20.0, "-20")];
+    for (value, text) in cases {
+        assert_eq!(number(value), text);
+    }
+}
+
+fn placeholders(template: &str) -> impl Iterator<Item = &str> {
+    template.split('{').skip(1).map(|part| part.split_once('}').expect("a closed placeholder").0)
+}
+
+/// A message for each wording; the test above misses one that is not here.
+fn samples() -> Vec<Message> {
+    let mut samples = vec![
+        Message::NumberMissing { address: 'X' },
+        Message::AddressMissing { number: "X1".into() },
+        Message::NotUnderstood { text: "X1".into() },
+        Message::PlainText { text: "X1".into() },
+        Message::SecondPoint { word: "X1".into() },
+        Message::TooManyDigits { word: "X1".into() },
+        Message::BlankInNumber { written: "X1".into(), joined: "X1".into() },
+        Message::LetterForDigit { address: 'X', word: "X1".into(), digit: "G71" },
+        Message::ZeroForO { number: "X1".into() },
+        Message::PrintedMinus,
+        Message::CommaForPoint { address: 'X', word: "X1".into() },
+        Message::CommentOpen,
+        Message::CommentNested,
+        Message::TextAfterSemicolon { text: "X1".into() },
+        Message::BlockTooLong { most: 5 },
+        Message::TextTooLong { bytes: 5, most: 5 },
+        Message::EmptyProgram,
+        Message::ProgramNumberZero,
+        Message::DuplicateProgram { number: 7 },
+        Message::NoEnd,
+        Message::MoreMessages { hidden: 5 },
+        Message::TooManyMotions { most: 5 },
+        Message::TooMuchWork { most: 5 },
+        Message::Stopped { seconds: 1.5 },
+        Message::CallNoNumber { code: "G71" },
+        Message::ProgramNotFound { word: "X1".into() },
+        Message::SequenceNotFound { sequence: 7 },
+        Message::CallTooDeep { most: 5, alarm: "G71" },
+        Message::NoReturn,
+        Message::EndlessMain,
+        Message::TooManyRepeats { most: 5 },
+        Message::TooMuchRepeated { most: 5 },
+        Message::TooManyRounds { most: 5 },
+        Message::TooManyMacroSteps { most: 5 },
+        Message::NotRun { number: 7 },
+        Message::NumberFromVariable { word: "X1".into() },
+        Message::MacroAlarm { number: 3001, words: "X1".into() },
+        Message::SystemVariable { variable: 7 },
+        Message::SystemGuessed { system: GSystem::B },
+        Message::ReferenceNumber { word: "X1".into() },
+        Message::NotAtReference { x: 1.5, z: 1.5 },
+        Message::NoIntermediate,
+        Message::MachineZero { x: 1.5, z: 1.5 },
+        Message::OffsetNumber { word: "X1".into() },
+        Message::TipNumber { word: "X1".into() },
+        Message::DataPassedOver,
+        Message::HoleInForce { word: "X1".into(), hole: "G71", alarm: "G71" },
+        Message::PeckZero { word: "X1".into() },
+        Message::HoleNoDepth { code: "G71" },
+        Message::HoleOfOthers { code: "G71" },
+        Message::UnknownG { word: "X1".into() },
+        Message::UnknownM { word: "X1".into() },
+        Message::NotSupported { what: "X1".into() },
+        Message::MakerG { word: "X1".into() },
+        Message::PointNotAllowed { word: "X1".into() },
+        Message::MinusNotAllowed { word: "X1".into() },
+        Message::DuplicateWord { address: 'X', used: "X1".into() },
+        Message::SameGroup { dropped: "X1".into(), used: "X1".into() },
+        Message::AbsoluteAndIncremental {
+            absolute: "X1".into(),
+            incremental: "X1".into(),
+            used: "X1".into(),
+        },
+        Message::ToolWithSetting { word: "X1".into() },
+        Message::ShortTool { word: "X1".into(), offset: 5 },
+        Message::ToolNumber { word: "X1".into() },
+        Message::G90AsAbsolute,
+        Message::LetterIInG92 { as_taper: true },
+        Message::LetterIInG92 { as_taper: false },
+        Message::G28NoAxis,
+        Message::DwellWithPoint { word: "X1".into() },
+        Message::DwellNoTime,
+        Message::AxisNotHere { word: "X1".into() },
+        Message::PlaneNotHere { word: "G71" },
+        Message::CAxisNotConnected,
+        Message::LiveToolStopped,
+        Message::PolarForbidden { word: "X1".into() },
+        Message::PolarFrame { word: "X1".into() },
+        Message::PolarNotAlone { code: "G71", other: "X1".into() },
+        Message::PlaneCompensation { code: "G71" },
+        Message::PolarFeedPerTurn,
+        Message::PolarNoRadius,
+        Message::PolarAngle { word: "X1".into() },
+        Message::PolarCenter { distance: 1.5 },
+        Message::PlaneLeftOn { code: "X1".into(), off: "G71" },
+        Message::CylinderFormat,
+        Message::CylinderForbidden { word: "X1".into() },
+        Message::FeedMissing,
+        Message::LeadMissing { code: "G71" },
+        Message::FeedUnit { feed: 1.5, per_turn: true },
+        Message::FeedUnit { feed: 1.5, per_turn: false },
+        Message::FeedNotRepeated { feed: 1.5, per_turn: true },
+        Message::FeedNotRepeated { feed: 1.5, per_turn: false },
+        Message::SpindleStopped,
+        Message::NoSpeedClamp,
+        Message::ClampReversed { lowest: 1.5, highest: 1.5 },
+        Message::ThreadAtSurfaceSpeed { code: "G71" },
+        Message::ArcNoCenter { code: "G71" },
+        Message::ArcRadiusTooSmall { radius: 1.5, distance: 1.5 },
+        Message::ArcEndOffCircle { start_radius: 1.5, end_radius: 1.5 },
+        Message::ArcRadiusNegative { radius: 1.5 },
+        Message::ArcNowhere,
+        Message::TaperBeyondStart { taper: 1.5, limit: 1.5, axis: 'U' },
+        Message::TaperBeyondStart { taper: 1.5, limit: 1.5, axis: 'W' },
+        Message::TaperNotExtended { taper: 1.5, needed: 1.5, crossing: 1.5, wanted: 1.5, axis: 'X' },
+        Message::ContourNotNamed { code: "G71" },
+        Message::ContourNotFound { word: "X1".into() },
+        Message::ContourFirstBlock { code: "G71" },
+        Message::ContourIllegal { word: "X1".into() },
+        Message::ContourReachesOver { code: "G71", word: "X1".into(), line: 7 },
+        Message::ContourCall { word: "X1".into() },
+        Message::ContourBothAxes { code: "G71", other: 'X' },
+        Message::ContourTypeTwo { code: "G71" },
+        Message::ContourTurnsBack { code: "G71", axis: 'X', line: 7 },
+        Message::ContourBeyondStart { code: "G71", axis: 'X' },
+        Message::ContourNothingToCut { code: "G71" },
+        Message::ContourOpenEnd { word: "X1".into(), alarm: "G71" },
+        Message::DepthNotPositive { code: "G71", depth: None },
+        Message::DepthNotPositive { code: "G71", depth: Some(-1.0) },
+        Message::AllowanceSign { word: "X1".into() },
+        Message::PatternPasses { passes: None },
+        Message::PatternPasses { passes: Some(0.0) },
+        Message::TooManyPasses { code: "G71", most: 5 },
+        Message::PeckNegative { word: "X1".into() },
+        Message::PeckMissing { code: "G71", address: 'X' },
+        Message::ReliefNegative { word: "X1".into() },
+        Message::AmountInMillimetres { word: "X1".into() },
+        Message::ThreadAngle { angle: 1.5 },
+        Message::ThreadLeastDepth { least: 1.5, height: 1.5 },
+        Message::ThreadNoDepth { word: 'P' },
+        Message::ThreadNoDepth { word: 'Q' },
+        Message::ThreadStartInside { start: 1.5, crest: 1.5 },
+        Message::CornerNoMove { word: "X1".into() },
+        Message::CornerTooLarge { word: "X1".into() },
+        Message::CornerNone { word: "X1".into() },
+        Message::CornerAxis { word: "X1".into(), alarm: "G71" },
+        Message::CornerTwice { word: "X1".into(), other: "X1".into() },
+        Message::CornerInThread { word: "X1".into() },
+        Message::CornerWithCompensation { word: "X1".into() },
+        Message::CyclePlane { code: "G71", alarm: "G71" },
+        Message::CycleWord { code: "G71", word: "X1".into() },
+        Message::CycleAxis { code: "G71", word: "X1".into() },
+        Message::FinishStart { roughed_x: 1.5, roughed_z: 1.5 },
+        Message::FinishWithoutRoughing { first: 7, last: 7 },
+        Message::AngleNoPoint { word: "X1".into(), alarm: "G71" },
+        Message::CompensationOnArc { code: "G71" },
+        Message::CompensationOvercut { radius: 1.5, alarm: "G71" },
+        Message::CompensationNoIntersection { radius: 1.5 },
+        Message::CompensationPlane,
+        Message::LeadRunsOut { lead: 1.5 },
+        Message::CompensationIdle { code: "G71" },
+    ];
+    let kinds = [
+        FaultKind::Overflow,
+        FaultKind::DivisionByZero,
+        FaultKind::UnknownFunction,
+        FaultKind::Expression,
+        FaultKind::BracketOpen,
+        FaultKind::NumberOrCondition,
+        FaultKind::VariableNumber,
+        FaultKind::ReadOnly,
+        FaultKind::BracketsTooDeep,
+        FaultKind::FunctionArgument,
+        FaultKind::CallsTooDeep,
+        FaultKind::EndMissing,
+        FaultKind::Format,
+        FaultKind::LoopNumber,
+        FaultKind::WordsBehind,
+        FaultKind::JumpTarget,
+        FaultKind::ArgumentLetter,
+    ];
+    samples.extend(kinds.map(|kind| Message::Macro { kind }));
+    samples.extend(Origin::ALL.map(|origin| Message::Foreign { origin }));
+    samples
+}
