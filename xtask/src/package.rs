@@ -20,7 +20,7 @@ const NAME: &str = "gcode_playground";
 const PROFILE: &str = "page";
 
 /// What the module may be at most, compressed as a server does it, bytes. The aim is 180,000.
-const MOST_COMPRESSED: u64 = 290_000;
+const MOST_COMPRESSED: u64 = 300_000;
 
 /// What the compiler may use of WebAssembly, and how wasm-opt goes over it. A function with one caller stays a
 /// function: merged into it, it compresses worse.
