@@ -10,6 +10,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { median } from './stopwatch.mjs';
 
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
@@ -83,10 +84,10 @@ function interpreting() {
   const floor = runsOf(FLOOR);
   const measured = [...jobs].filter(([, job]) => job.argv.includes(program('plain')) && job.runs[0]?.ms !== undefined)
     .filter(([name]) => !name.includes('settled'));
-  measured.sort(([, a], [, b]) => median(a.runs, 'ms') - median(b.runs, 'ms'));
+  measured.sort(([, a], [, b]) => medianOf(a.runs, 'ms') - medianOf(b.runs, 'ms'));
   const rows = measured.map(([name, { runs }]) => {
-    const ratio = middle(runs.map(({ ms }, round) => ms / floor[round].ms));
-    const ms = median(runs, 'ms');
+    const ratio = median(runs.map(({ ms }, round) => ms / floor[round].ms));
+    const ms = medianOf(runs, 'ms');
     return [name, fixed(ms), range(runs, 'ms'), ratio.toFixed(2), (count / ms / 1000).toFixed(2), runs[0].rows ?? ''];
   });
   for (const [name, { problem }] of jobs) if (problem !== undefined) rows.push([name, problem, '', '', '', '']);
@@ -95,10 +96,10 @@ function interpreting() {
 }
 
 function settled() {
-  const floor = median(runsOf('floor settled'), 'ms');
+  const floor = medianOf(runsOf('floor settled'), 'ms');
   const rows = ['plain', 'shaft', 'boxes', ...POINTS.map((points) => `contour-${points}`)].map((name) => {
     const runs = runsOf(`settled ${name}`);
-    const ms = median(runs, 'ms');
+    const ms = medianOf(runs, 'ms');
     const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * Number(name.slice(8)))).toFixed(0) : '';
     return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${name.slice(8)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
   });
@@ -109,7 +110,7 @@ function settled() {
 function boundary() {
   const rows = ['text', 'motions'].flatMap((what) => {
     const runs = runsOf(what);
-    return Object.keys(runs[0]).map((way) => [way, fixed(median(runs, way)), range(runs, way)]);
+    return Object.keys(runs[0]).map((way) => [way, fixed(medianOf(runs, way)), range(runs, way)]);
   });
   return table('Over the boundary: 20 MB of text in, the columns of a million motions out and one of them read', ['way', 'ms', 'min–max'], rows);
 }
@@ -123,7 +124,7 @@ function memory() {
 
 function edits() {
   const runs = runsOf('edits');
-  const row = ['median', 'p95', 'max'].map((figure) => median(runs, figure).toFixed(1));
+  const row = ['median', 'p95', 'max'].map((figure) => medianOf(runs, figure).toFixed(1));
   return table('A digit changed at 200 places of the million lines, each time run to the end again, ms', ['median', '95 %', 'longest'], [row]);
 }
 
@@ -134,7 +135,7 @@ function browser() {
     ['interpreting, fresh', 'fresh'], ['interpreting, settled', 'settled'], ['measuring the picture', 'measured'],
     ['painting the whole picture, all slices', 'picture'], ['the longest slice', 'slice'],
     ['plain batches of Path2D: making them', 'building'], ['plain batches of Path2D: stroking them', 'plain'],
-  ].map(([name, figure]) => [name, fixed(median(runs, figure)), range(runs, figure)]);
+  ].map(([name, figure]) => [name, fixed(medianOf(runs, figure)), range(runs, figure)]);
   return table('The same in headless Chromium, drawn by software', ['', 'ms', 'min–max'], rows);
 }
 
@@ -143,12 +144,8 @@ function table(title, head, rows) {
   return [`### ${title}`, '', line(head), `|---|${'---:|'.repeat(head.length - 1)}`, ...rows.map(line)].join('\n');
 }
 
-function median(runs, figure) {
-  return middle(runs.map((run) => run[figure]));
-}
-
-function middle(values) {
-  return [...values].sort((a, b) => a - b)[values.length >> 1];
+function medianOf(runs, figure) {
+  return median(runs.map((run) => run[figure]));
 }
 
 function range(runs, figure) {

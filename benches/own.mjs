@@ -3,6 +3,7 @@
 //   node benches/own.mjs fresh|settled|text|motions|edits FILE
 import { readFileSync } from 'node:fs';
 import { initSync, Playground } from '../www/pkg/gcode_playground.js';
+import { median, time } from './stopwatch.mjs';
 
 const [what, file] = process.argv.slice(2);
 const bytes = readFileSync(file);
@@ -99,14 +100,4 @@ function handOver(playground, program) {
 
 function repeated(times, action) {
   return Array.from({ length: times }, () => time(action));
-}
-
-function time(action) {
-  const begun = performance.now();
-  action();
-  return performance.now() - begun;
-}
-
-function median(values) {
-  return [...values].sort((a, b) => a - b)[values.length >> 1];
 }

@@ -1,5 +1,6 @@
 // What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the public wasm interface only.
 import init, { Playground } from '../../www/pkg/gcode_playground.js';
+import { median, time } from '../stopwatch.mjs';
 
 const SIZE = { width: 1200, height: 800 };
 /** Segments of a path of the plain painter. */
@@ -90,14 +91,4 @@ function plainPainter(playground) {
 /** Waits until what was drawn is there. */
 function flush(canvas) {
   canvas.getContext('2d').getImageData(0, 0, 1, 1);
-}
-
-function time(action) {
-  const begun = performance.now();
-  action();
-  return performance.now() - begun;
-}
-
-function median(values) {
-  return [...values].sort((a, b) => a - b)[values.length >> 1];
 }

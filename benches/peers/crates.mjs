@@ -1,6 +1,7 @@
 // One measurement of the floor, or of a crate, in wasm: `node benches/peers/crates.mjs NAME fresh|settled FILE`.
 import { readFileSync } from 'node:fs';
 import { initSync, Input } from './pkg/bench_peers.js';
+import { median } from '../stopwatch.mjs';
 
 const [name, how, file] = process.argv.slice(2);
 const program = readFileSync(file, 'latin1');
@@ -22,6 +23,6 @@ function once() {
 if (how === 'fresh') console.log(JSON.stringify(once()));
 else {
   const all = Array.from({ length: program.length > 1_000_000 ? 8 : 400 }, once);
-  const late = all.slice(all.length >> 1).map(({ ms }) => ms).sort((a, b) => a - b);
-  console.log(JSON.stringify({ ms: late[late.length >> 1], rows: all[0].rows }));
+  const late = all.slice(all.length >> 1).map(({ ms }) => ms);
+  console.log(JSON.stringify({ ms: median(late), rows: all[0].rows }));
 }

@@ -2,6 +2,7 @@
 //
 // In: the rows, as the interpreter answers them. Out: nothing. Must not know: what a code means.
 
+import { Dialog } from './dialog';
 import { make, prose } from './dom';
 import type { Strings } from './i18n';
 import type { CodeRow, Codes } from './protocol';
@@ -15,51 +16,42 @@ interface Shown {
 }
 
 export class CodesDialog {
-  readonly element = make('dialog', { className: 'dialog codes', part: 'codes' });
-  readonly #title = make('h2', { id: 'codes-title' });
-  readonly #about = make('p', { className: 'about' });
   readonly #caption = make('span');
   readonly #filter = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
   readonly #found = make('span', { className: 'found', role: 'log' });
   readonly #table = make('table', { 'aria-labelledby': 'codes-title' });
   readonly #text = make('div', { className: 'text', tabIndex: 0, role: 'region', 'aria-labelledby': 'codes-title' }, this.#table);
-  readonly #close = make('button', { type: 'button', className: 'framed' });
+  readonly #dialog: Dialog;
   #strings: Strings;
   #rows: readonly Shown[] = [];
 
   constructor(strings: Strings) {
     this.#strings = strings;
-    this.element.setAttribute('aria-labelledby', this.#title.id);
     const find = make('label', { className: 'find' }, this.#caption, this.#filter, this.#found);
-    this.element.append(this.#title, this.#about, find, this.#text, make('div', { className: 'actions' }, this.#close));
+    this.#dialog = new Dialog('codes', [find, this.#text]);
     this.#filter.addEventListener('input', () => this.#find());
-    this.#close.addEventListener('click', () => this.element.close());
-    // A click beside the dialog is a click on the dialog itself, outside its box.
-    this.element.addEventListener('click', (event) => {
-      if (event.target !== this.element) return;
-      const { left, right, top, bottom } = this.element.getBoundingClientRect();
-      const inside = event.clientX >= left && event.clientX <= right && event.clientY >= top && event.clientY <= bottom;
-      if (!inside) this.element.close();
-    });
     this.strings = strings;
   }
 
   set strings(strings: Strings) {
     this.#strings = strings;
-    this.#title.textContent = strings.codes;
+    this.#dialog.name(strings.codes, strings.close);
     this.#caption.textContent = strings.codesFilter;
     this.#filter.placeholder = strings.codesFilterHint;
-    this.#close.textContent = strings.close;
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
   }
 
   get open(): boolean {
-    return this.element.open;
+    return this.#dialog.open;
   }
 
   show({ columns, rows }: Codes): void {
     const [first, ...others] = columns;
     if (first === undefined) return;
-    this.#about.textContent = this.#strings.codesAbout(first.name);
+    this.#dialog.about = this.#strings.codesAbout(first.name);
     const heading = (text: string, className = ''): HTMLElement => make('th', { scope: 'col', className }, text);
     const head = make(
       'tr', {}, heading(first.name), heading(this.#strings.codesWhat),
@@ -93,9 +85,8 @@ export class CodesDialog {
       };
     });
     this.#table.replaceChildren(make('thead', {}, head), ...bodies.values());
-    if (!this.element.open) {
+    if (this.#dialog.show()) {
       this.#filter.value = '';
-      this.element.showModal();
       this.#text.scrollTop = 0;
       this.#filter.focus();
     }

@@ -6,6 +6,7 @@
 import { defaultKeymap } from '@codemirror/commands';
 import { EditorState } from '@codemirror/state';
 import { drawSelection, EditorView, keymap, lineNumbers } from '@codemirror/view';
+import { Dialog } from './dialog';
 import { make } from './dom';
 import { marks, showTokens } from './editor-marks';
 import { editorTheme } from './editor-theme';
@@ -21,15 +22,12 @@ export interface WrittenOutEvents {
 
 export class WrittenOutDialog {
   readonly button = make('button', { type: 'button', className: 'written-out-button quiet', 'aria-haspopup': 'dialog' });
-  readonly element = make('dialog', { className: 'dialog written-out', part: 'written-out' });
   readonly #events: WrittenOutEvents;
-  readonly #title = make('h2', { id: 'written-out-title' });
-  readonly #about = make('p', { className: 'about' });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #take = make('button', { type: 'button', className: 'framed' });
-  readonly #close = make('button', { type: 'button', className: 'framed' });
   readonly #news = make('span', { className: 'unseen', role: 'log' });
+  readonly #dialog: Dialog;
   readonly #root: ShadowRoot;
   #strings: Strings;
   #view: EditorView | undefined;
@@ -39,20 +37,10 @@ export class WrittenOutDialog {
     this.#root = root;
     this.#strings = strings;
     this.#events = events;
-    this.element.setAttribute('aria-labelledby', this.#title.id);
-    const actions = make('div', { className: 'actions' }, this.#copy, this.#take, this.#close, this.#news);
-    this.element.append(this.#title, this.#about, this.#text, actions);
+    this.#dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#take, this.#news]);
     this.button.addEventListener('click', () => this.#events.wanted());
     this.#copy.addEventListener('click', () => void this.#copyAll());
     this.#take.addEventListener('click', () => this.#takeOver());
-    this.#close.addEventListener('click', () => this.element.close());
-    // A click beside the dialog is a click on the dialog itself, outside its box.
-    this.element.addEventListener('click', (event) => {
-      if (event.target !== this.element) return;
-      const { left, right, top, bottom } = this.element.getBoundingClientRect();
-      const inside = event.clientX >= left && event.clientX <= right && event.clientY >= top && event.clientY <= bottom;
-      if (!inside) this.element.close();
-    });
     this.element.addEventListener('close', () => this.#clear());
     this.available = false;
     this.strings = strings;
@@ -62,9 +50,8 @@ export class WrittenOutDialog {
     this.#strings = strings;
     this.button.textContent = strings.writeOut;
     this.button.title = strings.writeOutHint;
-    this.#title.textContent = strings.writtenOut;
+    this.#dialog.name(strings.writtenOut, strings.close);
     this.#take.textContent = strings.takeOver;
-    this.#close.textContent = strings.close;
     this.#showCopy('copy');
   }
 
@@ -73,14 +60,18 @@ export class WrittenOutDialog {
     this.button.disabled = !available;
   }
 
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
   get open(): boolean {
-    return this.element.open;
+    return this.#dialog.open;
   }
 
   /** `before` is the program as it stands in the editor. */
   show(written: WrittenOut, before: string): void {
     const changed = written.text.trimEnd() !== before.trimEnd();
-    this.#about.textContent = changed ? this.#strings.writtenOutAbout : this.#strings.nothingToWriteOut;
+    this.#dialog.about = changed ? this.#strings.writtenOutAbout : this.#strings.nothingToWriteOut;
     this.#take.hidden = !changed;
     this.#view?.destroy();
     this.#view = new EditorView({
@@ -98,14 +89,14 @@ export class WrittenOutDialog {
       }),
     });
     this.#view.dispatch({ effects: showTokens.of(written.tokens) });
-    if (!this.element.open) this.element.showModal();
+    this.#dialog.show();
     this.#view.requestMeasure();
     this.#view.focus();
   }
 
   #takeOver(): void {
     const text = this.#view?.state.doc.toString();
-    this.element.close();
+    this.#dialog.close();
     if (text !== undefined) this.#events.taken(`${text}\n`);
   }
 
@@ -121,7 +112,7 @@ export class WrittenOutDialog {
       view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
       view.focus();
       this.#news.textContent = '';
-      this.#about.textContent = this.#strings.copyYourself;
+      this.#dialog.about = this.#strings.copyYourself;
     }
   }
 
