@@ -1,5 +1,5 @@
 // What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the public wasm interface only.
-import init, { Playground } from '../../www/pkg/gcode_playground.js';
+import init, { Drawn, Playground } from '../../www/pkg/gcode_playground.js';
 import { median, time } from '../stopwatch.mjs';
 
 const SIZE = { width: 1200, height: 800 };
@@ -46,7 +46,7 @@ function ownPainter(playground) {
     let sum = 0;
     for (let more = true; more; ) {
       const slice = time(() => {
-        more = playground.draw() === true;
+        more = playground.draw() !== Drawn.All;
         flush(canvas);
       });
       slices.push(slice);
