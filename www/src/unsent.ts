@@ -1,14 +1,16 @@
 // What of the text the worker has not been told yet.
 //
-// In: the changes of the editor's document. Out: the least that brings the worker's text up to date: what changed, or
-// all of it in pieces. Must not know: the worker, or what the text is for.
+// In: the changes of the editor's document. Out: what brings the worker's text up to date soonest: what changed, or all
+// of it in pieces. Must not know: the worker, or what the text is for.
 
 import type { ChangeSet, Text } from '@codemirror/state';
 import { inPieces } from './line-ends';
 import type { TextChange, TextCommand } from './protocol';
 
-/** Documents longer than this are made text piece by piece. */
+/** Documents longer than this are made text piece by piece; so is the document when more than this is put in. */
 const LONG = 1 << 20;
+/** Each change costs the worker a walk over its text; of more than these all of the text is sent. */
+const MOST_CHANGES = 100;
 
 export class Unsent {
   /** The text has to be sent: these pieces, or all there is in the document by then. */
@@ -36,16 +38,24 @@ export class Unsent {
   take(doc: Text): TextCommand | undefined {
     const [whole, changes] = [this.#whole, this.#changes];
     this.#whole = this.#changes = undefined;
-    if (whole !== undefined) return { kind: 'text', pieces: whole === 'all' ? piecesOf(doc) : whole };
-    return changes === undefined ? undefined : { kind: 'edit', changes: listed(changes) };
+    if (whole === undefined) {
+      if (changes === undefined) return undefined;
+      const list = listed(changes);
+      if (list !== undefined) return { kind: 'edit', changes: list };
+    }
+    return { kind: 'text', pieces: whole === undefined || whole === 'all' ? piecesOf(doc) : whole };
   }
 }
 
-/** The last in the text first: each then stands where the text was. */
-function listed(changes: ChangeSet): TextChange[] {
+/** The last in the text first: each then stands where the text was. Nothing when they are too many or too long. */
+function listed(changes: ChangeSet): TextChange[] | undefined {
   const list: TextChange[] = [];
-  changes.iterChanges((from, to, _newFrom, _newTo, insert) => list.push({ from, to, insert: insert.toString() }));
-  return list.reverse();
+  let inserted = 0;
+  changes.iterChanges((from, to, _newFrom, _newTo, insert) => {
+    inserted += insert.length;
+    if (list.length <= MOST_CHANGES && inserted <= LONG) list.push({ from, to, insert: insert.toString() });
+  });
+  return list.length > MOST_CHANGES || inserted > LONG ? undefined : list.reverse();
 }
 
 function piecesOf(doc: Text): string[] {
