@@ -186,11 +186,12 @@ function changed(playground: Playground, message: Command & { readonly kind: 'te
 }
 
 function edit(playground: Playground, { from, to, insert }: TextChange): void {
-  const long = to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
+  // Lines that are still to be looked at may stand elsewhere then.
+  const anew = looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
   const touched = (end: number): string => playground.linesAsWritten(playground.lineAt(from), playground.lineAt(end) + 1);
-  const before = long ? '' : touched(to);
+  const before = anew ? '' : touched(to);
   playground.edit(from, to, insert);
-  if (long || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) lookForSwitches();
+  if (anew || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) lookForSwitches();
 }
 
 function lookForSwitches(): void {
