@@ -407,11 +407,11 @@ impl Playground {
         }
         self.measured = true;
         self.outline.update(self.run.motions());
+        // Until then the picture that is shown is of the last run, or moved by the user.
         if self.run.is_finished() {
             self.outline.settle();
+            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.setup.stock));
         }
-        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
-        self.view.follow(&scene);
         self.light_up();
     }
 
