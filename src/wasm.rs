@@ -293,14 +293,15 @@ impl Playground {
     #[wasm_bindgen(js_name = setCursor)]
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.cursor = offset;
-        self.measure();
-        self.light_up();
+        // Measuring does it too.
+        if self.measured {
+            self.light_up();
+        }
     }
 
     /// Marks the stroke under the pointer.
     #[wasm_bindgen(js_name = setHover)]
     pub fn set_hover(&mut self, motion: Option<u32>) {
-        self.measure();
         self.view.hover =
             motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
     }
@@ -308,7 +309,6 @@ impl Playground {
     /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
     #[wasm_bindgen(js_name = setPlayhead)]
     pub fn set_playhead(&mut self, distance: Option<f64>) {
-        self.measure();
         self.view.playhead = distance;
     }
 
@@ -376,9 +376,10 @@ impl Playground {
         self.forget();
     }
 
-    /// Forgets what was told of the motions, which are others now.
+    /// Forgets what was picked out of the motions, which are others now.
     fn forget(&mut self) {
         self.measured = false;
+        self.view.playhead = None;
         self.view.hover = None;
         self.view.highlight.clear();
         self.view.marks.clear();

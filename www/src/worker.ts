@@ -171,7 +171,6 @@ function changeSetup(playground: Playground, json: string): void {
     return;
   }
   send({ kind: 'setup-accepted' });
-  playground.setPlayhead(undefined);
   wantRun();
 }
 
@@ -179,8 +178,6 @@ function changeSetup(playground: Playground, json: string): void {
 
 function changed(playground: Playground, message: Command & { readonly kind: 'text' | 'edit' }): void {
   revision = message.revision;
-  playground.setPlayhead(undefined);
-  playground.setHover(undefined);
   playground.setCursor(message.cursor);
   wantRun();
 }
