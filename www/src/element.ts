@@ -94,7 +94,7 @@ export class GcodePlayground extends HTMLElement {
   #running: number | undefined;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   readonly #showPalette = (): void => this.#line?.client.send({ kind: 'palette', palette: this.#drawing.palette });
-  /** The value set before the element was in a document. */
+  /** What was set before the element was in a document. */
   #early: OpenedProgram | undefined;
 
   connectedCallback(): void {
@@ -145,12 +145,13 @@ export class GcodePlayground extends HTMLElement {
 
   set opened(opened: OpenedProgram) {
     const { text, file } = opened;
-    if (this.#editor === undefined) {
+    const editor = this.#editor;
+    if (editor === undefined) {
       this.#early = opened;
       return;
     }
     const known = file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined;
-    this.#take(programText(text), known);
+    this.#take(editor, programText(text), known);
   }
 
   get language(): Language {
@@ -223,6 +224,8 @@ export class GcodePlayground extends HTMLElement {
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async openFile(file: File): Promise<void> {
+    const editor = this.#editor;
+    if (editor === undefined) throw new Error('the playground is not in a document');
     const opening = (this.#opening = readProgram(file));
     const opened = await opening;
     const texts = this.#strings;
@@ -234,8 +237,7 @@ export class GcodePlayground extends HTMLElement {
       const { name, encoding } = opened.file;
       // The switches were set for another program.
       this.blockSkip = this.program = null;
-      if (this.#editor !== undefined) this.#take(opened.program, opened.file);
-      else this.#early = { text: opened.program.pieces.join(''), file: opened.file };
+      this.#take(editor, opened.program, opened.file);
       if (opened.binary) this.#notice.show(texts.openedBinary(name));
       else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
       else this.#notice.show(texts.openedAs(name, ENCODING_NAMES[encoding]));
@@ -254,9 +256,7 @@ export class GcodePlayground extends HTMLElement {
     this.#changed();
   }
 
-  #take(program: ProgramText, file: ProgramFile | undefined): void {
-    const editor = this.#editor;
-    if (editor === undefined) return;
+  #take(editor: Editor, program: ProgramText, file: ProgramFile | undefined): void {
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final');
     this.#cursorKnown = false;
     this.#line?.client.send({ kind: 'fit' });
