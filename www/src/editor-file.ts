@@ -27,7 +27,12 @@ export interface ProgramText {
 
 export function programText(text: string): ProgramText {
   const pieces = inPieces(folded(text));
-  return { doc: pieces.reduce((doc, piece) => doc.append(Text.of(piece.split('\n'))), Text.empty), pieces, ends: lineEndsOf(text) };
+  return { doc: pieces.reduce(append, Text.empty), pieces, ends: lineEndsOf(text) };
+}
+
+/** A document with one more piece of folded text behind it. */
+export function append(doc: Text, piece: string): Text {
+  return doc.append(Text.of(piece.split('\n')));
 }
 
 /** A line end that is not as most are; it stands where the line break of the document stands. */

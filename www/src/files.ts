@@ -5,7 +5,7 @@
 
 import { Text } from '@codemirror/state';
 import { decode, encode, isUnicode, type Encoding } from './encodings';
-import type { ProgramFile, ProgramText } from './editor-file';
+import { append, type ProgramFile, type ProgramText } from './editor-file';
 import type { ReaderEvent } from './file-reader';
 
 /** Bytes; a longer text the interpreter would refuse. */
@@ -30,7 +30,7 @@ export function readProgram(file: File): Promise<Opened> {
         case 'piece':
           // Each piece is a task of its own, so that a long text does not make the page stand still.
           pieces.push(event.text);
-          doc = doc.append(Text.of(event.text.split('\n')));
+          doc = append(doc, event.text);
           return;
         case 'read': {
           const { ends, encoding, binary } = event;
