@@ -133,11 +133,12 @@ impl Playground {
         self.lines().line_of(self.lines().byte_at_utf16(self.run.text(), offset))
     }
 
-    /// Takes a setup as JSON. Throws a text that names what is wrong, such as an unknown key.
+    /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is wrong, such as an unknown key.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
-        self.start();
+        self.run = Run::new(self.run.take_text(), self.setup.clone());
+        self.forget();
         Ok(())
     }
 
@@ -145,12 +146,6 @@ impl Playground {
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
-    }
-
-    /// Begins a run of the text under the setup.
-    pub fn start(&mut self) {
-        self.run = Run::new(self.run.take_text(), self.setup.clone());
-        self.forget();
     }
 
     /// Runs at most so many blocks; true when the run has ended.

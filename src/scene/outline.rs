@@ -143,15 +143,9 @@ impl Outline {
         &self.stretches
     }
 
-    /// Which of the stretches a motion belongs to.
-    pub fn index_of(&self, motion: usize) -> Option<usize> {
-        let index = self.stretches.partition_point(|stretch| stretch.motions.end <= motion);
-        (index < self.stretches.len()).then_some(index)
-    }
-
     /// The stretch a motion belongs to.
     pub fn stretch_of(&self, motion: usize) -> Option<&Stretch> {
-        self.index_of(motion).map(|index| &self.stretches[index])
+        self.stretches.get(self.stretches.partition_point(|stretch| stretch.motions.end <= motion))
     }
 
     /// The stretch that reaches `length` mm along the path; the last one beyond the end.
