@@ -179,3 +179,12 @@ test('after a reload, and after undoing another file, a program is still saved a
   await page.keyboard.press('Control+S');
   expect((await waiting).suggestedFilename()).toBe('program.nc');
 });
+
+test('a file opened by an element that is in no document is refused', async ({ page }) => {
+  await open(page);
+  const said = await page.evaluate(async () => {
+    const element = document.createElement('gcode-playground') as HTMLElement & { openFile(file: File): Promise<void> };
+    return element.openFile(new File(['G0 X1\r\n'], 'early.nc')).then(() => '', String);
+  });
+  expect(said).toBe('Error: the playground is not in a document');
+});

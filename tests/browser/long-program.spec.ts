@@ -4,7 +4,7 @@
 // a task takes several times as long.
 import { expect, test, type Page } from '@playwright/test';
 import { writeFileSync } from 'node:fs';
-import { editor, locate, open, openFile, problems, status } from './page';
+import { editor, locate, open, openFile, problems, status, value } from './page';
 
 const LINES = 1_000_000;
 /** Milliseconds. */
@@ -179,4 +179,41 @@ test('a file of 100 MB is refused with a message', async ({ page }, info) => {
   await expect(page.getByText('huge.nc is larger than 64 MB')).toBeVisible();
   await openFile(page, 'good.nc', Buffer.from('G0 X50 Z2\nG1 Z-20 F0.2\n'));
   await expect(status(page)).toContainText(/^2 motions/);
+});
+
+test('a change in every line of a long program is reported on soon', async ({ page }) => {
+  test.setTimeout(120_000);
+  const lines = 200_000;
+  await open(page);
+  await openFile(page, 'lines.nc', Buffer.from('G1 X1. Z-1. F0.2\n'.repeat(lines)));
+  await expect(status(page)).toContainText('200,001 lines', { timeout: 30_000 });
+  /** Acts and waits for the report that follows; a worker that is silent for long is ended and makes none. */
+  const reported = async (act: () => Promise<void>): Promise<void> => {
+    await page.locator('gcode-playground').evaluate((element) => {
+      Reflect.set(window, 'reported', false);
+      element.addEventListener('gcode-report', () => Reflect.set(window, 'reported', true), { once: true });
+    });
+    await act();
+    await expect.poll(() => page.evaluate(() => Reflect.get(window, 'reported') as boolean), { timeout: 30_000 }).toBe(true);
+    await expect(status(page)).toContainText('200,001 lines');
+  };
+  const last = async (): Promise<string> => (await value(page)).trimEnd().split('\n').at(-1) ?? '';
+
+  await test.step('indented', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('Control+A');
+    await reported(() => page.keyboard.press('Control+]'));
+    expect(await last()).toBe('  G1 X1. Z-1. F0.2');
+  });
+  await test.step('undone', async () => {
+    await reported(() => page.keyboard.press('Control+Z'));
+    expect(await last()).toBe('G1 X1. Z-1. F0.2');
+  });
+  await test.step('replaced', async () => {
+    await page.keyboard.press('Control+F');
+    await page.getByPlaceholder('Find').fill('X1');
+    await page.getByPlaceholder('Replace').fill('X23');
+    await reported(() => page.getByRole('button', { name: 'replace all' }).click());
+    expect(await last()).toBe('G1 X23. Z-1. F0.2');
+  });
 });

@@ -1,6 +1,6 @@
 // The switches of the operator's panel: they show where the text has a use for them, and reach the interpreter's setup.
 import { expect, test, type Page } from '@playwright/test';
-import { open, status, type } from './page';
+import { open, openFile, status, type } from './page';
 
 const PROGRAMS = 'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';
 
@@ -100,4 +100,24 @@ test('in Chinese and Russian, and from attributes', async ({ page }) => {
   await expect(page.getByRole('switch', { name: 'Пропуск кадров /3' })).toBeVisible();
   await expect(page.getByRole('combobox', { name: 'Выполняемая программа' })).toHaveValue('7');
   await expect(status(page)).toContainText(/\d/);
+});
+
+test('lines taken out while a long text is still looked through hide no switch', async ({ page }) => {
+  // The worker is told of the change at once, when it has looked at the first lines: a reader is seldom quick enough.
+  await page.addInitScript(() => {
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
+      Reflect.apply(post, this, [message, ...rest]);
+      const { kind, pieces } = message as { kind?: string; pieces?: string[] };
+      if (kind !== 'text' || (pieces?.join('').length ?? 0) < 200_000) return;
+      this.addEventListener('message', ({ data }: MessageEvent<{ kind: string; inText?: unknown }>) => {
+        if (data.kind === 'switches') Reflect.set(window, 'switchesTold', data.inText);
+      });
+      Reflect.apply(post, this, [{ kind: 'stop' }]);
+      Reflect.apply(post, this, [{ kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }], revision: -1 }]);
+    };
+  });
+  await open(page);
+  await openFile(page, 'long.nc', Buffer.from(`${'\n'.repeat(100_000)}/3 X2\n${'\n'.repeat(100_000)}/5 X2\n`));
+  await expect.poll(() => page.evaluate(() => Reflect.get(window, 'switchesTold') as unknown)).toMatchObject({ blockSkip: [3, 5] });
 });
