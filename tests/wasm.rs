@@ -163,6 +163,40 @@ fn an_edited_text_runs_as_the_text_it_became() {
     }
 }
 
+/// While a program runs, places stay where they were; when it has ended, what has run is fitted.
+#[wasm_bindgen_test]
+fn the_picture_is_fitted_when_the_run_has_ended() {
+    let mut playground = Playground::new();
+    playground.resize(400.0, 300.0, 1.0);
+    let before = playground.screen_of(10.0, -5.0);
+    playground.set_text("G0 X50 Z2\nG1 Z-200 F0.2\nM30\n".into());
+    assert!(!playground.advance(2));
+    assert_eq!(playground.screen_of(10.0, -5.0), before);
+    while !playground.advance(1) {}
+    assert_ne!(playground.screen_of(10.0, -5.0), before);
+}
+
+/// Whatever begins another run takes the tool off the path.
+#[wasm_bindgen_test]
+fn another_run_begins_without_the_tool() {
+    type Change = fn(&mut Playground);
+    let changes: [Change; 3] = [
+        |playground| playground.set_text("G0 X40\n".into()),
+        |playground| playground.edit(4, 5, "4"),
+        |playground| playground.set_setup("{}").expect("setup"),
+    ];
+    for change in changes {
+        let mut playground = Playground::new();
+        playground.set_text("G0 X50\nG1 Z-20 F0.2\n".into());
+        while !playground.advance(1) {}
+        playground.set_playhead(Some(1.0));
+        assert!(!playground.playhead().expect("a stroke").is_undefined());
+        change(&mut playground);
+        while !playground.advance(1) {}
+        assert!(playground.playhead().expect("no stroke").is_undefined());
+    }
+}
+
 #[wasm_bindgen_test]
 fn an_unknown_key_of_a_setup_is_named() {
     let mut playground = Playground::new();
