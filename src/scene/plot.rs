@@ -56,13 +56,12 @@ struct Layer {
 }
 
 impl Plot {
-    /// Empty pictures of what a camera sees.
-    pub fn new(camera: &Camera, pixel_ratio: f64, layers: usize) -> Self {
-        let device = |length: f64| ((length * pixel_ratio).round() as usize).clamp(1, 16_384);
+    /// Empty pictures of what a camera sees, of `size` device pixels.
+    pub fn new(camera: &Camera, size: (u32, u32), pixel_ratio: f64, layers: usize) -> Self {
         let zero = camera.to_screen(Point::default());
         let frame = Frame {
-            width: device(camera.size().width),
-            height: device(camera.size().height),
+            width: size.0 as usize,
+            height: size.1 as usize,
             scale: camera.scale() * pixel_ratio,
             zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
             least_step: LEAST_STEP * pixel_ratio,
@@ -273,7 +272,7 @@ mod tests {
         let bounds = Bounds::around(Point::new(0.0, 0.0), Point::new(50.0, 100.0));
         let mut camera = Camera::fit(bounds, Size { width: 200.0, height: 100.0 });
         camera.zoom(1.0 / camera.scale(), camera.to_screen(Point::new(25.0, 50.0)));
-        let mut plot = Plot::new(&camera, 1.0, 1);
+        let mut plot = Plot::new(&camera, (200, 100), 1.0, 1);
         shapes.iter().for_each(|shape| plot.draw(0, shape));
         plot.lift();
         plot

@@ -77,6 +77,13 @@ impl View {
         self.pixel_ratio
     }
 
+    /// Width and height of the picture, device pixels.
+    pub fn device_size(&self) -> (u32, u32) {
+        let device = |length: f64| ((length * self.pixel_ratio).round() as u32).clamp(1, 16_384);
+        let Size { width, height } = self.camera.size();
+        (device(width), device(height))
+    }
+
     /// The same view with nothing picked out.
     pub fn bare(&self) -> View {
         View { palette: self.palette.clone(), highlight: Vec::new(), marks: Vec::new(), hover: None, ..*self }

@@ -141,7 +141,10 @@ impl StrokeLayer {
         };
         let (of, mut plot, mut next) = match self.plot.take() {
             Some(under_way) if goes_on(&under_way.0) => under_way,
-            _ => (target.clone(), Plot::new(view.camera(), view.pixel_ratio(), PROGRAMMED + 1), 0),
+            _ => {
+                let plot = Plot::new(view.camera(), view.device_size(), view.pixel_ratio(), PROGRAMMED + 1);
+                (target.clone(), plot, 0)
+            }
         };
         let place = of.view.playhead.and_then(|length| scene.at_length(length));
         let until = now() + SLICE;

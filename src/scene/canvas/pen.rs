@@ -1,7 +1,6 @@
 //! A canvas and its context.
 //!
-//! In: places, colours and widths in CSS pixels, or paths in mm. Out: pixels. The one place where CSS pixels
-//! become device pixels; knows nothing of scenes.
+//! In: places, colours and widths in CSS pixels, or paths in mm. Out: device pixels. Knows nothing of scenes.
 
 use js_sys::Array;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
@@ -37,9 +36,7 @@ impl Pen {
 
     /// Gives the canvas the size of the view, and resets the state of the context.
     pub fn begin(&self, view: &View) -> Result<(), JsValue> {
-        let size = view.camera().size();
-        let device = |length: f64| ((length * view.pixel_ratio()).round() as u32).clamp(1, 16_384);
-        let (width, height) = (device(size.width), device(size.height));
+        let (width, height) = view.device_size();
         if (self.canvas.width(), self.canvas.height()) != (width, height) {
             self.canvas.set_width(width);
             self.canvas.set_height(height);
