@@ -199,7 +199,7 @@ impl Painter {
 impl Painted {
     /// Whether the sheet under what is picked out is the same.
     fn has_same_sheet(&self, now: &Painted) -> bool {
-        let bare = |painted: &Painted| Painted { view: painted.view.bare(), ..painted.clone() };
-        bare(self) == bare(now)
+        let image = |painted: &Painted| (painted.stock, painted.outline, painted.strokes);
+        self.view.shows_same_ground(&now.view) && image(self) == image(now)
     }
 }

@@ -84,6 +84,13 @@ impl View {
         (device(width), device(height))
     }
 
+    /// Whether it differs by nothing but what is picked out.
+    pub fn shows_same_ground(&self, other: &View) -> bool {
+        let Self { camera, framing, pixel_ratio, palette, playhead, highlight: _, marks: _, hover: _ } = self;
+        (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
+            && (palette, playhead) == (&other.palette, &other.playhead)
+    }
+
     /// The same view with nothing picked out.
     pub fn bare(&self) -> View {
         View { palette: self.palette.clone(), highlight: Vec::new(), marks: Vec::new(), hover: None, ..*self }

@@ -89,10 +89,12 @@ impl StrokeLayer {
 
     /// Brings the image up to date, or a part of the way.
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
-        let target = Target { view: view.bare(), outline: scene.outline().id() };
-        if self.shown.as_ref() == Some(&target) {
+        let outline = scene.outline().id();
+        let same = |shown: &Target| shown.outline == outline && shown.view.shows_same_ground(view);
+        if self.shown.as_ref().is_some_and(same) {
             return Ok(Progress::Done);
         }
+        let target = Target { view: view.bare(), outline };
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
             scene.outline().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
