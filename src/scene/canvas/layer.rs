@@ -14,11 +14,12 @@ use super::super::camera::Camera;
 use super::super::ink::Ink;
 use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::super::outline::{Stretch, StretchKey};
+use super::super::palette::Palette;
 use super::super::plot::Plot;
 use super::super::view::View;
 use super::super::{Place, Scene, StrokeShape, StrokeStyle};
 use super::paths::{Paths, halves, path_of};
-use super::pen::{Dash, Pen};
+use super::pen::{Dash, Pen, rgb};
 use super::sheet;
 
 /// Opacity of what has not run yet, while there is a playhead.
@@ -51,6 +52,9 @@ pub enum Progress {
     Waiting,
 }
 
+/// Red, green and blue of each ink, by [`Ink::index`], and of the programmed path.
+type Colours = [[u8; 3]; Ink::ALL.len() + 1];
+
 /// What the strokes are drawn from.
 #[derive(Clone, Debug, PartialEq)]
 struct Target {
@@ -69,6 +73,8 @@ pub struct StrokeLayer {
     version: u32,
     /// Strokes as paths, one entry for each stretch that has been in view lately.
     paths: Vec<(StretchKey, Paths)>,
+    /// The colours of a plot, and the palette they are of.
+    colours: Option<(Palette, Colours)>,
     /// The image under way and the stretch that comes next.
     plot: Option<(Target, Plot, usize)>,
     /// The camera as it was when the last image was moved instead of being made anew.
@@ -79,7 +85,8 @@ impl StrokeLayer {
     /// A layer without strokes.
     pub fn new() -> Result<Self, JsValue> {
         let image = Pen::new(OffscreenCanvas::new(1, 1)?)?;
-        Ok(Self { image, shown: None, version: 0, paths: Vec::new(), plot: None, moved: None })
+        let (shown, paths, colours, plot, moved) = (None, Vec::new(), None, None, None);
+        Ok(Self { image, shown, version: 0, paths, colours, plot, moved })
     }
 
     /// A number that tells this image from the others of this layer.
@@ -109,7 +116,7 @@ impl StrokeLayer {
             self.moved = camera;
             return Ok(Progress::Waiting);
         }
-        self.stroke(scene, view, &in_view)?;
+        self.stroke(scene, view, &in_view, motions)?;
         self.finish(target);
         Ok(Progress::Done)
     }
@@ -162,7 +169,8 @@ impl StrokeLayer {
             return Ok(Progress::UnderWay);
         }
         let rows = plot.rows();
-        let pixels = self.colour(&plot, rows.clone(), &of.view)?;
+        let colours = self.colours(&of.view.palette)?;
+        let pixels = coloured(&plot, rows.clone(), &colours);
         self.image.begin(&of.view)?;
         self.image.clear()?;
         if !rows.is_empty() {
@@ -173,29 +181,30 @@ impl StrokeLayer {
         Ok(if same { Progress::Done } else { Progress::UnderWay })
     }
 
-    /// Rows of the pictures of a plot, one over the other in their colours: red, green, blue and opacity of each pixel.
-    fn colour(&self, plot: &Plot, rows: Range<usize>, view: &View) -> Result<Vec<u8>, JsValue> {
-        let (width, _) = plot.size();
-        let part = rows.start * width..rows.end * width;
-        let mut pixels = vec![0; 4 * part.len()];
-        let mut lay = |picture: usize, colour: &str, opacity: f64| -> Result<(), JsValue> {
-            if let Some(cover) = plot.cover(picture).get(part.clone()) {
-                lay_over(&mut pixels, cover, self.image.rgb(colour)?, (opacity * 255.0) as u32);
-            }
-            Ok(())
-        };
-        lay(PROGRAMMED, &view.palette.axis, 1.0)?;
-        for (first, opacity) in [(0, AHEAD), (DONE, 1.0)] {
-            for ink in Ink::ALL {
-                lay(first + ink.index(), sheet::colour(&view.palette, ink), opacity)?;
-            }
+    /// The colours of a plot; the browser is asked for those of a new palette only.
+    fn colours(&mut self, palette: &Palette) -> Result<Colours, JsValue> {
+        if let Some((_, colours)) = self.colours.as_ref().filter(|(of, _)| of == palette) {
+            return Ok(*colours);
         }
-        Ok(pixels)
+        let mut names = [&palette.axis[..]; Ink::ALL.len() + 1];
+        for ink in Ink::ALL {
+            names[ink.index()] = sheet::colour(palette, ink);
+        }
+        let colours = rgb(names)?;
+        self.colours = Some((palette.clone(), colours));
+        Ok(colours)
     }
 
     // ---- few strokes --------------------------------------------------------------------------------
 
-    fn stroke(&mut self, scene: &Scene, view: &View, in_view: &[&Stretch]) -> Result<(), JsValue> {
+    /// Draws the strokes of the stretches in view, which have so many motions.
+    fn stroke(
+        &mut self,
+        scene: &Scene,
+        view: &View,
+        in_view: &[&Stretch],
+        motions: usize,
+    ) -> Result<(), JsValue> {
         self.image.begin(view)?;
         self.image.clear()?;
         self.image.clip(view)?;
@@ -208,12 +217,13 @@ impl StrokeLayer {
                 self.paths.push((stretch.key, Paths::of(scene.strokes_of(stretch.motions.clone()))?));
             }
         }
-        match view.playhead.and_then(|length| scene.at_length(length)) {
+        let place = view.playhead.and_then(|length| scene.at_length(length));
+        match place {
             Some(place) => self.stroke_until(scene, view, in_view, place)?,
             None => self.ink(view, &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch)))?,
         }
-        if in_view.iter().map(|stretch| stretch.motions.len()).sum::<usize>() <= MOST_WITH_ARROWS {
-            self.arrows(scene, view, in_view);
+        if motions <= MOST_WITH_ARROWS {
+            self.arrows(scene, view, in_view, place);
         }
         self.image.unclip();
         Ok(())
@@ -256,9 +266,9 @@ impl StrokeLayer {
         Ok(())
     }
 
-    /// Arrow heads on what has run.
-    fn arrows(&self, scene: &Scene, view: &View, in_view: &[&Stretch]) {
-        let until = view.playhead.and_then(|length| scene.at_length(length)).map(|place| place.motion);
+    /// Arrow heads on what has run: all of it without a tool.
+    fn arrows(&self, scene: &Scene, view: &View, in_view: &[&Stretch], place: Option<Place>) {
+        let until = place.map(|place| place.motion);
         for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
             let strokes = in_view.iter().flat_map(|stretch| scene.strokes_of(stretch.motions.clone()));
             let run = strokes.filter(|stroke| until.is_none_or(|until| stroke.motion < until));
@@ -291,6 +301,25 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, place: Option
         }
     }
     plot.lift();
+}
+
+/// Rows of the pictures of a plot, one over the other in their colours: red, green, blue and opacity of each pixel.
+fn coloured(plot: &Plot, rows: Range<usize>, colours: &Colours) -> Vec<u8> {
+    let (width, _) = plot.size();
+    let part = rows.start * width..rows.end * width;
+    let mut pixels = vec![0; 4 * part.len()];
+    let mut lay = |picture: usize, colour: usize, opacity: f64| {
+        if let Some(cover) = plot.cover(picture).get(part.clone()) {
+            lay_over(&mut pixels, cover, colours[colour], (opacity * 255.0) as u32);
+        }
+    };
+    lay(PROGRAMMED, Ink::ALL.len(), 1.0);
+    for (first, opacity) in [(0, AHEAD), (DONE, 1.0)] {
+        for ink in Ink::ALL {
+            lay(first + ink.index(), ink.index(), opacity);
+        }
+    }
+    pixels
 }
 
 /// Lays a colour over pixels where it covers them, and as much of it.

@@ -102,14 +102,6 @@ impl Pen {
         self.context.put_image_data(&image, 0.0, top as f64)
     }
 
-    /// Red, green and blue of a CSS colour.
-    pub fn rgb(&self, colour: &str) -> Result<[u8; 3], JsValue> {
-        let probe = Self::new(OffscreenCanvas::new(1, 1)?)?;
-        probe.block(colour, Pixel::default(), Pixel::new(1.0, 1.0));
-        let pixel = probe.context.get_image_data(0.0, 0.0, 1.0, 1.0)?.data();
-        Ok([pixel[0], pixel[1], pixel[2]])
-    }
-
     /// Copies a picture that was drawn for the view `then` to where its places are `now`.
     pub fn copy_moved(&self, from: &Pen, then: &View, now: &View) -> Result<(), JsValue> {
         let place = |view: &View| {
@@ -231,6 +223,16 @@ impl Pen {
         }
         self.context.set_line_dash(&list)
     }
+}
+
+/// Red, green and blue of CSS colours: a pixel is filled with each.
+pub fn rgb<const COUNT: usize>(colours: [&str; COUNT]) -> Result<[[u8; 3]; COUNT], JsValue> {
+    let probe = Pen::new(OffscreenCanvas::new(COUNT as u32, 1)?)?;
+    for (at, colour) in colours.into_iter().enumerate() {
+        probe.block(colour, Pixel::new(at as f64, 0.0), Pixel::new(at as f64 + 1.0, 1.0));
+    }
+    let pixels = probe.context.get_image_data(0.0, 0.0, COUNT as f64, 1.0)?.data();
+    Ok(std::array::from_fn(|at| [pixels[4 * at], pixels[4 * at + 1], pixels[4 * at + 2]]))
 }
 
 /// A word on the sheet.
