@@ -30,7 +30,7 @@ pub fn main(options: Options) -> Result {
     let setup = Setup::for_building()?;
     let browser = browser::ensure()?;
     package::wasm(&setup)?;
-    let binaries = run::root().join(hostile::target());
+    let binaries = run::target();
     let peers = binaries.join("bench-peers");
     build_floor_and_peers(&setup, options, &peers)?;
     let mut native = command("cargo");

@@ -1,7 +1,6 @@
 //! In: the wasm package. Out: whether every hostile program is answered in time, natively and in that package, and a
 //! table of the times.
 
-use std::env;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -12,7 +11,7 @@ const SHOWN: usize = 12;
 
 /// Runs them all, in release builds; `report` is where the whole table goes.
 pub fn main(report: Option<&PathBuf>) -> Result<Duration> {
-    let folder = run::root().join(target()).join("hostile");
+    let folder = run::target().join("hostile");
     let mut native = command("cargo");
     native.args(["run", "--quiet", "--release", "--example", "hostile", "--"]).arg(&folder);
     let measured = step("hostile programs, native", &mut native)?;
@@ -22,9 +21,4 @@ pub fn main(report: Option<&PathBuf>) -> Result<Duration> {
         node.arg("--report").arg(report);
     }
     Ok(measured + step("hostile programs, wasm", &mut node)?)
-}
-
-/// The folder of what is built.
-pub fn target() -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from)
 }

@@ -5,7 +5,6 @@
 //! makes the module a tenth smaller and faster.
 
 use std::collections::hash_map::DefaultHasher;
-use std::env;
 use std::fs;
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -96,8 +95,7 @@ const WEIGH: &str = "\
 
 /// The module as the compiler leaves it.
 fn module() -> PathBuf {
-    let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from);
-    run::root().join(target).join("wasm32-unknown-unknown").join(PROFILE).join(format!("{NAME}.wasm"))
+    run::target().join("wasm32-unknown-unknown").join(PROFILE).join(format!("{NAME}.wasm"))
 }
 
 /// What the package is made from: the compiled module, the settings of wasm-opt and the version of wasm-bindgen.

@@ -1,6 +1,7 @@
 //! In: a command and a line saying what it is for. Out: the command run, timed and, when it fails, named in a
 //! message a person can act on. It knows nothing of what the commands are.
 
+use std::env;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -18,6 +19,11 @@ pub fn root() -> PathBuf {
 /// The folder of the page and its npm package.
 pub fn www() -> PathBuf {
     root().join("www")
+}
+
+/// The folder cargo builds in.
+pub fn target() -> PathBuf {
+    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
 /// One plain line for the person at the terminal, on standard error.
