@@ -16,11 +16,10 @@ console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
 
 /** Text in, motions and messages there: the first time in a process. */
 function fresh(program) {
-  const before = wasm.memory.buffer.byteLength;
   const playground = new Playground();
   const ms = time(() => run(playground, program));
   const memory = wasm.memory.buffer.byteLength;
-  return { ms, rows: playground.summary().motions, memory, grown: memory - before };
+  return { ms, rows: playground.summary().motions, memory };
 }
 
 /** The same again and again; the first half warms up. */
@@ -44,7 +43,13 @@ function text(program) {
     'setBytes(bytes)': (playground) => playground.setBytes(bytes),
     'textBuffer, encodeInto, setTextFromBuffer': (playground) => handOver(playground, program),
   };
-  return Object.fromEntries(Object.entries(ways).map(([name, way]) => [name, median(repeated(7, () => way(new Playground())))]));
+  const timed = (way) => () => {
+    const playground = new Playground();
+    const ms = time(() => way(playground));
+    playground.free();
+    return ms;
+  };
+  return Object.fromEntries(Object.entries(ways).map(([name, way]) => [name, median(repeated(7, timed(way)))]));
 }
 
 /** Ways out for the motions: all columns of all chunks, one of them read. */
@@ -56,9 +61,9 @@ function motions(program) {
     for (const x of chunk.x) sum += x;
     return sum;
   };
-  const all = (way) => () => {
+  const all = (way) => () => time(() => {
     for (let index = 0; index < playground.chunkCount(); index++) read(playground[way](index));
-  };
+  });
   return {
     'chunk (copies)': median(repeated(9, all('chunk'))),
     'chunkView (views)': median(repeated(9, all('chunkView'))),
@@ -98,6 +103,6 @@ function handOver(playground, program) {
   playground.setTextFromBuffer(written);
 }
 
-function repeated(times, action) {
-  return Array.from({ length: times }, () => time(action));
+function repeated(times, measured) {
+  return Array.from({ length: times }, () => measured());
 }

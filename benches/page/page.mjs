@@ -19,7 +19,7 @@ window.measure = async (address) => {
   const { playground } = fresh;
   const own = ownPainter(playground);
   const plain = plainPainter(playground);
-  return { fresh: fresh.ms, settled, motions: playground.summary().motions, ...own, ...plain };
+  return { fresh: fresh.ms, settled, ...own, ...plain };
 };
 
 function interpreted(text) {
