@@ -1,11 +1,13 @@
 //! After a change of the text only a part of the program runs again; motions and messages are those of a whole run.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[allow(dead_code, reason = "only the programs are needed here")]
+mod fixtures;
 #[allow(dead_code, reason = "one of its programs is enough here")]
 #[path = "../benches/workload.rs"]
 mod workload;
 
-use std::fs;
+use std::sync::LazyLock;
 
 use gcode_playground::control::setup::Setup;
 use gcode_playground::limits::Limits;
@@ -139,18 +141,12 @@ fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: 
 }
 
 /// All programs of the gallery and of the tests, with their setups.
-fn programs() -> Vec<(String, Setup)> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir("tests/programs").expect("programs") {
-        let folder = entry.expect("an entry").path();
-        let Ok(text) = fs::read_to_string(folder.join("program.nc")) else { continue };
-        let setup = fs::read_to_string(folder.join("setup.json")).unwrap_or_else(|_| "{}".into());
-        found.push((text, Setup::from_json(&setup).expect("setup")));
-    }
-    found.sort_by(|a, b| a.0.cmp(&b.0));
+static PROGRAMS: LazyLock<Vec<(String, Setup)>> = LazyLock::new(|| {
+    let read = |program: fixtures::Program| (program.text, Setup::from_json(&program.setup).expect("setup"));
+    let found: Vec<_> = fixtures::all().into_iter().map(read).collect();
     assert!(found.len() > 40);
     found
-}
+});
 
 /// A program of many short blocks of all kinds that do not look elsewhere in the text.
 fn generated(seed: u32) -> String {
@@ -194,8 +190,7 @@ proptest! {
 
     #[test]
     fn changed_programs_of_the_gallery(which in any::<prop::sample::Index>(), changes in changes(30), stride in 1usize..30) {
-        let all = programs();
-        let (text, setup) = &all[which.index(all.len())];
+        let (text, setup) = &PROGRAMS[which.index(PROGRAMS.len())];
         change_again_and_again(text.clone().into_bytes(), setup, stride, &changes);
     }
 

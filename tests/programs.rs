@@ -4,9 +4,7 @@
 
 mod fixtures;
 
-use std::path::{Path, PathBuf};
-
-use fixtures::{Program, check_messages, compare, same};
+use fixtures::{Program, all, check_messages, compare, folder, same};
 use gcode_playground::api::{self, Places};
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
@@ -15,29 +13,6 @@ use gcode_playground::run::Run;
 use gcode_playground::text::source::LineIndex;
 use gcode_playground::{analyze, run::Analysis};
 use serde_json::{Value, json};
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs")
-}
-
-fn all() -> Vec<Program> {
-    let mut ids: Vec<String> = std::fs::read_dir(folder())
-        .expect("tests/programs")
-        .map(|entry| entry.expect("entry"))
-        .filter(|entry| entry.path().is_dir())
-        .map(|entry| entry.file_name().into_string().expect("name"))
-        .collect();
-    ids.sort();
-    assert!(ids.len() >= 36, "programs are missing");
-    let read = |file: &str| {
-        let path = folder().join(file);
-        std::fs::read_to_string(&path).or_else(|error| {
-            // A new program has no output yet; `UPDATE=1` writes it.
-            if file.ends_with("output.jsonl") { Ok(String::new()) } else { Err(error) }
-        })
-    };
-    ids.iter().map(|id| fixtures::program(id, &|file| read(file).expect(file))).collect()
-}
 
 fn analysis(program: &Program) -> Analysis {
     analyze(program.text.as_bytes(), &Setup::from_json(&program.setup).expect(&program.id))
