@@ -10,14 +10,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 
-/** Longest times for an answer, ms. */
-const MOST = { native: 1000, wasm: 2000 };
+/** In wasm an answer may take so many times as long as natively. */
+const WASM_FACTOR = 2;
 /** Most memory of the module, bytes. */
 const MOST_MEMORY = 600e6;
-/** What is too slow runs again: the machine may have been busy. */
-const ATTEMPTS = 3;
-/** Lines that a page shows at once. */
-const SHOWN_LINES = 60;
 /** Rows of the report; all others are quick. */
 const REPORTED = 60;
 
@@ -27,16 +23,18 @@ const { values: options, positionals } = parseArgs({
   options: { show: { type: 'string' }, report: { type: 'string' }, one: { type: 'string' } },
 });
 const [folder] = positionals;
+const { mostSeconds, attempts, shownLines, cases } = JSON.parse(readFileSync(join(folder, 'cases.json'), 'utf8'));
+/** Longest times for an answer, ms. */
+const MOST = { native: 1000 * mostSeconds, wasm: 1000 * WASM_FACTOR * mostSeconds };
 
 if (options.one !== undefined) console.log(JSON.stringify(await answer(JSON.parse(options.one))));
 else judge();
 
 function judge() {
-  const cases = JSON.parse(readFileSync(join(folder, 'cases.json'), 'utf8'));
   const problems = cases.flatMap(problemsOf);
   cases.sort((a, b) => b.wasm - a.wasm);
-  console.log(table(cases, Number(options.show ?? cases.length)));
-  if (options.report) writeFileSync(options.report, table(cases, REPORTED));
+  console.log(table(Number(options.show ?? cases.length)));
+  if (options.report) writeFileSync(options.report, table(REPORTED));
   for (const problem of problems) console.error(problem);
   process.exitCode = problems.length > 0 ? 1 : 0;
 }
@@ -45,7 +43,7 @@ function judge() {
 function problemsOf(one) {
   const problems = [];
   one.wasm = Infinity;
-  for (let attempt = 0; attempt < ATTEMPTS && one.wasm > MOST.wasm; attempt++) {
+  for (let attempt = 0; attempt < attempts && one.wasm > MOST.wasm; attempt++) {
     const argv = [here, folder, '--one', JSON.stringify(one)];
     const run = spawnSync(process.execPath, argv, { encoding: 'utf8', timeout: 60_000 });
     if (run.status !== 0) return [`${one.name}: ${run.error ?? run.stderr}`];
@@ -60,7 +58,7 @@ function problemsOf(one) {
   return problems;
 }
 
-function table(cases, rows) {
+function table(rows) {
   const highest = (column, from = 0) => Math.max(...cases.slice(from).map((one) => one[column])).toFixed(0);
   const lines = [
     `${cases.length} programs; native at most ${highest('answer')} ms, wasm at most ${highest('wasm')} ms.`,
@@ -91,7 +89,7 @@ async function answer(one) {
   while (!playground.advance(1000));
   const summary = playground.summary();
   const told = playground.diagnostics().some((row) => row.code === one.code && row.line === one.line);
-  playground.tokens(0, Math.min(summary.lines, SHOWN_LINES));
+  playground.tokens(0, Math.min(summary.lines, shownLines));
   playground.pathLength();
   // On a busy machine the processor time, which counts what V8 compiles beside the run as well.
   const { user, system } = process.cpuUsage(computed);

@@ -31,7 +31,7 @@ fn ten_thousand_box_cycles(bencher: Bencher) {
     run(bencher, workload::boxes(10_000));
 }
 
-#[divan::bench(args = [100, 300, 1_000, 2_000, 3_000, 10_000])]
+#[divan::bench(args = workload::POINTS)]
 fn roughing_along_points(bencher: Bencher, points: u32) {
     run(bencher, workload::contour(points));
 }

@@ -6,7 +6,7 @@
 //
 // FOLDER has the programs, DIR the native binaries. With --own only the playground and the floor are measured.
 import { spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -23,7 +23,9 @@ const program = (name) => join(folder, `${name}.nc`);
 const lines = (name) => readFileSync(program(name), 'latin1').split('\n').length - 1;
 const node = (script, ...argv) => [process.execPath, '--max-old-space-size=8000', join(here, script), ...argv];
 const TITLES = { plain: 'a million plain lines', shaft: 'a shaft of sixty lines: G71 G70 G74 G75 G76', boxes: 'ten thousand G90 cycles' };
-const POINTS = [100, 300, 1000, 2000, 3000, 10_000];
+const contours = readdirSync(folder).filter((name) => /^contour-\d+\.nc$/.test(name)).map((name) => name.slice(0, -3))
+  .sort((a, b) => pointsOf(a) - pointsOf(b));
+const SETTLED = ['plain', 'shaft', 'boxes', ...contours];
 
 const jobs = new Map();
 const add = (name, argv, more = {}) => jobs.set(name, { argv, runs: [], ...more });
@@ -37,7 +39,7 @@ add(OWN, node('own.mjs', 'fresh', program('plain')));
 add('gcode-playground, native', [join(options.binaries, 'native'), program('plain')]);
 if (!options.own) peers();
 add('floor settled', node('peers/crates.mjs', 'floor', 'settled', program('plain')));
-for (const name of ['plain', 'shaft', 'boxes', ...POINTS.map((points) => `contour-${points}`)]) {
+for (const name of SETTLED) {
   add(`settled ${name}`, node('own.mjs', 'settled', program(name)));
 }
 for (const what of ['text', 'motions', 'edits']) add(what, node('own.mjs', what, program('plain')));
@@ -97,11 +99,11 @@ function interpreting() {
 
 function settled() {
   const floor = medianOf(runsOf('floor settled'), 'ms');
-  const rows = ['plain', 'shaft', 'boxes', ...POINTS.map((points) => `contour-${points}`)].map((name) => {
+  const rows = SETTLED.map((name) => {
     const runs = runsOf(`settled ${name}`);
     const ms = medianOf(runs, 'ms');
-    const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * Number(name.slice(8)))).toFixed(0) : '';
-    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${name.slice(8)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
+    const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * pointsOf(name))).toFixed(0) : '';
+    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${pointsOf(name)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
   });
   rows.unshift(['a million plain lines, floor', floor.toFixed(3), range(runsOf('floor settled'), 'ms'), '', '']);
   return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'motions', 'ns for each motion and point read'], rows);
@@ -142,6 +144,11 @@ function browser() {
 function table(title, head, rows) {
   const line = (cells) => `| ${cells.join(' | ')} |`;
   return [`### ${title}`, '', line(head), `|---|${'---:|'.repeat(head.length - 1)}`, ...rows.map(line)].join('\n');
+}
+
+/** Points of the contour in a program `contour-N`. */
+function pointsOf(name) {
+  return Number(name.slice('contour-'.length));
 }
 
 function medianOf(runs, figure) {

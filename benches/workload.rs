@@ -96,6 +96,9 @@ pub fn boxes(count: u32) -> String {
     text
 }
 
+/// Points of the contours that are measured.
+pub const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
+
 /// G71 by 0.1 mm and G70 along a contour of so many points, which rises from 20 to 60 mm of diameter in waves: G71 cuts
 /// their hollows too.
 pub fn contour(points: u32) -> String {

@@ -11,9 +11,6 @@ use crate::{browser, hostile, package};
 #[path = "../../benches/workload.rs"]
 mod workload;
 
-/// Points of the contours that are roughed.
-const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
-
 /// What `cargo xtask bench` was told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
@@ -88,6 +85,8 @@ fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Resu
 }
 
 fn write_programs(folder: &Path) -> Result {
+    // What an older run left there is not measured.
+    let _ = fs::remove_dir_all(folder);
     fs::create_dir_all(folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let write = |name: &str, text: String| {
         fs::write(folder.join(name), text).map_err(|error| format!("cannot write {name}: {error}"))
@@ -95,7 +94,8 @@ fn write_programs(folder: &Path) -> Result {
     write("plain.nc", workload::plain(1_000_000))?;
     write("shaft.nc", workload::shaft())?;
     write("boxes.nc", workload::boxes(10_000))?;
-    POINTS.iter().try_for_each(|&points| write(&format!("contour-{points}.nc"), workload::contour(points)))
+    let mut contours = workload::POINTS.into_iter();
+    contours.try_for_each(|points| write(&format!("contour-{points}.nc"), workload::contour(points)))
 }
 
 /// Puts tables between their marks in `benches/README.md`.
