@@ -4,9 +4,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::package::{self, Module};
 use crate::run::{self, Result, command, npm, step};
 use crate::setup::Setup;
-use crate::{browser, hostile, package};
+use crate::{browser, hostile};
 
 #[path = "../../benches/workload.rs"]
 mod workload;
@@ -57,22 +58,22 @@ pub fn main(options: Options) -> Result {
 fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Result {
     let folder = run::root().join("benches/peers");
     let features: &[&str] = if options.own { &[] } else { &["--features", "peers"] };
-    let mut wasm_pack = setup.command("wasm-pack");
-    wasm_pack.current_dir(&folder).env("CARGO_TARGET_DIR", target);
-    wasm_pack.args([
-        "build",
-        "--release",
-        "--target",
-        "web",
-        "--mode",
-        "no-install",
-        "--out-name",
-        "bench_peers",
-    ]);
-    step("building the floor and the crates for wasm", wasm_pack.arg("--").args(features))?;
+    let module = Module {
+        name: "bench_peers",
+        folder: folder.clone(),
+        profile: "release",
+        features,
+        target: target.to_owned(),
+        package: folder.join("pkg"),
+        optimised: &["-O3"],
+    };
+    module.build(setup)?;
     let mut cargo = command("cargo");
     cargo.current_dir(&folder).env("CARGO_TARGET_DIR", target);
-    step("building them natively", cargo.args(["build", "--release", "--bin", "native"]).args(features))?;
+    step(
+        "building the floor and the crates natively",
+        cargo.args(["build", "--release", "--bin", "native"]).args(features),
+    )?;
     if !options.own {
         let mut npm = npm();
         npm.current_dir(&folder).args(["ci", "--no-audit", "--no-fund"]);
