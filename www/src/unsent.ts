@@ -7,7 +7,7 @@ import type { ChangeSet, Text } from '@codemirror/state';
 import { inPieces } from './line-ends';
 import type { TextChange, TextCommand } from './protocol';
 
-/** Documents longer than this are made text piece by piece; so is the document when more than this is put in. */
+/** Longer documents are made text piece by piece. When more than this is put in at once, all of the text is sent. */
 const LONG = 1 << 20;
 /** Each change costs the worker a walk over its text; of more than these all of the text is sent. */
 const MOST_CHANGES = 100;
