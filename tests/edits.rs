@@ -234,3 +234,21 @@ fn a_change_costs_no_more_than_its_surroundings() {
     }
     check(&run, &Setup::default(), limits);
 }
+
+/// Once a run that was stopped has gone on to the end, the stop is forgotten.
+#[test]
+fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {
+    let limits = Limits { stride: 512, ..Limits::default() };
+    let mut run = Run::within(workload::plain(20_000).into_bytes(), Setup::default(), limits);
+    run.advance(10_000);
+    run.stop(1.0);
+    let mut type_in_line = |line: usize, blocks: usize| {
+        let mut ends = run.text().iter().enumerate().filter(|(_, byte)| **byte == b'\n');
+        let at = ends.nth(line).expect("a line").0 + 1;
+        run.edit(TextEdit { start: at, end: at, insert: b"G1 X77. Z-300.5\n".to_vec() });
+        run.advance(blocks)
+    };
+    assert!(type_in_line(5_000, 20_000));
+    assert!(type_in_line(9_000, 1_400));
+    check(&run, &Setup::default(), limits);
+}

@@ -90,7 +90,7 @@ impl Run {
                 self.text = text;
                 self.interpreter.restore(&mark.snapshot);
                 (self.at, self.tally) = (mark.snapshot.at(), mark.tally.clone());
-                (self.begun, self.ended, self.finished) = (true, false, false);
+                (self.begun, self.ended, self.finished, self.stopped) = (true, false, false, false);
                 self.due = self.next_due();
             }
             None => *self = Self::new(text, self.setup().clone()),
