@@ -14,20 +14,13 @@ use crate::text::shift::Shift;
 /// Most blocks from one snapshot to the next, for each motion that there may be.
 const BLOCKS_PER_MOTION: usize = 4;
 
-/// What a run has counted so far.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
-    /// Blocks read.
-    pub blocks: usize,
-    /// First byte of each O program met, by number.
-    pub programs: BTreeMap<u32, u32>,
-}
-
-/// A snapshot on the way through the text.
+/// A snapshot on the way through the text, between the first word of the main program and its end: the O numbers met
+/// are the same at all of them.
 #[derive(Clone, Debug)]
 pub(super) struct Mark {
     snapshot: Snapshot,
-    tally: Tally,
+    /// Blocks read before it.
+    blocks: usize,
 }
 
 impl Mark {
@@ -40,10 +33,14 @@ impl Mark {
 #[derive(Clone, Debug)]
 pub(super) struct Before {
     remainder: Remainder,
-    /// At each of its snapshots.
-    tallies: Vec<Tally>,
-    /// At its end.
-    last: Tally,
+    /// Blocks read at each of its snapshots.
+    blocks: Vec<usize>,
+    /// Blocks read at its end.
+    last: usize,
+    /// Numbers of the O programs met before its snapshots, in order.
+    heads: Vec<u32>,
+    /// First byte of each O program met behind them, by number.
+    others: BTreeMap<u32, u32>,
     /// The snapshot to be met next.
     next: usize,
     /// What has become of the old places behind the change; its lines are not known before the two runs meet.
@@ -89,7 +86,8 @@ impl Run {
             Some(mark) => {
                 self.text = text;
                 self.interpreter.restore(&mark.snapshot);
-                (self.at, self.tally) = (mark.snapshot.at(), mark.tally.clone());
+                (self.at, self.blocks) = (mark.snapshot.at(), mark.blocks);
+                self.programs.retain(|_, start| *start < self.at.byte);
                 (self.begun, self.ended, self.finished, self.stopped) = (true, false, false, false);
                 self.due = self.next_due();
             }
@@ -108,12 +106,18 @@ impl Run {
             return None;
         }
         let behind = self.marks.partition_point(|mark| mark.byte() < end);
-        let marks = self.marks.split_off(behind).into_iter();
-        let (snapshots, tallies) = marks.map(|mark| (mark.snapshot, mark.tally)).unzip();
+        let marks = self.marks.split_off(behind);
+        let first = marks.first()?.byte();
+        let (snapshots, blocks) = marks.into_iter().map(|mark| (mark.snapshot, mark.blocks)).unzip();
+        let programs = std::mem::take(&mut self.programs);
+        let (heads, others) = programs.into_iter().partition(|(_, start)| *start < first);
+        self.programs = heads;
         Some(Before {
             remainder: self.interpreter.take_remainder(snapshots)?,
-            tallies,
-            last: std::mem::take(&mut self.tally),
+            blocks,
+            last: self.blocks,
+            heads: self.programs.keys().copied().collect(),
+            others,
             next: 0,
             shift: Shift { from: end, bytes, lines: 0 },
         })
@@ -122,7 +126,7 @@ impl Run {
     /// Whether a snapshot is due before the next block, or the run before the edit may be met there.
     #[inline]
     pub(super) fn is_due(&self, at: Resume) -> bool {
-        self.interpreter.has_full_chunk() || self.tally.blocks >= self.due || at.byte >= self.meeting
+        self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
     }
 
     /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
@@ -135,7 +139,7 @@ impl Run {
         let may_pause = self.begun && !self.ended && at.begins_line() && self.interpreter.is_straight();
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
-            self.marks.push(Mark { snapshot, tally: self.tally.clone() });
+            self.marks.push(Mark { snapshot, blocks: self.blocks });
             // The end of the text is told at the last sign before it.
             !text[at.byte as usize..].trim_ascii_start().is_empty() && self.join_at(at)
         };
@@ -155,7 +159,7 @@ impl Run {
     }
 
     fn next_due(&self) -> usize {
-        self.tally.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
+        self.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
     /// Finds out where the run before the edit may be met next.
@@ -179,26 +183,23 @@ impl Run {
         let index = before.next;
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
-        let met = before.tallies[index].clone();
-        if shift.resume(there) != at
-            || !met.programs.keys().eq(self.tally.programs.keys())
-            || !self.interpreter.meets(&before.remainder, index, &shift)
-        {
+        if shift.resume(there) != at || !self.interpreter.meets(&before.remainder, index, &shift) {
             return false;
         }
-        let Some(Before { remainder, tallies, last, .. }) = self.before.take() else { return false };
-        let moved = |tally: Tally, own: &Tally| Tally {
-            blocks: tally.blocks - met.blocks + own.blocks,
-            programs: tally
-                .programs
-                .into_iter()
-                .map(|(number, start)| (number, *own.programs.get(&number).unwrap_or(&shift.byte(start))))
-                .collect(),
+        let Some(Before { remainder, blocks, last, heads, others, .. }) = self.before.take() else {
+            return false;
         };
+        if !heads.iter().eq(self.programs.keys()) {
+            // Nor will they be the same at a later snapshot.
+            return false;
+        }
         let later = self.interpreter.take_over(remainder, index, &shift);
-        let tallies = tallies.into_iter().skip(index + 1).map(|tally| moved(tally, &self.tally));
-        self.marks.extend(later.into_iter().zip(tallies).map(|(snapshot, tally)| Mark { snapshot, tally }));
-        self.tally = moved(last, &self.tally);
+        let (met, own) = (blocks[index], self.blocks);
+        let moved = |blocks: usize| blocks - met + own;
+        let blocks = blocks.into_iter().skip(index + 1).map(moved);
+        self.marks.extend(later.into_iter().zip(blocks).map(|(snapshot, blocks)| Mark { snapshot, blocks }));
+        self.blocks = moved(last);
+        self.programs.extend(others.into_iter().map(|(number, start)| (number, shift.byte(start))));
         true
     }
 }
