@@ -168,7 +168,7 @@ impl Run {
         let mut joined = false;
         while left > 0 {
             let at = parser.position();
-            if self.is_due(at) && self.pause(&text, at) {
+            if self.is_due(at) && self.pause(at) {
                 joined = true;
                 break;
             }

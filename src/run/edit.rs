@@ -45,6 +45,8 @@ pub(super) struct Before {
     next: usize,
     /// What has become of the old places behind the change; its lines are not known before the two runs meet.
     shift: Shift,
+    /// Bytes of the text as it is now, without the blanks at its end.
+    filled: usize,
 }
 
 impl Before {
@@ -93,7 +95,8 @@ impl Run {
             }
             None => *self = Self::new(text, self.setup().clone()),
         }
-        self.before = before.filter(|_| same_way);
+        let filled = self.text.trim_ascii_end().len();
+        self.before = before.filter(|_| same_way).map(|before| Before { filled, ..before });
         self.look_out();
     }
 
@@ -120,6 +123,7 @@ impl Run {
             others,
             next: 0,
             shift: Shift { from: end, bytes, lines: 0 },
+            filled: 0,
         })
     }
 
@@ -131,7 +135,7 @@ impl Run {
 
     /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
     #[cold]
-    pub(super) fn pause(&mut self, text: &[u8], at: Resume) -> bool {
+    pub(super) fn pause(&mut self, at: Resume) -> bool {
         self.due = self.next_due();
         if self.ended || !self.interpreter.is_straight() {
             self.before = None;
@@ -140,8 +144,7 @@ impl Run {
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
             self.marks.push(Mark { snapshot, blocks: self.blocks });
-            // The end of the text is told at the last sign before it.
-            !text[at.byte as usize..].trim_ascii_start().is_empty() && self.join_at(at)
+            self.join_at(at)
         };
         if !may_pause && self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
@@ -183,7 +186,9 @@ impl Run {
         let index = before.next;
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
-        if shift.resume(there) != at || !self.interpreter.meets(&before.remainder, index, &shift) {
+        // The end of the text is told at the last sign before it.
+        let is_last = at.byte as usize >= before.filled;
+        if is_last || shift.resume(there) != at || !self.interpreter.meets(&before.remainder, index, &shift) {
             return false;
         }
         let Some(Before { remainder, blocks, last, heads, others, .. }) = self.before.take() else {
