@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Run, TextEdit};
+use super::{Origin, Run, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::control::origin;
 use crate::text::parser::Resume;
@@ -81,10 +81,12 @@ impl Run {
         self.marks.truncate(keep);
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
-        let same_origin =
-            start >= origin::HEAD || self.origin == super::Origin::of(&text, &self.setup().dialect);
-        let same_way = same_origin && text.len() <= self.setup().limits.text;
-        match self.marks.last().filter(|_| same_way) {
+        let goes_on = |_: &&Mark| {
+            let may_be_run = text.len() <= self.setup().limits.text;
+            let is_behind_head = start >= origin::HEAD;
+            may_be_run && (is_behind_head || self.origin == Origin::of(&text, &self.setup().dialect))
+        };
+        let same_way = match self.marks.last().filter(goes_on) {
             Some(mark) => {
                 self.text = text;
                 self.interpreter.restore(&mark.snapshot);
@@ -92,9 +94,14 @@ impl Run {
                 self.programs.retain(|_, start| *start < self.at.byte);
                 (self.begun, self.ended, self.finished, self.stopped) = (true, false, false, false);
                 self.due = self.next_due();
+                true
             }
-            None => *self = Self::new(text, self.setup().clone()),
-        }
+            None => {
+                let origin = self.origin;
+                *self = Self::new(text, self.setup().clone());
+                !self.finished && self.origin == origin
+            }
+        };
         let filled = self.text.trim_ascii_end().len();
         self.before = before.filter(|_| same_way).map(|before| Before { filled, ..before });
         self.look_out();
