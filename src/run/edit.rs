@@ -51,22 +51,24 @@ pub(super) struct Before {
 
 impl Before {
     /// Takes in a further change, of the text as it is now.
-    fn edit(mut self, start: u32, end: u32, bytes: i64) -> Self {
+    fn edit(mut self, end: u32, bytes: i64) -> Self {
         let behind = i64::from(self.shift.from) + self.shift.bytes;
-        debug_assert!(start <= end);
         self.shift.from += (i64::from(end) - behind).max(0) as u32;
         self.shift.bytes += bytes;
         self.next = 0;
         self
     }
 
-    /// The byte of the text as it is now where the runs may meet next.
-    fn meeting(&mut self) -> Option<u32> {
-        let at = |index| self.remainder.at(index).map(|at| at.byte);
-        while at(self.next).is_some_and(|byte| !self.shift.moves(byte)) {
+    /// Where behind a byte the runs may meet next, in the text as it is now.
+    fn meeting(&mut self, behind: u32) -> Option<u32> {
+        while let Some(there) = self.remainder.at(self.next) {
+            let byte = self.shift.byte(there.byte);
+            if self.shift.moves(there.byte) && byte > behind {
+                return Some(byte);
+            }
             self.next += 1;
         }
-        at(self.next).map(|byte| self.shift.byte(byte))
+        None
     }
 }
 
@@ -76,17 +78,16 @@ impl Run {
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
-        let before = self.before_edit(start as u32, end as u32, bytes);
+        let before = self.before_edit(end as u32, bytes);
         let keep = self.marks.partition_point(|mark| (mark.byte() as usize) < start);
         self.marks.truncate(keep);
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
-        let goes_on = |_: &&Mark| {
-            let may_be_run = text.len() <= self.setup().limits.text;
-            let is_behind_head = start >= origin::HEAD;
-            may_be_run && (is_behind_head || self.origin == Origin::of(&text, &self.setup().dialect))
-        };
-        let same_way = match self.marks.last().filter(goes_on) {
+        let mark = self.marks.last().filter(|_| {
+            text.len() <= self.setup().limits.text
+                && (start >= origin::HEAD || self.origin == Origin::of(&text, &self.setup().dialect))
+        });
+        let same_way = match mark {
             Some(mark) => {
                 self.text = text;
                 self.interpreter.restore(&mark.snapshot);
@@ -104,13 +105,13 @@ impl Run {
         };
         let filled = self.text.trim_ascii_end().len();
         self.before = before.filter(|_| same_way).map(|before| Before { filled, ..before });
-        self.look_out();
+        self.look_out(self.at);
     }
 
     /// What this run, or the one before it, gave behind a change that is about to be made.
-    fn before_edit(&mut self, start: u32, end: u32, bytes: i64) -> Option<Before> {
+    fn before_edit(&mut self, end: u32, bytes: i64) -> Option<Before> {
         if let Some(before) = self.before.take() {
-            return Some(before.edit(start, end, bytes));
+            return Some(before.edit(end, bytes));
         }
         if !self.finished || self.stopped || !self.interpreter.is_straight() {
             return None;
@@ -156,15 +157,7 @@ impl Run {
         if !may_pause && self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
         }
-        if let Some(before) = &mut self.before {
-            let passed = |index| {
-                before.remainder.at(index).is_some_and(|there| before.shift.byte(there.byte) <= at.byte)
-            };
-            while passed(before.next) {
-                before.next += 1;
-            }
-        }
-        self.look_out();
+        self.look_out(at);
         joined
     }
 
@@ -172,9 +165,9 @@ impl Run {
         self.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
-    /// Finds out where the run before the edit may be met next.
-    fn look_out(&mut self) {
-        let next = self.before.as_mut().and_then(Before::meeting);
+    /// Finds out where behind a place the run before the edit may be met next.
+    fn look_out(&mut self, at: Resume) {
+        let next = self.before.as_mut().and_then(|before| before.meeting(at.byte));
         if next.is_none() {
             self.before = None;
         }
@@ -183,14 +176,9 @@ impl Run {
 
     /// Takes over the rest of the run before the edit, if that went on from here as this one does.
     fn join_at(&mut self, at: Resume) -> bool {
-        let Some((before, there)) = self.before.as_mut().and_then(|before| {
-            before.meeting()?;
-            let there = before.remainder.at(before.next)?;
-            Some((before, there))
-        }) else {
-            return false;
-        };
+        let Some(before) = &mut self.before else { return false };
         let index = before.next;
+        let Some(there) = before.remainder.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
         // The end of the text is told at the last sign before it.
