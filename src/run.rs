@@ -214,7 +214,7 @@ impl Run {
     pub fn stop(&mut self, seconds: f64) {
         if !self.finished {
             let at = self.at.byte as usize;
-            self.interpreter.tell(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.interpreter.tell_always(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
             self.stopped = true;
             self.finish();
         }

@@ -50,8 +50,7 @@ impl Interpreter {
         } else {
             return !self.full;
         };
-        self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| cause.words_span())));
-        self.full = true;
+        self.end_run(message, self.jumped_by.unwrap_or_else(|| cause.words_span()));
         false
     }
 
@@ -59,9 +58,8 @@ impl Interpreter {
     pub(super) fn count_round(&mut self, block: &Block) -> bool {
         self.rounds += 1;
         if self.rounds > self.limits.rounds {
-            let message = Message::TooManyRounds { most: self.limits.rounds };
-            self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| block.words_span())));
-            self.full = true;
+            let span = self.jumped_by.unwrap_or_else(|| block.words_span());
+            self.end_run(Message::TooManyRounds { most: self.limits.rounds }, span);
         }
         !self.full
     }
@@ -70,10 +68,9 @@ impl Interpreter {
     /// and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
         self.macro_steps += usize::from(self.wandered);
-        if self.macro_steps > self.limits.macro_steps && !self.full {
+        if self.macro_steps > self.limits.macro_steps {
             let message = Message::TooManyMacroSteps { most: self.limits.macro_steps };
-            self.tell(Diagnostic::new(message, block.words_span()));
-            self.full = true;
+            self.end_run(message, block.words_span());
         }
         !self.full
     }
@@ -170,9 +167,8 @@ impl Interpreter {
         };
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
-            self.tell(Diagnostic::new(Message::CallTooDeep { most, alarm }, block.words_span()));
             // The control stops here; going on would only call again.
-            self.full = true;
+            self.end_run(Message::CallTooDeep { most, alarm }, block.words_span());
             return Flow::End;
         }
         self.wandered = true;
@@ -261,7 +257,7 @@ impl Interpreter {
             let last = self.state.course.round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
-                self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
+                self.tell_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
                 return Flow::End;
             }
             self.state.course.round = Some(Box::new(self.state.clone()));

@@ -64,7 +64,7 @@ impl Interpreter {
             Action::Goto(sequence) => self.go_to(text, block, sequence, span),
             Action::Alarm { number, message } => {
                 let words = shortened(&within(message).quote(text));
-                self.tell(Diagnostic::new(Message::MacroAlarm { number, words }, span));
+                self.tell_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
                 Flow::End
             }
             Action::While { number, enter: true } | Action::Do { number } => {

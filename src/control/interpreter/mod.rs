@@ -307,23 +307,31 @@ impl Interpreter {
         self.motions
     }
 
-    /// Tells something even when no more messages are kept.
-    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
-    }
-
-    /// Tells the user something, unless it was told of the same place before. Why the run ends is told even when no
-    /// more messages are kept.
+    /// Tells the user something, unless it was told of the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() >= self.limits.messages && !diagnostic.message.ends_the_run() {
+        if self.diagnostics.len() >= self.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
             return;
         }
+        self.tell_always(diagnostic);
+    }
+
+    /// The same, even when no more messages are kept: why the run ends.
+    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
         let known = snapshot::told_as(&diagnostic);
         if let Err(place) = self.told.binary_search(&known) {
             self.told.insert(place, known);
             self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// A bound is met: nothing more is carried out, and that is why.
+    #[cold]
+    fn end_run(&mut self, message: Message, span: Span) {
+        if !self.full {
+            self.full = true;
+            self.tell_always(Diagnostic::new(message, span));
         }
     }
 

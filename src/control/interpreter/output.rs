@@ -67,10 +67,8 @@ impl Interpreter {
     /// Counts steps that leave no motion. False: they were too many, and the run ends here.
     pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
         self.work = self.work.saturating_add(steps);
-        if self.work > self.limits.cycle_work && !self.full {
-            self.full = true;
-            let message = Message::TooMuchWork { most: self.limits.cycle_work };
-            self.tell(Diagnostic::new(message, block.words_span()));
+        if self.work > self.limits.cycle_work {
+            self.end_run(Message::TooMuchWork { most: self.limits.cycle_work }, block.words_span());
         }
         !self.full
     }
@@ -84,11 +82,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn store(&mut self, mut routed: Routed) {
         if self.kept() >= self.limits.motions {
-            if !self.full {
-                self.full = true;
-                let message = Message::TooManyMotions { most: self.limits.motions };
-                self.tell(Diagnostic::new(message, routed.span));
-            }
+            self.end_run(Message::TooManyMotions { most: self.limits.motions }, routed.span);
             return;
         }
         // A block behind that of a motion that waited may have failed.
