@@ -14,7 +14,6 @@ use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
-use crate::limits::Limits;
 use crate::motion::Motions;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -93,11 +92,6 @@ impl Origin {
 }
 
 impl Run {
-    /// Begins a run within other bounds than those of the setup.
-    pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
-        Self::new(text, Setup { limits, ..setup })
-    }
-
     /// Begins a run.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
         let limits = setup.limits;

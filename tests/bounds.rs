@@ -112,7 +112,7 @@ fn the_reason_for_the_end_is_always_told() {
         ("O1\nX\nX\nX\nM98 P1\n", "PS0077"),
         ("X\nX\nX\n#3000=1\n", "E-MACRO-ALARM"),
     ] {
-        let mut run = Run::within(text.as_bytes().to_vec(), Setup::default(), limits);
+        let mut run = Run::new(text.as_bytes().to_vec(), Setup { limits, ..Setup::default() });
         while !run.advance(usize::MAX) {}
         assert!(run.diagnostics().iter().any(|found| found.message.code() == code), "{text}");
     }

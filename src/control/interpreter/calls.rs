@@ -42,7 +42,7 @@ impl Interpreter {
     pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
         self.repeated += 1;
         self.repeated_text += block.span.len();
-        let (blocks, bytes) = (self.limits.repeated_blocks, self.limits.repeated_text);
+        let (blocks, bytes) = (self.setup.limits.repeated_blocks, self.setup.limits.repeated_text);
         let message = if self.repeated > blocks {
             Message::TooManyRepeats { most: blocks }
         } else if self.repeated_text > bytes {
@@ -57,9 +57,9 @@ impl Interpreter {
     /// Counts a round of a loop or call. False: they were too many, and the run ends here.
     pub(super) fn count_round(&mut self, block: &Block) -> bool {
         self.rounds += 1;
-        if self.rounds > self.limits.rounds {
+        if self.rounds > self.setup.limits.rounds {
             let span = self.jumped_by.unwrap_or_else(|| block.words_span());
-            self.end_run(Message::TooManyRounds { most: self.limits.rounds }, span);
+            self.end_run(Message::TooManyRounds { most: self.setup.limits.rounds }, span);
         }
         !self.full
     }
@@ -68,8 +68,8 @@ impl Interpreter {
     /// and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
         self.macro_steps += usize::from(self.wandered);
-        if self.macro_steps > self.limits.macro_steps {
-            let message = Message::TooManyMacroSteps { most: self.limits.macro_steps };
+        if self.macro_steps > self.setup.limits.macro_steps {
+            let message = Message::TooManyMacroSteps { most: self.setup.limits.macro_steps };
             self.end_run(message, block.words_span());
         }
         !self.full
@@ -162,8 +162,8 @@ impl Interpreter {
     ) -> Flow {
         let macros = self.state.course.macros();
         let (depth, most) = match kind {
-            CallKind::Macro => (macros, self.limits.macro_depth),
-            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.limits.call_depth),
+            CallKind::Macro => (macros, self.setup.limits.macro_depth),
+            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.setup.limits.call_depth),
         };
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };

@@ -133,7 +133,7 @@ impl Interpreter {
         if self.full {
             return None;
         }
-        let most = self.limits.moves_per_cycle;
+        let most = self.setup.limits.moves_per_cycle;
         match read {
             Ok((.., ends))
                 if purpose == Purpose::Roughing
@@ -150,7 +150,7 @@ impl Interpreter {
             }
             Ok((first_block, first_span, ends)) => {
                 let shape = Shape { moves, first: first_block, first_span, begins: begins.byte, ends, state };
-                if self.landmarks.len() < self.limits.messages {
+                if self.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
                     let (a, b) = (contour.first, contour.last());

@@ -41,7 +41,6 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
-use crate::limits::Limits;
 use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
@@ -157,7 +156,6 @@ struct Request {
 pub struct Interpreter {
     setup: Setup,
     dialect: Dialect,
-    limits: Limits,
     /// The state of the control after the last block.
     pub state: State,
     /// Finished chunks.
@@ -220,7 +218,6 @@ impl Interpreter {
         let state = State::new(&setup, &dialect);
         let chunk = Chunk::new(0, 0, state.position);
         Self {
-            limits: setup.limits,
             setup,
             dialect,
             state,
@@ -309,7 +306,7 @@ impl Interpreter {
 
     /// Tells the user something, unless it was told of the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() >= self.limits.messages {
+        if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
             return;

@@ -541,7 +541,7 @@ impl Interpreter {
 
     /// Moves that a cycle may make.
     pub(super) fn moves_left(&self) -> usize {
-        self.limits.moves_per_cycle.min(self.limits.motions.saturating_sub(self.kept()))
+        self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.kept()))
     }
 
     /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself, or too few
@@ -551,8 +551,8 @@ impl Interpreter {
         if !self.spend(steps, block) {
             return;
         }
-        if most < self.limits.moves_per_cycle {
-            self.end_run(Message::TooManyMotions { most: self.limits.motions }, span);
+        if most < self.setup.limits.moves_per_cycle {
+            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, span);
         } else {
             self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, span));
         }

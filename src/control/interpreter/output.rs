@@ -58,7 +58,7 @@ impl Interpreter {
         }
         match &mut self.recorded {
             // One more than a cycle may have, so that it is refused rather than cut short.
-            Some(recorded) if recorded.len() <= self.limits.moves_per_cycle => recorded.push(routed),
+            Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(routed),
             Some(_) => {}
             None => self.store(routed),
         }
@@ -67,8 +67,8 @@ impl Interpreter {
     /// Counts steps that leave no motion. False: they were too many, and the run ends here.
     pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
         self.work = self.work.saturating_add(steps);
-        if self.work > self.limits.cycle_work {
-            self.end_run(Message::TooMuchWork { most: self.limits.cycle_work }, block.words_span());
+        if self.work > self.setup.limits.cycle_work {
+            self.end_run(Message::TooMuchWork { most: self.setup.limits.cycle_work }, block.words_span());
         }
         !self.full
     }
@@ -81,8 +81,8 @@ impl Interpreter {
     /// Keeps a motion for good.
     #[inline]
     pub(super) fn store(&mut self, mut routed: Routed) {
-        if self.kept() >= self.limits.motions {
-            self.end_run(Message::TooManyMotions { most: self.limits.motions }, routed.span);
+        if self.kept() >= self.setup.limits.motions {
+            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
             return;
         }
         // A block behind that of a motion that waited may have failed.

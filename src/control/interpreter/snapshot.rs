@@ -68,7 +68,7 @@ impl Interpreter {
     /// Whether enough motions came together for a chunk.
     #[inline]
     pub fn has_full_chunk(&self) -> bool {
-        self.chunk.len() >= self.limits.stride
+        self.chunk.len() >= self.setup.limits.stride
     }
 
     /// Begins a chunk at the block to come. One without motions begins there anew.
@@ -145,9 +145,9 @@ impl Interpreter {
         let there = &other.snapshots[index];
         let told = self.diagnostics.len();
         let as_full = (told, self.hidden) == (there.told, there.hidden);
-        let has_room =
-            (self.hidden, other.hidden) == (0, 0) && told + other.told_behind(there) <= self.limits.messages;
-        let holds_all = self.kept() + other.motions_behind(there) <= self.limits.motions;
+        let has_room = (self.hidden, other.hidden) == (0, 0)
+            && told + other.told_behind(there) <= self.setup.limits.messages;
+        let holds_all = self.kept() + other.motions_behind(there) <= self.setup.limits.motions;
         let waits_behind = there.state.first_waiting() >= shift.from;
         if !self.is_straight()
             || self.work != there.work
