@@ -88,7 +88,7 @@ impl Interpreter {
             (None, _) if self.recorded.is_some() => Flow::Next,
             (None, Some(passage)) => self.pass(text, block, &words, passage, here),
             (None, None) => match request.macro_call {
-                Some(code) => self.macro_call(text, block, here, code),
+                Some(call) => self.macro_call(text, block, here, call),
                 None if request.moved && self.state.course.modal.is_some() => {
                     self.modal_call(block, here.next).unwrap_or(Flow::Next)
                 }

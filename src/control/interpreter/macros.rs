@@ -344,11 +344,11 @@ impl Interpreter {
 
     /// G65: a call with arguments. G66: the same behind every block with a move, until G67.
     #[inline(never)]
-    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, code: &'static str) -> Flow {
+    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
-            self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+            self.tell(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
             self.state.uncertain = true;
             return Flow::Next;
         };
@@ -375,11 +375,13 @@ impl Interpreter {
             self.state.uncertain = true;
             return Flow::Next;
         };
-        if code == "G66" {
-            self.state.course.modal = Some(ModalCall { head, rounds, arguments });
-            return Flow::Next;
+        match call {
+            MacroCall::Once => self.enter_macro(block, head, here.next, rounds, arguments),
+            MacroCall::Modal => {
+                self.state.course.modal = Some(ModalCall { head, rounds, arguments });
+                Flow::Next
+            }
         }
-        self.enter_macro(block, head, here.next, rounds, arguments)
     }
 
     /// Calls the macro of G66 behind a block that moved.

@@ -28,7 +28,7 @@ mod watch;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
-use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
+use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
     CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
@@ -133,7 +133,7 @@ struct Request {
     /// M97, M98, M99.
     passage: Option<Passage>,
     /// G65 or G66: the words behind it are arguments.
-    macro_call: Option<&'static str>,
+    macro_call: Option<MacroCall>,
     /// A hole cycle stands in the block.
     hole: Option<codes::Hole>,
     /// G43: H names a length offset.

@@ -85,7 +85,7 @@ impl Interpreter {
                 }
             }
             G::HoleReturn(level) => state.hole_return = level,
-            G::MacroCall(call) => request.macro_call = Some(call.code()),
+            G::MacroCall(call) => request.macro_call = Some(call),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
             G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
