@@ -159,13 +159,11 @@ impl Interpreter {
         }
         let mut state = there.state.clone();
         state.shift(shift);
-        // What was not carried out before does not count for what comes; see `take_over`.
-        state.uncertain = self.state.uncertain;
         self.state.goes_on_like(&state)
     }
 
     /// Takes over what another run gave behind its snapshot `index`, which this run has just met. The snapshots of that
-    /// run behind it are those of this run from here on.
+    /// run behind it are those of this run from here on. As many messages are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
         let first = snapshots[0].clone();
@@ -184,7 +182,6 @@ impl Interpreter {
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
-            snapshot.hidden = snapshot.hidden - there.hidden + self.hidden;
             snapshot.doubtful = self.doubtful;
         }
         self.motions.append(motions, |index, chunk| {
