@@ -166,27 +166,30 @@ impl Interpreter {
     /// run behind it are those of this run from here on. As many messages are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
-        let first = snapshots[0].clone();
+        let (chunks_out, told_out) = (snapshots[0].chunks, snapshots[0].told);
         let mut later = snapshots.split_off(index);
         let there = later.remove(0);
-        let motions = motions.split_off(there.chunks - first.chunks);
-        let mut diagnostics = diagnostics.split_off(there.told - first.told);
+        let motions = motions.split_off(there.chunks - chunks_out);
+        let mut diagnostics = diagnostics.split_off(there.told - told_out);
         diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
         let chunks = self.motions.chunks().len();
         let told = self.diagnostics.len();
-        let mut doubtful = vec![self.doubtful; motions.chunks().len()];
+        let mut doubtful = self.doubtful;
         for snapshot in &mut later {
             self.doubtful |= snapshot.failed;
-            doubtful[snapshot.chunks - there.chunks..].fill(self.doubtful);
             snapshot.at = shift.resume(snapshot.at);
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
             snapshot.doubtful = self.doubtful;
         }
+        let mut passed = later.iter().peekable();
         self.motions.append(motions, |index, chunk| {
+            while let Some(snapshot) = passed.next_if(|snapshot| snapshot.chunks <= chunks + index) {
+                doubtful = snapshot.doubtful;
+            }
             chunk.shift(shift);
-            chunk.set_doubtful(doubtful[index]);
+            chunk.set_doubtful(doubtful);
         });
         self.diagnostics.append(&mut diagnostics);
         self.hidden = hidden;
