@@ -15,6 +15,7 @@ use crate::control::codes::{self, G, Switch};
 use crate::control::dialect::CodeList;
 use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
+use crate::control::words::plain;
 use crate::diagnostics::Message;
 use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
 use crate::run::{Analysis, Run};
@@ -143,7 +144,7 @@ fn with_values(block: &mut Block, values: &str) {
 /// M99 alone, as a main program ends.
 fn ends_main(block: &Block) -> bool {
     block.kind == BlockKind::Words
-        && block.words.iter().any(|word| word.address == b'M' && value(word) == Some(99.0))
+        && block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(99.0))
         && !block.words.iter().any(|word| word.address == b'P')
 }
 
@@ -229,7 +230,7 @@ impl Writer<'_> {
                 G::Distance { incremental } => self.incremental = incremental,
                 G::Polar(switch) => self.in_plane = switch == Switch::On,
                 G::Cylinder => {
-                    let radius = block.words.iter().find(|word| word.address == b'C').and_then(value);
+                    let radius = block.words.iter().find(|word| word.address == b'C').and_then(plain);
                     self.in_plane = radius.is_some_and(|radius| radius != 0.0);
                 }
                 _ => {}
@@ -296,7 +297,7 @@ impl Writer<'_> {
             self.remark(block);
             self.comments(block);
             let is_call = |word: &&Word| {
-                matches!((word.address, value(word)), (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)))
+                matches!((word.address, plain(word)), (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)))
                     || matches!(word.address, b'P' | b'L' | b'Q')
             };
             let words: Vec<String> = match values {
@@ -340,11 +341,11 @@ impl Writer<'_> {
         let called = block
             .words
             .iter()
-            .position(|word| word.address == b'G' && matches!(value(word), Some(65.0 | 66.0)));
+            .position(|word| word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0)));
         for word in &block.words[..called.unwrap_or(block.words.len())] {
             let quoted: String =
                 word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
-            let target = match (word.address, value(word)) {
+            let target = match (word.address, plain(word)) {
                 (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
@@ -504,14 +505,6 @@ fn feed_of(motion: &Motion) -> Option<f64> {
         (MotionKind::Thread, Some(lead), _) => Some(lead),
         (_, _, Feed::PerMinute(feed) | Feed::PerTurn(feed)) => Some(feed),
         (_, _, Feed::Unset) => None,
-    }
-}
-
-fn value(word: &Word) -> Option<f64> {
-    match word.value {
-        Value::Number { number, negative: false } => Some(number.value()),
-        Value::Number { number, negative: true } => Some(-number.value()),
-        Value::Expression => None,
     }
 }
 

@@ -372,14 +372,14 @@ impl Interpreter {
 
     /// A P or Q word as it would count least increments.
     fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
-        let Value::Number { number, negative } = words.get(address)?.value else { return None };
+        let word = words.get(address)?;
+        let Value::Number { number, .. } = word.value else { return None };
         let increment = match self.state.unit {
             words::Unit::Millimetre => INCREMENT,
             words::Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
         };
-        let value = if negative { -number.value() } else { number.value() };
         let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
-        Some(Amount { in_increments: value * increment, written })
+        Some(Amount { in_increments: plain(word)? * increment, written })
     }
 
     fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
@@ -529,14 +529,14 @@ impl Interpreter {
         if self.dialect.control == Control::Gsk {
             return self.reading().length(word);
         }
-        let Value::Number { number, negative } = word.value else { return None };
+        let Value::Number { number, .. } = word.value else { return None };
         let unit = self.state.unit.millimetres();
         let scale = match (number.has_point(), self.state.unit) {
             (true, _) => unit,
             (false, words::Unit::Millimetre) => INCREMENT,
             (false, words::Unit::Inch) => INCREMENT / 10.0 * unit,
         };
-        Some(if negative { -number.value() * scale } else { number.value() * scale })
+        Some(plain(word)? * scale)
     }
 
     /// Moves that a cycle may make.
