@@ -296,10 +296,8 @@ impl Writer<'_> {
             // Its move, as it is, and its call as a remark.
             self.remark(block);
             self.comments(block);
-            let is_call = |word: &&Word| {
-                matches!((word.address, plain(word)), (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)))
-                    || matches!(word.address, b'P' | b'L' | b'Q')
-            };
+            let is_call =
+                |word: &&Word| codes::is_passage(word) || matches!(word.address, b'P' | b'L' | b'Q');
             let words: Vec<String> = match values {
                 Some(values) => {
                     let mut own = Block::default();
@@ -338,15 +336,12 @@ impl Writer<'_> {
     fn write(&mut self, block: &Block, own: Range<usize>) {
         let mut before = String::new();
         let mut after = String::new();
-        let called = block
-            .words
-            .iter()
-            .position(|word| word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0)));
+        let called = block.words.iter().position(codes::calls_macro);
         for word in &block.words[..called.unwrap_or(block.words.len())] {
             let quoted: String =
                 word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
             let target = match (word.address, plain(word)) {
-                (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)) => continue,
+                _ if codes::is_passage(word) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
                 (b'G', _) => match code(word, self.list) {

@@ -275,7 +275,7 @@ impl Interpreter {
         for word in &block.words {
             if word.value != Value::Expression {
                 own.words.push(*word);
-                handed_over |= calls_macro(word);
+                handed_over |= codes::calls_macro(word);
                 continue;
             }
             if matches!(word.address, b'N' | b'O') && !handed_over {
@@ -288,7 +288,7 @@ impl Interpreter {
                 (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
             let (number, negative) = self.value_of(text, block, word, places)?;
             let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
-            handed_over |= value.as_ref().is_some_and(calls_macro);
+            handed_over |= value.as_ref().is_some_and(codes::calls_macro);
             own.words.extend(value);
         }
         Some(own)
@@ -353,7 +353,7 @@ impl Interpreter {
             return Flow::Next;
         };
         let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
-        let begin = block.words.iter().position(calls_macro).map_or(0, |at| at + 1);
+        let begin = block.words.iter().position(codes::calls_macro).map_or(0, |at| at + 1);
         let handed: Vec<&Word> = block.words[begin..]
             .iter()
             .filter(|word| !matches!(word.address, b'P' | b'L') && !word.comma)
@@ -446,11 +446,6 @@ fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
 /// The macro statement of a block.
 fn statement_span(block: &Block) -> Span {
     Span { start: block.statement, end: block.span.end }
-}
-
-/// Whether a word is G65 or G66.
-fn calls_macro(word: &Word) -> bool {
-    word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0))
 }
 
 /// Decimals that keep all of a double that matters.
