@@ -477,13 +477,8 @@ impl Writer<'_> {
 /// The G code of a word.
 fn code(word: &Word, list: CodeList) -> Option<G> {
     let Value::Number { number, .. } = word.value else { return None };
-    let key = match number.decimals {
-        _ if word.address != b'G' => return None,
-        0 => number.mantissa * 10,
-        1 => number.mantissa,
-        _ => return None,
-    };
-    codes::g_code(key, list).map(|found| found.code)
+    let tenths = number.tenths().filter(|_| word.address == b'G')?;
+    codes::g_code(tenths, list).map(|found| found.code)
 }
 
 /// The sequence number of a block as it was typed, with a blank behind it.
