@@ -243,13 +243,14 @@ impl Interpreter {
 
     /// M99 of the main program: from its head once more, for ever.
     fn main_again(&mut self, text: &[u8], block: &Block) -> Flow {
-        // Where to begin was decided already: by the setup, or by this very search.
-        let decided = self.begun_elsewhere;
-        let labels = self.labels(text);
-        let own = labels.number_at(block.span.start);
-        if let Some(main) = own.and_then(|own| labels.caller_of(own)).filter(|_| !decided) {
-            // A subprogram that stands before the program that calls it.
-            return Flow::Restart(main);
+        // Elsewhere: where to begin was decided already, by the setup or by this very search.
+        if !self.begun_elsewhere {
+            let labels = self.labels(text);
+            let own = labels.number_at(block.span.start);
+            if let Some(main) = own.and_then(|own| labels.caller_of(own)) {
+                // A subprogram that stands before the program that calls it.
+                return Flow::Restart(main);
+            }
         }
         self.state.course.rounds += 1;
         // Looked at now and then only: there may be many variables to compare.
