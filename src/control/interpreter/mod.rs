@@ -97,6 +97,16 @@ pub struct Landmarks {
     pub roughed: bool,
 }
 
+/// A contour that was roughed.
+struct Roughed {
+    /// P and Q.
+    named: (u32, u32),
+    /// Where it begins.
+    begins: Resume,
+    /// First byte of its program.
+    program: u32,
+}
+
 /// One-shot codes: they use up the words of their block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OneShot {
@@ -179,8 +189,8 @@ pub struct Interpreter {
     ends: BTreeMap<u32, Option<Resume>>,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
-    /// Where the contours of G71 to G73 begin, by P and Q.
-    roughed: Vec<((u32, u32), Resume)>,
+    /// The contours of G71 to G73.
+    roughed: Vec<Roughed>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
     /// Blocks of the main program from this byte on have not been run yet.
