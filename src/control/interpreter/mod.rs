@@ -326,7 +326,7 @@ impl Interpreter {
 
     /// The same, even when no more messages are kept: why the run ends.
     pub fn tell_always(&mut self, diagnostic: Diagnostic) {
-        let known = snapshot::told_as(&diagnostic);
+        let known = told_as(&diagnostic);
         if let Err(place) = self.told.binary_search(&known) {
             self.told.insert(place, known);
             self.diagnostics.push(diagnostic);
@@ -340,6 +340,17 @@ impl Interpreter {
             self.full = true;
             self.tell_always(Diagnostic::new(message, span));
         }
+    }
+
+    /// How numbers are read at the moment.
+    fn reading(&self) -> Reading {
+        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    /// Tells that a word is recognised and not carried out here.
+    fn not_supported(&mut self, text: &[u8], span: Span) {
+        let what = format!("`{}`", shortened(&quote(text, span)));
+        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
     }
 
     /// The G-code system in force.
@@ -399,6 +410,11 @@ impl Interpreter {
             self.tell(fault.clone());
         }
     }
+}
+
+/// How a message is told from others.
+fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
+    (diagnostic.span.start, diagnostic.message.slug())
 }
 
 /// The head of a long quotation.

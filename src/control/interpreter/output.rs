@@ -5,15 +5,6 @@
 use super::*;
 
 impl Interpreter {
-    pub(super) fn reading(&self) -> Reading {
-        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
-    }
-
-    pub(super) fn not_supported(&mut self, text: &[u8], span: Span) {
-        let what = format!("`{}`", shortened(&quote(text, span)));
-        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
-    }
-
     /// A motion from where the tip stands.
     #[inline]
     pub(super) fn motion(&self, kind: MotionKind, to: Point) -> Motion {
@@ -80,7 +71,7 @@ impl Interpreter {
 
     /// Keeps a motion for good.
     #[inline]
-    pub(super) fn store(&mut self, mut routed: Routed) {
+    fn store(&mut self, mut routed: Routed) {
         if self.kept() >= self.setup.limits.motions {
             self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
             return;

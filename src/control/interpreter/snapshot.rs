@@ -198,8 +198,3 @@ impl Interpreter {
         later
     }
 }
-
-/// How a message is told from others.
-pub(super) fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
-    (diagnostic.span.start, diagnostic.message.slug())
-}

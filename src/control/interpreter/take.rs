@@ -52,7 +52,7 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn take_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
+    fn take_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let Some(found) = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list())) else {
             self.unknown_g(text, request, tenths, word);
             return;
@@ -128,7 +128,7 @@ impl Interpreter {
 
     /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
     #[inline(never)]
-    pub(super) fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
+    fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let quoted = quote(text, word.span);
         // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
         if matches!(tenths, Some(430 | 440)) {
@@ -147,7 +147,7 @@ impl Interpreter {
 
     /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
     #[inline(never)]
-    pub(super) fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
+    fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
         if let Some(before) = request.motion_word.replace(span)
             && quote(text, before) != quote(text, span)
         {
@@ -157,7 +157,7 @@ impl Interpreter {
     }
 
     #[inline(never)]
-    pub(super) fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+    fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match codes::m_code(number) {
