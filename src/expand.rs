@@ -15,6 +15,7 @@ use crate::control::codes::{self, G, Switch};
 use crate::control::dialect::CodeList;
 use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
+use crate::control::words::plain;
 use crate::diagnostics::Message;
 use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
 use crate::run::{Analysis, Run};
@@ -143,7 +144,7 @@ fn with_values(block: &mut Block, values: &str) {
 /// M99 alone, as a main program ends.
 fn ends_main(block: &Block) -> bool {
     block.kind == BlockKind::Words
-        && block.words.iter().any(|word| word.address == b'M' && value(word) == Some(99.0))
+        && block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(99.0))
         && !block.words.iter().any(|word| word.address == b'P')
 }
 
@@ -229,7 +230,7 @@ impl Writer<'_> {
                 G::Distance { incremental } => self.incremental = incremental,
                 G::Polar(switch) => self.in_plane = switch == Switch::On,
                 G::Cylinder => {
-                    let radius = block.words.iter().find(|word| word.address == b'C').and_then(value);
+                    let radius = block.words.iter().find(|word| word.address == b'C').and_then(plain);
                     self.in_plane = radius.is_some_and(|radius| radius != 0.0);
                 }
                 _ => {}
@@ -295,10 +296,8 @@ impl Writer<'_> {
             // Its move, as it is, and its call as a remark.
             self.remark(block);
             self.comments(block);
-            let is_call = |word: &&Word| {
-                matches!((word.address, value(word)), (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)))
-                    || matches!(word.address, b'P' | b'L' | b'Q')
-            };
+            let is_call =
+                |word: &&Word| codes::is_passage(word) || matches!(word.address, b'P' | b'L' | b'Q');
             let words: Vec<String> = match values {
                 Some(values) => {
                     let mut own = Block::default();
@@ -337,15 +336,12 @@ impl Writer<'_> {
     fn write(&mut self, block: &Block, own: Range<usize>) {
         let mut before = String::new();
         let mut after = String::new();
-        let called = block
-            .words
-            .iter()
-            .position(|word| word.address == b'G' && matches!(value(word), Some(65.0 | 66.0)));
+        let called = block.words.iter().position(codes::calls_macro);
         for word in &block.words[..called.unwrap_or(block.words.len())] {
             let quoted: String =
                 word.span.quote(self.text).chars().filter(|ch| !ch.is_whitespace()).collect();
-            let target = match (word.address, value(word)) {
-                (b'M', Some(97.0 | 98.0 | 99.0 | 198.0)) => continue,
+            let target = match (word.address, plain(word)) {
+                _ if codes::is_passage(word) => continue,
                 (b'M', Some(0.0 | 1.0 | 2.0 | 5.0 | 9.0 | 30.0)) => &mut after,
                 (b'M' | b'S' | b'T', _) => &mut before,
                 (b'G', _) => match code(word, self.list) {
@@ -481,13 +477,8 @@ impl Writer<'_> {
 /// The G code of a word.
 fn code(word: &Word, list: CodeList) -> Option<G> {
     let Value::Number { number, .. } = word.value else { return None };
-    let key = match number.decimals {
-        _ if word.address != b'G' => return None,
-        0 => number.mantissa * 10,
-        1 => number.mantissa,
-        _ => return None,
-    };
-    codes::g_code(key, list).map(|found| found.code)
+    let tenths = number.tenths().filter(|_| word.address == b'G')?;
+    codes::g_code(tenths, list).map(|found| found.code)
 }
 
 /// The sequence number of a block as it was typed, with a blank behind it.
@@ -504,14 +495,6 @@ fn feed_of(motion: &Motion) -> Option<f64> {
         (MotionKind::Thread, Some(lead), _) => Some(lead),
         (_, _, Feed::PerMinute(feed) | Feed::PerTurn(feed)) => Some(feed),
         (_, _, Feed::Unset) => None,
-    }
-}
-
-fn value(word: &Word) -> Option<f64> {
-    match word.value {
-        Value::Number { number, negative: false } => Some(number.value()),
-        Value::Number { number, negative: true } => Some(-number.value()),
-        Value::Expression => None,
     }
 }
 

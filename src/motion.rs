@@ -416,11 +416,6 @@ impl Chunk {
         }
     }
 
-    /// Whether a block before the chunk could not be carried out, so that all its motions may be wrong.
-    pub fn is_doubtful(&self) -> bool {
-        self.doubtful
-    }
-
     /// Says whether a block before the chunk could not be carried out.
     pub fn set_doubtful(&mut self, doubtful: bool) {
         self.doubtful = doubtful;
@@ -559,7 +554,7 @@ impl Chunk {
     /// Whether the motion at `index` may be wrong, see [`Process::uncertain`].
     #[inline]
     pub fn is_uncertain(&self, index: usize) -> bool {
-        self.processes[self.process[index] as usize].uncertain
+        self.doubtful || self.processes[self.process[index] as usize].uncertain
     }
 
     /// The ends of a straight motion that C takes no part in, as most are; quicker than [`Chunk::get`].
@@ -583,8 +578,7 @@ impl Chunk {
     }
 
     fn process(&self, index: usize) -> Process {
-        let process = self.processes[self.process[index] as usize];
-        Process { uncertain: process.uncertain || self.doubtful, ..process }
+        Process { uncertain: self.is_uncertain(index), ..self.processes[self.process[index] as usize] }
     }
 
     fn from(&self, index: usize) -> Point {

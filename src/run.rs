@@ -5,6 +5,8 @@
 
 mod edit;
 
+use std::collections::BTreeMap;
+
 use crate::control::dialect::{CodeList, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
@@ -12,12 +14,11 @@ use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Message};
-use crate::limits::Limits;
 use crate::motion::Motions;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::text::source::Span;
-use edit::{Before, Mark, Tally};
+use edit::{Before, Mark};
 
 /// What a program does and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -51,7 +52,10 @@ pub struct Run {
     interpreter: Interpreter,
     block: Block,
     at: Resume,
-    tally: Tally,
+    /// Blocks read.
+    blocks: usize,
+    /// First byte of each O program met, by number.
+    programs: BTreeMap<u32, u32>,
     origin: Origin,
     /// Something of the main program was carried out.
     begun: bool,
@@ -88,11 +92,6 @@ impl Origin {
 }
 
 impl Run {
-    /// Begins a run within other bounds than those of the setup.
-    pub fn within(text: Vec<u8>, setup: Setup, limits: Limits) -> Self {
-        Self::new(text, Setup { limits, ..setup })
-    }
-
     /// Begins a run.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
         let limits = setup.limits;
@@ -101,7 +100,8 @@ impl Run {
             interpreter: Interpreter::new(setup),
             block: Block::default(),
             at: Resume::default(),
-            tally: Tally::default(),
+            blocks: 0,
+            programs: BTreeMap::new(),
             origin: Origin::default(),
             begun: false,
             ended: false,
@@ -162,7 +162,7 @@ impl Run {
         let mut joined = false;
         while left > 0 {
             let at = parser.position();
-            if self.is_due(at) && self.pause(&text, at) {
+            if self.is_due(at) && self.pause(at) {
                 joined = true;
                 break;
             }
@@ -170,7 +170,7 @@ impl Run {
             left -= 1;
             let here = Here { at, next: parser.position() };
             let flow = if more {
-                self.tally.blocks += 1;
+                self.blocks += 1;
                 self.step(&text, here)
             } else {
                 self.end_of_text(&text)
@@ -208,7 +208,7 @@ impl Run {
     pub fn stop(&mut self, seconds: f64) {
         if !self.finished {
             let at = self.at.byte as usize;
-            self.interpreter.tell(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.interpreter.tell_always(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
             self.stopped = true;
             self.finish();
         }
@@ -262,7 +262,7 @@ impl Run {
 
     /// Blocks read so far.
     pub fn blocks(&self) -> usize {
-        self.tally.blocks
+        self.blocks
     }
 
     /// The G codes the program is read with.
@@ -276,7 +276,7 @@ impl Run {
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
         let motions = interpreter.into_motions();
-        Analysis { motions, diagnostics, blocks: self.tally.blocks, trace, codes }
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes }
     }
 
     /// Begins with another program than the first of the text.
@@ -326,7 +326,7 @@ impl Run {
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
             self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
-        } else if *self.tally.programs.entry(number).or_insert(span.start) != span.start {
+        } else if *self.programs.entry(number).or_insert(span.start) != span.start {
             self.interpreter.tell(Diagnostic::new(Message::DuplicateProgram { number }, span));
         } else if self.ended
             && !self.interpreter.was_run(here.at)

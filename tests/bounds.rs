@@ -112,9 +112,23 @@ fn the_reason_for_the_end_is_always_told() {
         ("O1\nX\nX\nX\nM98 P1\n", "PS0077"),
         ("X\nX\nX\n#3000=1\n", "E-MACRO-ALARM"),
     ] {
-        let mut run = Run::within(text.as_bytes().to_vec(), Setup::default(), limits);
+        let mut run = Run::new(text.as_bytes().to_vec(), Setup { limits, ..Setup::default() });
         while !run.advance(usize::MAX) {}
         assert!(run.diagnostics().iter().any(|found| found.message.code() == code), "{text}");
+    }
+}
+
+/// A cycle that is refused after more steps than a run may make is one fault.
+#[test]
+fn a_cycle_that_ends_the_run_is_told_of_once() {
+    let limits = Limits { cycle_work: 10, moves_per_cycle: 50, ..Limits::default() };
+    for text in
+        ["M3 S1\nG83 Z-9 Q1 F1\nX1", "M3 S1 F1\nX90 Z2\nG71 U0.01 R1\nG71 P1 Q2\nN1 G0 X20\nN2 G1 Z-20\nX40"]
+    {
+        let analysis = analyze(text.as_bytes(), &Setup { limits, ..Setup::default() });
+        let errors = analysis.diagnostics.iter().filter(|found| found.is_error());
+        let found: Vec<_> = errors.map(|found| found.message.slug()).collect();
+        assert_eq!(found, ["too-much-work"], "{text}");
     }
 }
 

@@ -137,9 +137,11 @@ fn codes_are_listed_for_all_controls_or_one() {
         found.unwrap_or_default()
     };
     let all = text(&["codes"]);
+    assert_eq!(line(&all, "FANUC"), "FANUC A FANUC B FANUC C GSK");
     assert_eq!(line(&all, "G90"), "G90 G77 G20 = turning cycle, straight or taper");
     assert_eq!(line(&all, "G31"), "G31 = = = skip; not supported here");
     assert_eq!(line(&text(&["codes", "--control", "fanuc"]), "G33"), "");
+    assert!(text(&["codes", "--control", "gsk"]).starts_with("  GSK\nMoves and corners\n"));
     assert!(line(&text(&["codes", "--control", "gsk", "--lang", "ru"]), "G33").contains("метчиком"));
     let rows = rows(&run(&["codes", "--format", "json"], b""));
     let turning = rows.iter().find(|row| row["a"] == "G90").expect("G90");

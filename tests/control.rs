@@ -249,3 +249,16 @@ fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
     );
     assert_eq!(run("N20 G00 Z2").motions.len(), run("N20 M8").motions.len());
 }
+
+#[test]
+fn everything_behind_an_error_is_uncertain_chunks_later_too() {
+    let text = format!("G1 X50 Z5 F0.2\nX[\n{}", "X1\nX2\n".repeat(5_000));
+    let analysis = analyze(text.as_bytes(), &Setup::default());
+    let chunks = analysis.motions.chunks();
+    assert!(chunks.len() > 2);
+    let all = chunks.iter().flat_map(|chunk| (0..chunk.len()).map(move |index| (chunk, index)));
+    for (at, (chunk, index)) in all.enumerate() {
+        assert_eq!(chunk.is_uncertain(index), at > 0, "motion {at}");
+        assert_eq!(chunk.get(index).process.uncertain, at > 0, "motion {at}");
+    }
+}

@@ -30,8 +30,8 @@ fn finish(run: &mut Run) {
 
 /// Checks that a changed run gives what a new one gives.
 #[track_caller]
-fn check(changed: &Run, setup: &Setup, limits: Limits) {
-    let mut whole = Run::within(changed.text().to_vec(), setup.clone(), limits);
+fn check(changed: &Run, setup: &Setup) {
+    let mut whole = Run::new(changed.text().to_vec(), setup.clone());
     finish(&mut whole);
     let (own, wanted) = (outcome(changed), outcome(&whole));
     if own != wanted {
@@ -118,7 +118,8 @@ impl Change {
 /// Makes changes one after the other; with `patience` the run goes on for so many blocks only before the next.
 fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: &[(Change, Option<usize>)]) {
     let limits = Limits { stride, messages: 40, motions: 20_000, ..Limits::default() };
-    let mut run = Run::within(text, setup.clone(), limits);
+    let setup = &Setup { limits, ..setup.clone() };
+    let mut run = Run::new(text, setup.clone());
     finish(&mut run);
     let mut undo = None;
     for (change, patience) in changes {
@@ -132,12 +133,12 @@ fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: 
             }
             None => {
                 finish(&mut run);
-                check(&run, setup, limits);
+                check(&run, setup);
             }
         }
     }
     finish(&mut run);
-    check(&run, setup, limits);
+    check(&run, setup);
 }
 
 /// All programs of the gallery and of the tests, with their setups.
@@ -209,8 +210,8 @@ proptest! {
 /// A keystroke in a long program runs two stretches of it at most, wherever it is, and even if it makes an error.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings() {
-    let limits = Limits { stride: 512, ..Limits::default() };
-    let mut run = Run::within(workload::plain(60_000).into_bytes(), Setup::default(), limits);
+    let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
+    let mut run = Run::new(workload::plain(60_000).into_bytes(), setup.clone());
     finish(&mut run);
     for place in 1..20 {
         let line = place * 3_000;
@@ -221,11 +222,29 @@ fn a_change_costs_no_more_than_its_surroundings() {
             run.edit(edit);
             assert!(run.advance(1_400), "{typed:?} in line {line}");
             if place % 6 == 0 {
-                check(&run, &Setup::default(), limits);
+                check(&run, &setup);
             }
             run.edit(TextEdit { start: at + 1, end: at + 1 + typed.len(), insert: Vec::new() });
             assert!(run.advance(1_400), "{typed:?} out of line {line}");
         }
     }
-    check(&run, &Setup::default(), limits);
+    check(&run, &setup);
+}
+
+/// Once a run that was stopped has gone on to the end, the stop is forgotten.
+#[test]
+fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {
+    let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };
+    let mut run = Run::new(workload::plain(20_000).into_bytes(), setup.clone());
+    run.advance(10_000);
+    run.stop(1.0);
+    let mut type_in_line = |line: usize, blocks: usize| {
+        let mut ends = run.text().iter().enumerate().filter(|(_, byte)| **byte == b'\n');
+        let at = ends.nth(line).expect("a line").0 + 1;
+        run.edit(TextEdit { start: at, end: at, insert: b"G1 X77. Z-300.5\n".to_vec() });
+        run.advance(blocks)
+    };
+    assert!(type_in_line(5_000, 20_000));
+    assert!(type_in_line(9_000, 1_400));
+    check(&run, &setup);
 }

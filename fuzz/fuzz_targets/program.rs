@@ -26,7 +26,7 @@ const LIMITS: Limits = Limits {
 };
 
 fn run(text: &[u8], setup: &Setup, slice: usize) -> Analysis {
-    let mut run = Run::within(text.to_vec(), setup.clone(), LIMITS);
+    let mut run = Run::new(text.to_vec(), Setup { limits: LIMITS, ..setup.clone() });
     while !run.advance(slice) {}
     let state = run.state();
     assert!(state.position.x.is_finite() && state.position.z.is_finite() && state.c.is_finite());

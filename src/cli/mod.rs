@@ -218,8 +218,14 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
 
 /// The table of supported codes: of one list, or of all.
 fn codes(out: &mut dyn Write, only: Option<CodeList>, language: Language, format: Format) -> io::Result<()> {
+    let table = api::codes(only.unwrap_or_default(), language);
+    if format == Format::Text {
+        let shown = if only.is_some() { 1 } else { table.columns.len() };
+        let names = table.columns[..shown].iter().map(|column| column.name);
+        writeln!(out, "{}", cells(names).trim_end())?;
+    }
     let mut section = "";
-    for row in api::codes(only.unwrap_or_default(), language).rows {
+    for row in table.rows {
         if only.is_some_and(|list| row.codes(list).is_empty()) {
             continue;
         }
@@ -228,20 +234,28 @@ fn codes(out: &mut dyn Write, only: Option<CodeList>, language: Language, format
             continue;
         }
         if section != row.section {
-            section = row.section;
-            writeln!(out, "\n{section}")?;
-        }
-        match only {
-            Some(list) => write!(out, "  {:<30}", row.codes(list))?,
-            None => {
-                let [a, b, c, gsk] = CodeList::ALL.map(|list| row.printed(list));
-                write!(out, "  {a:<30} {b:<8} {c:<8} {gsk:<4}")?;
+            if !section.is_empty() {
+                writeln!(out)?;
             }
+            section = row.section;
+            writeln!(out, "{section}")?;
         }
+        let codes = match only {
+            Some(list) => cells([row.codes(list)]),
+            None => cells(CodeList::ALL.map(|list| row.printed(list))),
+        };
         let comma = if row.note.is_empty() { "" } else { "; " };
-        writeln!(out, " {}{comma}{}", row.does, row.note)?;
+        writeln!(out, "{codes} {}{comma}{}", row.does, row.note)?;
     }
     Ok(())
+}
+
+/// The first cells of a line of the table, one for each list of codes.
+fn cells<'a>(of: impl IntoIterator<Item = &'a str>) -> String {
+    const WIDTHS: [usize; CodeList::ALL.len()] = [30, 8, 8, 4];
+    of.into_iter()
+        .zip(WIDTHS)
+        .fold(String::from(" "), |line, (cell, width)| line + &format!(" {cell:<width$}"))
 }
 
 fn program(file: &Path, with: &With) -> Result<Program, String> {

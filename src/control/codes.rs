@@ -8,10 +8,37 @@ mod registry;
 pub use registry::{Effect, Function, GCode, Row, Section, g_code, m_code, rows};
 
 use super::dialect::{CodeList, FeedMode};
-use super::words::Unit;
+use super::words::{Unit, plain};
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
 use crate::motion::{Cycle, SpindleTurn};
+use crate::text::block::Word;
+
+/// Whether a word leads to another part of the program or back from it: M97, M98, M99.
+pub fn is_passage(word: &Word) -> bool {
+    let code = whole(word).filter(|_| word.address == b'M').and_then(m_code);
+    matches!(code, Some(M::Call | M::LocalCall | M::Return))
+}
+
+/// Whether a word calls a macro: G65, G66. What stands behind it are arguments.
+pub fn calls_macro(word: &Word) -> bool {
+    matches!(whole_g(word), Some(G::MacroCall(_)))
+}
+
+/// Whether a word only steers the program: those two, and G67.
+pub fn steers(word: &Word) -> bool {
+    is_passage(word) || matches!(whole_g(word), Some(G::MacroCall(_) | G::NoModalMacro))
+}
+
+/// The G code of a word without decimals, of those that all lists have.
+fn whole_g(word: &Word) -> Option<G> {
+    let number = whole(word).filter(|_| word.address == b'G')?;
+    g_code(10 * number, CodeList::A).map(|found| found.code)
+}
+
+fn whole(word: &Word) -> Option<u64> {
+    plain(word).filter(|number| *number >= 0.0 && number.fract() == 0.0).map(|number| number as u64)
+}
 
 /// What a G code asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

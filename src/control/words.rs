@@ -159,6 +159,7 @@ impl Reading {
 /// The number as it is written.
 pub fn plain(word: &Word) -> Option<f64> {
     let Value::Number { number, negative } = word.value else { return None };
+    // A bare minus would make a negative zero of `-0`, which shows in what is made of it.
     Some(if negative { 0.0 - number.value() } else { number.value() })
 }
 

@@ -420,23 +420,6 @@ impl Message {
         }
     }
 
-    /// Whether the run ends here, before the program does.
-    pub fn ends_the_run(&self) -> bool {
-        matches!(
-            self,
-            Self::TooManyMotions { .. }
-                | Self::TooMuchWork { .. }
-                | Self::TooManyRepeats { .. }
-                | Self::TooMuchRepeated { .. }
-                | Self::TooManyRounds { .. }
-                | Self::TooManyMacroSteps { .. }
-                | Self::CallTooDeep { .. }
-                | Self::EndlessMain
-                | Self::MacroAlarm { .. }
-                | Self::Stopped { .. }
-        )
-    }
-
     fn facts(&self) -> (&'static str, &'static str, Severity, Option<&'static str>) {
         use Severity::{Error, Info, Warning};
         match self {

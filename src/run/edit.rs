@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Run, TextEdit};
+use super::{Origin, Run, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::control::origin;
 use crate::text::parser::Resume;
@@ -14,20 +14,13 @@ use crate::text::shift::Shift;
 /// Most blocks from one snapshot to the next, for each motion that there may be.
 const BLOCKS_PER_MOTION: usize = 4;
 
-/// What a run has counted so far.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Tally {
-    /// Blocks read.
-    pub blocks: usize,
-    /// First byte of each O program met, by number.
-    pub programs: BTreeMap<u32, u32>,
-}
-
-/// A snapshot on the way through the text.
+/// A snapshot on the way through the text, between the first word of the main program and its end: the O numbers met
+/// are the same at all of them.
 #[derive(Clone, Debug)]
 pub(super) struct Mark {
     snapshot: Snapshot,
-    tally: Tally,
+    /// Blocks read before it.
+    blocks: usize,
 }
 
 impl Mark {
@@ -40,34 +33,42 @@ impl Mark {
 #[derive(Clone, Debug)]
 pub(super) struct Before {
     remainder: Remainder,
-    /// At each of its snapshots.
-    tallies: Vec<Tally>,
-    /// At its end.
-    last: Tally,
+    /// Blocks read at each of its snapshots.
+    blocks: Vec<usize>,
+    /// Blocks read at its end.
+    last: usize,
+    /// Numbers of the O programs met before its snapshots, in order.
+    heads: Vec<u32>,
+    /// First byte of each O program met behind them, by number.
+    others: BTreeMap<u32, u32>,
     /// The snapshot to be met next.
     next: usize,
     /// What has become of the old places behind the change; its lines are not known before the two runs meet.
     shift: Shift,
+    /// Bytes of the text as it is now, without the blanks at its end.
+    filled: usize,
 }
 
 impl Before {
     /// Takes in a further change, of the text as it is now.
-    fn edit(mut self, start: u32, end: u32, bytes: i64) -> Self {
+    fn edit(mut self, end: u32, bytes: i64) -> Self {
         let behind = i64::from(self.shift.from) + self.shift.bytes;
-        debug_assert!(start <= end);
         self.shift.from += (i64::from(end) - behind).max(0) as u32;
         self.shift.bytes += bytes;
         self.next = 0;
         self
     }
 
-    /// The byte of the text as it is now where the runs may meet next.
-    fn meeting(&mut self) -> Option<u32> {
-        let at = |index| self.remainder.at(index).map(|at| at.byte);
-        while at(self.next).is_some_and(|byte| !self.shift.moves(byte)) {
+    /// Where behind a byte the runs may meet next, in the text as it is now.
+    fn meeting(&mut self, behind: u32) -> Option<u32> {
+        while let Some(there) = self.remainder.at(self.next) {
+            let byte = self.shift.byte(there.byte);
+            if self.shift.moves(there.byte) && byte > behind {
+                return Some(byte);
+            }
             self.next += 1;
         }
-        at(self.next).map(|byte| self.shift.byte(byte))
+        None
     }
 }
 
@@ -77,57 +78,72 @@ impl Run {
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
-        let before = self.before_edit(start as u32, end as u32, bytes);
+        let before = self.before_edit(end as u32, bytes);
         let keep = self.marks.partition_point(|mark| (mark.byte() as usize) < start);
         self.marks.truncate(keep);
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
-        let same_origin =
-            start >= origin::HEAD || self.origin == super::Origin::of(&text, &self.setup().dialect);
-        let same_way = same_origin && text.len() <= self.setup().limits.text;
-        match self.marks.last().filter(|_| same_way) {
+        let mark = self.marks.last().filter(|_| {
+            text.len() <= self.setup().limits.text
+                && (start >= origin::HEAD || self.origin == Origin::of(&text, &self.setup().dialect))
+        });
+        let same_way = match mark {
             Some(mark) => {
                 self.text = text;
                 self.interpreter.restore(&mark.snapshot);
-                (self.at, self.tally) = (mark.snapshot.at(), mark.tally.clone());
-                (self.begun, self.ended, self.finished) = (true, false, false);
+                (self.at, self.blocks) = (mark.snapshot.at(), mark.blocks);
+                self.programs.retain(|_, start| *start < self.at.byte);
+                (self.begun, self.ended, self.finished, self.stopped) = (true, false, false, false);
                 self.due = self.next_due();
+                true
             }
-            None => *self = Self::new(text, self.setup().clone()),
-        }
-        self.before = before.filter(|_| same_way);
-        self.look_out();
+            None => {
+                let origin = self.origin;
+                *self = Self::new(text, self.setup().clone());
+                !self.finished && self.origin == origin
+            }
+        };
+        let filled = self.text.trim_ascii_end().len();
+        self.before = before.filter(|_| same_way).map(|before| Before { filled, ..before });
+        self.look_out(self.at);
     }
 
     /// What this run, or the one before it, gave behind a change that is about to be made.
-    fn before_edit(&mut self, start: u32, end: u32, bytes: i64) -> Option<Before> {
+    fn before_edit(&mut self, end: u32, bytes: i64) -> Option<Before> {
         if let Some(before) = self.before.take() {
-            return Some(before.edit(start, end, bytes));
+            return Some(before.edit(end, bytes));
         }
         if !self.finished || self.stopped || !self.interpreter.is_straight() {
             return None;
         }
         let behind = self.marks.partition_point(|mark| mark.byte() < end);
-        let marks = self.marks.split_off(behind).into_iter();
-        let (snapshots, tallies) = marks.map(|mark| (mark.snapshot, mark.tally)).unzip();
+        let marks = self.marks.split_off(behind);
+        let first = marks.first()?.byte();
+        let (snapshots, blocks) = marks.into_iter().map(|mark| (mark.snapshot, mark.blocks)).unzip();
+        let programs = std::mem::take(&mut self.programs);
+        let (heads, others) = programs.into_iter().partition(|(_, start)| *start < first);
+        self.programs = heads;
         Some(Before {
             remainder: self.interpreter.take_remainder(snapshots)?,
-            tallies,
-            last: std::mem::take(&mut self.tally),
+            blocks,
+            last: self.blocks,
+            heads: self.programs.keys().copied().collect(),
+            others,
             next: 0,
             shift: Shift { from: end, bytes, lines: 0 },
+            filled: 0,
         })
     }
 
     /// Whether a snapshot is due before the next block, or the run before the edit may be met there.
     #[inline]
     pub(super) fn is_due(&self, at: Resume) -> bool {
-        self.interpreter.has_full_chunk() || self.tally.blocks >= self.due || at.byte >= self.meeting
+        self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
     }
 
     /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
     #[cold]
-    pub(super) fn pause(&mut self, text: &[u8], at: Resume) -> bool {
+    pub(super) fn pause(&mut self, at: Resume) -> bool {
         self.due = self.next_due();
         if self.ended || !self.interpreter.is_straight() {
             self.before = None;
@@ -135,32 +151,23 @@ impl Run {
         let may_pause = self.begun && !self.ended && at.begins_line() && self.interpreter.is_straight();
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
-            self.marks.push(Mark { snapshot, tally: self.tally.clone() });
-            // The end of the text is told at the last sign before it.
-            !text[at.byte as usize..].trim_ascii_start().is_empty() && self.join_at(at)
+            self.marks.push(Mark { snapshot, blocks: self.blocks });
+            self.join_at(at)
         };
         if !may_pause && self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
         }
-        if let Some(before) = &mut self.before {
-            let passed = |index| {
-                before.remainder.at(index).is_some_and(|there| before.shift.byte(there.byte) <= at.byte)
-            };
-            while passed(before.next) {
-                before.next += 1;
-            }
-        }
-        self.look_out();
+        self.look_out(at);
         joined
     }
 
     fn next_due(&self) -> usize {
-        self.tally.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
+        self.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
-    /// Finds out where the run before the edit may be met next.
-    fn look_out(&mut self) {
-        let next = self.before.as_mut().and_then(Before::meeting);
+    /// Finds out where behind a place the run before the edit may be met next.
+    fn look_out(&mut self, at: Resume) {
+        let next = self.before.as_mut().and_then(|before| before.meeting(at.byte));
         if next.is_none() {
             self.before = None;
         }
@@ -169,36 +176,30 @@ impl Run {
 
     /// Takes over the rest of the run before the edit, if that went on from here as this one does.
     fn join_at(&mut self, at: Resume) -> bool {
-        let Some((before, there)) = self.before.as_mut().and_then(|before| {
-            before.meeting()?;
-            let there = before.remainder.at(before.next)?;
-            Some((before, there))
-        }) else {
-            return false;
-        };
+        let Some(before) = &mut self.before else { return false };
         let index = before.next;
+        let Some(there) = before.remainder.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
-        let met = before.tallies[index].clone();
-        if shift.resume(there) != at
-            || !met.programs.keys().eq(self.tally.programs.keys())
-            || !self.interpreter.meets(&before.remainder, index, &shift)
-        {
+        // The end of the text is told at the last sign before it.
+        let is_last = at.byte as usize >= before.filled;
+        if is_last || shift.resume(there) != at || !self.interpreter.meets(&before.remainder, index, &shift) {
             return false;
         }
-        let Some(Before { remainder, tallies, last, .. }) = self.before.take() else { return false };
-        let moved = |tally: Tally, own: &Tally| Tally {
-            blocks: tally.blocks - met.blocks + own.blocks,
-            programs: tally
-                .programs
-                .into_iter()
-                .map(|(number, start)| (number, *own.programs.get(&number).unwrap_or(&shift.byte(start))))
-                .collect(),
+        let Some(Before { remainder, blocks, last, heads, others, .. }) = self.before.take() else {
+            return false;
         };
+        if !heads.iter().eq(self.programs.keys()) {
+            // Nor will they be the same at a later snapshot.
+            return false;
+        }
         let later = self.interpreter.take_over(remainder, index, &shift);
-        let tallies = tallies.into_iter().skip(index + 1).map(|tally| moved(tally, &self.tally));
-        self.marks.extend(later.into_iter().zip(tallies).map(|(snapshot, tally)| Mark { snapshot, tally }));
-        self.tally = moved(last, &self.tally);
+        let (met, own) = (blocks[index], self.blocks);
+        let moved = |blocks: usize| blocks - met + own;
+        let blocks = blocks.into_iter().skip(index + 1).map(moved);
+        self.marks.extend(later.into_iter().zip(blocks).map(|(snapshot, blocks)| Mark { snapshot, blocks }));
+        self.blocks = moved(last);
+        self.programs.extend(others.into_iter().map(|(number, start)| (number, shift.byte(start))));
         true
     }
 }

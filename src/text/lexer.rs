@@ -53,6 +53,16 @@ impl Number {
         (self.points == 0).then_some(self.mantissa)
     }
 
+    /// Ten times the value, if that is a whole number as it is written: `12.1` is 121.
+    #[inline]
+    pub fn tenths(self) -> Option<u64> {
+        match self.decimals {
+            0 => Some(10 * self.mantissa),
+            1 => Some(self.mantissa),
+            _ => None,
+        }
+    }
+
     /// Reads the digits and points of some bytes and skips everything else.
     pub fn read(bytes: &[u8]) -> Self {
         let mut number = Self::default();

@@ -71,7 +71,7 @@ pub struct LineIndex {
 }
 
 /// A place whose UTF-16 offset is known.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mark {
     byte: u32,
     /// UTF-16 units before it, each line end counted as one, as editors that fold CRLF do.
@@ -93,7 +93,8 @@ impl LineIndex {
     }
 
     /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is `text` now.
-    /// Only the lines touched are read again, and what lies behind is moved along.
+    /// Only the lines touched are read again, and what lies behind is moved along. All lines are, when offsets cease to be
+    /// bytes.
     pub fn edit(&mut self, text: &[u8], replaced: Range<usize>, inserted: usize) {
         // A line start depends on the bytes on both its sides: on `\r` and the `\n` that may follow it.
         let first = self.line_of(replaced.start.saturating_sub(1) as u32) as usize;
@@ -102,11 +103,13 @@ impl LineIndex {
         let start = self.starts[first] as usize;
         let end = self.starts.get(next).map_or(text.len(), |&after| after.wrapping_add(bytes) as usize);
         let mut read = Self::new(&text[start..end]);
+        if self.marks.is_empty() && !read.marks.is_empty() {
+            // The first of its kind: long lines elsewhere need their marks as well.
+            *self = Self::new(text);
+            return;
+        }
         // Behind the line end that ends the bytes read stands `next`, which is kept.
         let lines = read.starts.len() - usize::from(next < self.starts.len());
-        if self.marks.is_empty() && !read.marks.is_empty() {
-            self.marks = self.starts.iter().map(|&byte| Mark { byte, units: byte }).collect();
-        }
         if !self.marks.is_empty() {
             if read.marks.is_empty() {
                 read.mark(&text[start..end]);
@@ -302,6 +305,10 @@ mod tests {
         index.edit(text, replaced.clone(), insert.len());
         let expected = LineIndex::new(text);
         assert_eq!(index.starts, expected.starts, "{before:?} {replaced:?} {insert:?}");
+        // They stay when the last sign that needed them is gone.
+        if !expected.marks.is_empty() {
+            assert_eq!(index.marks, expected.marks, "{before:?} {replaced:?} {insert:?}");
+        }
         for byte in 0..=text.len() as u32 {
             let (found, expected) = (index.utf16_offset(text, byte), expected.utf16_offset(text, byte));
             assert_eq!(found, expected, "{before:?} {replaced:?} {insert:?} {byte}");
@@ -327,6 +334,16 @@ mod tests {
             let mut index = LineIndex::new(&text);
             check_edit(&mut text, &mut index, replaced, insert.as_bytes());
         }
+    }
+
+    #[test]
+    fn the_first_sign_beyond_ascii_finds_long_lines_elsewhere() {
+        let line = "X1 ".repeat(2 * STRIDE);
+        let mut text = format!("{line}\nZ\n{line}").into_bytes();
+        let mut index = LineIndex::new(&text);
+        let behind = line.len() + 2;
+        check_edit(&mut text, &mut index, behind..behind, "外".as_bytes());
+        check_edit(&mut text, &mut index, 0..0, "外".as_bytes());
     }
 
     #[test]

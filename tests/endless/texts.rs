@@ -28,6 +28,12 @@ pub fn long_texts() -> Vec<Hostile> {
         case("DO1 1 and as many END1", format!("O1\n{}{}", half("DO1 1\n"), half("END1\n")), "PS0114", 2),
         case("O1", megabyte("O1\n"), "W-DUP-O", 2),
         case("O1 O2 O3", numbered(|n| format!("O{n}\n")), "I-EMPTY", 1),
+        case(
+            "O1 O2 O3 and motions behind them",
+            (1..75_000).map(|n| format!("O{n}\n")).collect::<String>() + &half("X1\nX2\n"),
+            "W-NO-END",
+            274_999,
+        ),
         case("O1 X1 O2 X1", numbered(|n| format!("O{n}\nX1\n")), "I-NOT-RUN", 3),
         case("O1 M98P1 O2 M98P1", numbered(|n| format!("O{n} M98 P1\n")), "PS0077", 1),
         case("O1 M98P2 O2 M98P3", numbered(|n| format!("O{n} M98 P{}\n", n + 1)), "PS0077", 11),

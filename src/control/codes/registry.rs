@@ -268,19 +268,32 @@ static M_CODES: &[MCode] = &[
     m(12, Function::OtherMachine, M::Idle),
 ];
 
-/// What is no G or M code and still has a row, as it is written; whether only GSK has it; what comes of it.
-static OTHERS: &[(Function, &str, bool, Effect)] = &[
-    (Function::Chamfer, ",C C I K", false, Effect::Done),
-    (Function::Rounding, ",R R", false, Effect::Done),
-    (Function::GskCorner, "L D", true, Effect::Done),
-    (Function::Angle, ",A A", false, Effect::Done),
-    (Function::Tool, "T", false, Effect::Done),
-    (Function::Variables, "#", false, Effect::Done),
-    (Function::If, "IF THEN", false, Effect::Done),
-    (Function::Goto, "GOTO", false, Effect::Done),
-    (Function::While, "WHILE DO END", false, Effect::Done),
-    (Function::Output, "POPEN BPRNT DPRNT PCLOS SETVN", false, Effect::Accepted),
-    (Function::BlockSkip, "/ /2…/9", false, Effect::Done),
+/// What is no G or M code and still has a row.
+struct Other {
+    function: Function,
+    /// As people write it.
+    written: &'static str,
+    effect: Effect,
+    /// Who has it.
+    lists: &'static [CodeList],
+}
+
+const fn other(function: Function, written: &'static str) -> Other {
+    Other { function, written, effect: Effect::Done, lists: &CodeList::ALL }
+}
+
+static OTHERS: &[Other] = &[
+    other(Function::Chamfer, ",C C I K"),
+    other(Function::Rounding, ",R R"),
+    Other { lists: &[CodeList::Gsk], ..other(Function::GskCorner, "L D") },
+    other(Function::Angle, ",A A"),
+    other(Function::Tool, "T"),
+    other(Function::Variables, "#"),
+    other(Function::If, "IF THEN"),
+    other(Function::Goto, "GOTO"),
+    other(Function::While, "WHILE DO END"),
+    Other { effect: Effect::Accepted, ..other(Function::Output, "POPEN BPRNT DPRNT PCLOS SETVN") },
+    other(Function::BlockSkip, "/ /2…/9"),
 ];
 
 /// No row.
@@ -391,13 +404,13 @@ impl Row {
                 _ => Effect::Done,
             });
         }
-        for &(_, written, only_gsk, effect) in OTHERS.iter().filter(|other| other.0 == function) {
+        for other in OTHERS.iter().filter(|other| other.function == function) {
             for (codes, list) in row.codes.iter_mut().zip(CodeList::ALL) {
-                if !only_gsk || list == CodeList::Gsk {
-                    codes.push_str(written);
+                if other.lists.contains(&list) {
+                    codes.push_str(other.written);
                 }
             }
-            row.take(effect);
+            row.take(other.effect);
         }
         row
     }

@@ -13,7 +13,7 @@ impl Interpreter {
         self.carry_out(text, block, here)
     }
 
-    pub(super) fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+    fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
             self.tell_faults(block);
             return Flow::Next;
@@ -88,7 +88,7 @@ impl Interpreter {
             (None, _) if self.recorded.is_some() => Flow::Next,
             (None, Some(passage)) => self.pass(text, block, &words, passage, here),
             (None, None) => match request.macro_call {
-                Some(code) => self.macro_call(text, block, here, code),
+                Some(call) => self.macro_call(text, block, here, call),
                 None if request.moved && self.state.course.modal.is_some() => {
                     self.modal_call(block, here.next).unwrap_or(Flow::Next)
                 }
@@ -99,7 +99,7 @@ impl Interpreter {
 
     /// M02, M30.
     #[inline(never)]
-    pub(super) fn end_of_program(&mut self, text: &[u8], block: &Block) {
+    fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
         let end = block.words.iter().find(|word| word.address == b'M');
         self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
@@ -107,7 +107,7 @@ impl Interpreter {
     }
 
     /// Coordinate systems, motion, cycles.
-    pub(super) fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+    fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
             self.enter(mode, block, words);
         }
@@ -221,7 +221,7 @@ impl Interpreter {
     }
 
     /// A code of group 01 comes into force.
-    pub(super) fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
+    fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
         let state = &mut self.state;
         state.hole = None;
         match (mode, state.motion) {

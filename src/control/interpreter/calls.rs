@@ -42,7 +42,7 @@ impl Interpreter {
     pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
         self.repeated += 1;
         self.repeated_text += block.span.len();
-        let (blocks, bytes) = (self.limits.repeated_blocks, self.limits.repeated_text);
+        let (blocks, bytes) = (self.setup.limits.repeated_blocks, self.setup.limits.repeated_text);
         let message = if self.repeated > blocks {
             Message::TooManyRepeats { most: blocks }
         } else if self.repeated_text > bytes {
@@ -50,18 +50,16 @@ impl Interpreter {
         } else {
             return !self.full;
         };
-        self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| cause.words_span())));
-        self.full = true;
+        self.end_run(message, self.jumped_by.unwrap_or_else(|| cause.words_span()));
         false
     }
 
     /// Counts a round of a loop or call. False: they were too many, and the run ends here.
     pub(super) fn count_round(&mut self, block: &Block) -> bool {
         self.rounds += 1;
-        if self.rounds > self.limits.rounds {
-            let message = Message::TooManyRounds { most: self.limits.rounds };
-            self.tell(Diagnostic::new(message, self.jumped_by.unwrap_or_else(|| block.words_span())));
-            self.full = true;
+        if self.rounds > self.setup.limits.rounds {
+            let span = self.jumped_by.unwrap_or_else(|| block.words_span());
+            self.end_run(Message::TooManyRounds { most: self.setup.limits.rounds }, span);
         }
         !self.full
     }
@@ -70,10 +68,9 @@ impl Interpreter {
     /// and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
         self.macro_steps += usize::from(self.wandered);
-        if self.macro_steps > self.limits.macro_steps && !self.full {
-            let message = Message::TooManyMacroSteps { most: self.limits.macro_steps };
-            self.tell(Diagnostic::new(message, block.words_span()));
-            self.full = true;
+        if self.macro_steps > self.setup.limits.macro_steps {
+            let message = Message::TooManyMacroSteps { most: self.setup.limits.macro_steps };
+            self.end_run(message, block.words_span());
         }
         !self.full
     }
@@ -165,14 +162,13 @@ impl Interpreter {
     ) -> Flow {
         let macros = self.state.course.macros();
         let (depth, most) = match kind {
-            CallKind::Macro => (macros, self.limits.macro_depth),
-            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.limits.call_depth),
+            CallKind::Macro => (macros, self.setup.limits.macro_depth),
+            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.setup.limits.call_depth),
         };
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
-            self.tell(Diagnostic::new(Message::CallTooDeep { most, alarm }, block.words_span()));
             // The control stops here; going on would only call again.
-            self.full = true;
+            self.end_run(Message::CallTooDeep { most, alarm }, block.words_span());
             return Flow::End;
         }
         self.wandered = true;
@@ -247,13 +243,14 @@ impl Interpreter {
 
     /// M99 of the main program: from its head once more, for ever.
     fn main_again(&mut self, text: &[u8], block: &Block) -> Flow {
-        // Where to begin was decided already: by the setup, or by this very search.
-        let decided = self.begun_elsewhere;
-        let labels = self.labels(text);
-        let own = labels.number_at(block.span.start);
-        if let Some(main) = own.and_then(|own| labels.caller_of(own)).filter(|_| !decided) {
-            // A subprogram that stands before the program that calls it.
-            return Flow::Restart(main);
+        // Elsewhere: where to begin was decided already, by the setup or by this very search.
+        if !self.begun_elsewhere {
+            let labels = self.labels(text);
+            let own = labels.number_at(block.span.start);
+            if let Some(main) = own.and_then(|own| labels.caller_of(own)) {
+                // A subprogram that stands before the program that calls it.
+                return Flow::Restart(main);
+            }
         }
         self.state.course.rounds += 1;
         // Looked at now and then only: there may be many variables to compare.
@@ -261,7 +258,7 @@ impl Interpreter {
             let last = self.state.course.round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
-                self.tell(Diagnostic::new(Message::EndlessMain, block.words_span()));
+                self.tell_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
                 return Flow::End;
             }
             self.state.course.round = Some(Box::new(self.state.clone()));

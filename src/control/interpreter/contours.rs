@@ -133,7 +133,7 @@ impl Interpreter {
         if self.full {
             return None;
         }
-        let most = self.limits.moves_per_cycle;
+        let most = self.setup.limits.moves_per_cycle;
         match read {
             Ok((.., ends))
                 if purpose == Purpose::Roughing
@@ -150,14 +150,15 @@ impl Interpreter {
             }
             Ok((first_block, first_span, ends)) => {
                 let shape = Shape { moves, first: first_block, first_span, begins: begins.byte, ends, state };
-                if self.landmarks.len() < self.limits.messages {
+                if self.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
                     let (a, b) = (contour.first, contour.last());
                     let (named, roughed) = ((first, last), purpose == Purpose::Roughing);
                     self.landmarks.push(Landmarks { span, start, first: a, last: b, named, roughed });
                     if roughed {
-                        self.roughed.push(((first, last), begins));
+                        let program = self.labels(text).head_at(begins.byte).byte;
+                        self.roughed.push(Roughed { named, begins, program });
                     }
                 }
                 Some(shape)
@@ -178,13 +179,9 @@ impl Interpreter {
 
     /// Where the contour of these numbers begins that roughing has found in the program of `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
-        if self.roughed.is_empty() {
-            return None;
-        }
-        let labels = self.labels.get_or_insert_with(|| Labels::new(text));
-        let own = labels.head_at(block.span.start).byte;
-        let here = |begins: &Resume| labels.head_at(begins.byte).byte == own;
-        self.roughed.iter().rev().find(|(other, begins)| *other == named && here(begins)).map(|found| found.1)
+        let own = self.labels(text).head_at(block.span.start).byte;
+        let found = self.roughed.iter().rev().find(|other| (other.named, other.program) == (named, own));
+        found.map(|found| found.begins)
     }
 
     /// Runs the blocks ns to nf. The error is where to go on, if nf was found.

@@ -214,9 +214,7 @@ impl Interpreter {
     ) -> bool {
         let most = self.moves_left();
         let Ok(moves) = drilling::drill(hole, most) else {
-            self.spend(most, block);
-            let message = self.too_many_moves(kind.code(), most);
-            self.tell(Diagnostic::new(message, block.words_span()));
+            self.refuse_long_cycle(block, kind.code(), most, most);
             return false;
         };
         let tag = |step: Step, pass: u32| Some(CycleStep { cycle: kind.cycle(), pass, step });

@@ -64,7 +64,7 @@ impl Interpreter {
             Action::Goto(sequence) => self.go_to(text, block, sequence, span),
             Action::Alarm { number, message } => {
                 let words = shortened(&within(message).quote(text));
-                self.tell(Diagnostic::new(Message::MacroAlarm { number, words }, span));
+                self.tell_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
                 Flow::End
             }
             Action::While { number, enter: true } | Action::Do { number } => {
@@ -275,7 +275,7 @@ impl Interpreter {
         for word in &block.words {
             if word.value != Value::Expression {
                 own.words.push(*word);
-                handed_over |= calls_macro(word);
+                handed_over |= codes::calls_macro(word);
                 continue;
             }
             if matches!(word.address, b'N' | b'O') && !handed_over {
@@ -288,7 +288,7 @@ impl Interpreter {
                 (!handed_over || matches!(word.address, b'P' | b'L')).then(|| self.places(word.address));
             let (number, negative) = self.value_of(text, block, word, places)?;
             let value = number.map(|number| Word { value: Value::Number { number, negative }, ..*word });
-            handed_over |= value.as_ref().is_some_and(calls_macro);
+            handed_over |= value.as_ref().is_some_and(codes::calls_macro);
             own.words.extend(value);
         }
         Some(own)
@@ -344,16 +344,16 @@ impl Interpreter {
 
     /// G65: a call with arguments. G66: the same behind every block with a move, until G67.
     #[inline(never)]
-    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, code: &'static str) -> Flow {
+    pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
-            self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+            self.tell(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
             self.state.uncertain = true;
             return Flow::Next;
         };
         let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
-        let begin = block.words.iter().position(calls_macro).map_or(0, |at| at + 1);
+        let begin = block.words.iter().position(codes::calls_macro).map_or(0, |at| at + 1);
         let handed: Vec<&Word> = block.words[begin..]
             .iter()
             .filter(|word| !matches!(word.address, b'P' | b'L') && !word.comma)
@@ -375,11 +375,13 @@ impl Interpreter {
             self.state.uncertain = true;
             return Flow::Next;
         };
-        if code == "G66" {
-            self.state.course.modal = Some(ModalCall { head, rounds, arguments });
-            return Flow::Next;
+        match call {
+            MacroCall::Once => self.enter_macro(block, head, here.next, rounds, arguments),
+            MacroCall::Modal => {
+                self.state.course.modal = Some(ModalCall { head, rounds, arguments });
+                Flow::Next
+            }
         }
-        self.enter_macro(block, head, here.next, rounds, arguments)
     }
 
     /// Calls the macro of G66 behind a block that moved.
@@ -444,11 +446,6 @@ fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
 /// The macro statement of a block.
 fn statement_span(block: &Block) -> Span {
     Span { start: block.statement, end: block.span.end }
-}
-
-/// Whether a word is G65 or G66.
-fn calls_macro(word: &Word) -> bool {
-    word.address == b'G' && matches!(plain(word), Some(65.0 | 66.0))
 }
 
 /// Decimals that keep all of a double that matters.

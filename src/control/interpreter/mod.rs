@@ -28,7 +28,7 @@ mod watch;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
-use super::codes::{self, Compensation, G, M, MotionMode, Multiple, Plane, Switch};
+use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use super::dialect::{
     CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
@@ -41,7 +41,6 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
-use crate::limits::Limits;
 use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
@@ -98,6 +97,16 @@ pub struct Landmarks {
     pub roughed: bool,
 }
 
+/// A contour that was roughed.
+struct Roughed {
+    /// P and Q.
+    named: (u32, u32),
+    /// Where it begins.
+    begins: Resume,
+    /// First byte of its program.
+    program: u32,
+}
+
 /// One-shot codes: they use up the words of their block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OneShot {
@@ -134,7 +143,7 @@ struct Request {
     /// M97, M98, M99.
     passage: Option<Passage>,
     /// G65 or G66: the words behind it are arguments.
-    macro_call: Option<&'static str>,
+    macro_call: Option<MacroCall>,
     /// A hole cycle stands in the block.
     hole: Option<codes::Hole>,
     /// G43: H names a length offset.
@@ -157,7 +166,6 @@ struct Request {
 pub struct Interpreter {
     setup: Setup,
     dialect: Dialect,
-    limits: Limits,
     /// The state of the control after the last block.
     pub state: State,
     /// Finished chunks.
@@ -181,8 +189,8 @@ pub struct Interpreter {
     ends: BTreeMap<u32, Option<Resume>>,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
-    /// Where the contours of G71 to G73 begin, by P and Q.
-    roughed: Vec<((u32, u32), Resume)>,
+    /// The contours of G71 to G73.
+    roughed: Vec<Roughed>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
     /// Blocks of the main program from this byte on have not been run yet.
@@ -220,7 +228,6 @@ impl Interpreter {
         let state = State::new(&setup, &dialect);
         let chunk = Chunk::new(0, 0, state.position);
         Self {
-            limits: setup.limits,
             setup,
             dialect,
             state,
@@ -307,24 +314,43 @@ impl Interpreter {
         self.motions
     }
 
-    /// Tells something even when no more messages are kept.
-    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
-        self.diagnostics.push(diagnostic);
-    }
-
-    /// Tells the user something, unless it was told of the same place before. Why the run ends is told even when no
-    /// more messages are kept.
+    /// Tells the user something, unless it was told of the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() >= self.limits.messages && !diagnostic.message.ends_the_run() {
+        if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
             return;
         }
-        let known = snapshot::told_as(&diagnostic);
+        self.tell_always(diagnostic);
+    }
+
+    /// The same, even when no more messages are kept: why the run ends.
+    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
+        let known = told_as(&diagnostic);
         if let Err(place) = self.told.binary_search(&known) {
             self.told.insert(place, known);
             self.diagnostics.push(diagnostic);
         }
+    }
+
+    /// A bound is met: nothing more is carried out, and that is why.
+    #[cold]
+    fn end_run(&mut self, message: Message, span: Span) {
+        if !self.full {
+            self.full = true;
+            self.tell_always(Diagnostic::new(message, span));
+        }
+    }
+
+    /// How numbers are read at the moment.
+    fn reading(&self) -> Reading {
+        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    /// Tells that a word is recognised and not carried out here.
+    fn not_supported(&mut self, text: &[u8], span: Span) {
+        let what = format!("`{}`", shortened(&quote(text, span)));
+        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
     }
 
     /// The G-code system in force.
@@ -384,6 +410,11 @@ impl Interpreter {
             self.tell(fault.clone());
         }
     }
+}
+
+/// How a message is told from others.
+fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
+    (diagnostic.span.start, diagnostic.message.slug())
 }
 
 /// The head of a long quotation.

@@ -197,24 +197,24 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
             return None;
         }
-        if !self.dialect.strict
-            && let Err(fault) = moves
-            && fault != roughing::Fault::TooManyMoves
-            && let Some(found) = self.forgiving(block, contour, shape, &how, most)
-        {
-            // Many such programs run: some controls leave the check out, others allow a tolerance.
-            let message = self.roughing_message(block, fault, code, turning, shape, most);
-            self.tell(Diagnostic::new(message, block.words_span()).graded(Severity::Warning));
-            return Some(found);
+        let fault = match moves {
+            Ok(moves) => return Some(moves),
+            Err(fault) => fault,
+        };
+        let Some(message) = contour_message(fault, code, turning, shape) else {
+            // Found out only after that many moves.
+            self.refuse_long_cycle(block, code, most, most);
+            return None;
+        };
+        let message = Diagnostic::new(message, block.words_span());
+        if self.dialect.strict {
+            self.tell(message);
+            return None;
         }
-        match moves {
-            Ok(moves) => Some(moves),
-            Err(fault) => {
-                let message = self.roughing_message(block, fault, code, turning, shape, most);
-                self.tell(Diagnostic::new(message, block.words_span()));
-                None
-            }
-        }
+        // Many such programs run: some controls leave the check out, others allow a tolerance.
+        let found = self.forgiving(block, contour, shape, &how, most);
+        self.tell(if found.is_some() { message.graded(Severity::Warning) } else { message });
+        found
     }
 
     /// G73.
@@ -251,8 +251,7 @@ impl Interpreter {
         match pattern::pattern(&shape.contour(self.state.position), &how, most) {
             Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
             Err(_) => {
-                let message = self.too_many_moves("G73", most);
-                self.tell(Diagnostic::new(message, block.words_span()));
+                self.refuse_long_cycle(block, "G73", 0, most);
                 return None;
             }
         }
@@ -339,7 +338,10 @@ impl Interpreter {
             Err(grooving::Fault::NegativeStepover) => {
                 (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
             }
-            Err(grooving::Fault::TooManyMoves) => (self.too_many_moves(code, most), block.words_span()),
+            Err(grooving::Fault::TooManyMoves) => {
+                self.refuse_long_cycle(block, code, 0, most);
+                return None;
+            }
         };
         self.tell(Diagnostic::new(message, span));
         None
@@ -370,14 +372,14 @@ impl Interpreter {
 
     /// A P or Q word as it would count least increments.
     fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
-        let Value::Number { number, negative } = words.get(address)?.value else { return None };
+        let word = words.get(address)?;
+        let Value::Number { number, .. } = word.value else { return None };
         let increment = match self.state.unit {
             words::Unit::Millimetre => INCREMENT,
             words::Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
         };
-        let value = if negative { -number.value() } else { number.value() };
         let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
-        Some(Amount { in_increments: value * increment, written })
+        Some(Amount { in_increments: plain(word)? * increment, written })
     }
 
     fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
@@ -480,7 +482,10 @@ impl Interpreter {
             }
             Err(threading::Fault::NoHeight) => Message::ThreadNoDepth { word: 'P' },
             Err(threading::Fault::NoFirstDepth) => Message::ThreadNoDepth { word: 'Q' },
-            Err(threading::Fault::TooManyMoves) => self.too_many_moves("G76", most),
+            Err(threading::Fault::TooManyMoves) => {
+                self.refuse_long_cycle(block, "G76", 0, most);
+                return None;
+            }
         };
         self.tell(Diagnostic::new(message, block.words_span()));
         None
@@ -524,29 +529,33 @@ impl Interpreter {
         if self.dialect.control == Control::Gsk {
             return self.reading().length(word);
         }
-        let Value::Number { number, negative } = word.value else { return None };
+        let Value::Number { number, .. } = word.value else { return None };
         let unit = self.state.unit.millimetres();
         let scale = match (number.has_point(), self.state.unit) {
             (true, _) => unit,
             (false, words::Unit::Millimetre) => INCREMENT,
             (false, words::Unit::Inch) => INCREMENT / 10.0 * unit,
         };
-        Some(if negative { -number.value() * scale } else { number.value() * scale })
+        Some(plain(word)? * scale)
     }
 
     /// Moves that a cycle may make.
     pub(super) fn moves_left(&self) -> usize {
-        self.limits.moves_per_cycle.min(self.limits.motions.saturating_sub(self.kept()))
+        self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.kept()))
     }
 
-    /// What to say of a cycle of more than `most` moves: it has too many by itself, or too few are left for it and
-    /// the run ends.
-    pub(super) fn too_many_moves(&mut self, code: &'static str, most: usize) -> Message {
-        if most == self.limits.moves_per_cycle {
-            return Message::TooManyPasses { code, most };
+    /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself, or too few
+    /// are left for it and the run ends.
+    pub(super) fn refuse_long_cycle(&mut self, block: &Block, code: &'static str, steps: usize, most: usize) {
+        let span = block.words_span();
+        if !self.spend(steps, block) {
+            return;
         }
-        self.full = true;
-        Message::TooManyMotions { most: self.limits.motions }
+        if most < self.setup.limits.moves_per_cycle {
+            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, span);
+        } else {
+            self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, span));
+        }
     }
 
     /// Makes the moves of a cycle.
@@ -584,32 +593,25 @@ impl Interpreter {
         }
         None
     }
+}
 
-    /// What to say of a contour that cannot be roughed.
-    fn roughing_message(
-        &mut self,
-        block: &Block,
-        fault: roughing::Fault,
-        code: &'static str,
-        turning: bool,
-        shape: &Shape,
-        most: usize,
-    ) -> Message {
-        let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
-        match fault {
-            roughing::Fault::NotMonotoneAlong { piece } => {
-                Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
-            }
-            roughing::Fault::NotMonotoneAcross { piece } => {
-                Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
-            }
-            roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
-            roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
-            roughing::Fault::TooManyMoves => {
-                // Found out only after that many moves.
-                self.spend(most, block);
-                self.too_many_moves(code, most)
-            }
+/// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.
+fn contour_message(
+    fault: roughing::Fault,
+    code: &'static str,
+    turning: bool,
+    shape: &Shape,
+) -> Option<Message> {
+    let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
+    Some(match fault {
+        roughing::Fault::NotMonotoneAlong { piece } => {
+            Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
         }
-    }
+        roughing::Fault::NotMonotoneAcross { piece } => {
+            Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
+        }
+        roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
+        roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
+        roughing::Fault::TooManyMoves => return None,
+    })
 }

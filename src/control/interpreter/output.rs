@@ -5,15 +5,6 @@
 use super::*;
 
 impl Interpreter {
-    pub(super) fn reading(&self) -> Reading {
-        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
-    }
-
-    pub(super) fn not_supported(&mut self, text: &[u8], span: Span) {
-        let what = format!("`{}`", shortened(&quote(text, span)));
-        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
-    }
-
     /// A motion from where the tip stands.
     #[inline]
     pub(super) fn motion(&self, kind: MotionKind, to: Point) -> Motion {
@@ -58,7 +49,7 @@ impl Interpreter {
         }
         match &mut self.recorded {
             // One more than a cycle may have, so that it is refused rather than cut short.
-            Some(recorded) if recorded.len() <= self.limits.moves_per_cycle => recorded.push(routed),
+            Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(routed),
             Some(_) => {}
             None => self.store(routed),
         }
@@ -67,10 +58,8 @@ impl Interpreter {
     /// Counts steps that leave no motion. False: they were too many, and the run ends here.
     pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
         self.work = self.work.saturating_add(steps);
-        if self.work > self.limits.cycle_work && !self.full {
-            self.full = true;
-            let message = Message::TooMuchWork { most: self.limits.cycle_work };
-            self.tell(Diagnostic::new(message, block.words_span()));
+        if self.work > self.setup.limits.cycle_work {
+            self.end_run(Message::TooMuchWork { most: self.setup.limits.cycle_work }, block.words_span());
         }
         !self.full
     }
@@ -82,13 +71,9 @@ impl Interpreter {
 
     /// Keeps a motion for good.
     #[inline]
-    pub(super) fn store(&mut self, mut routed: Routed) {
-        if self.kept() >= self.limits.motions {
-            if !self.full {
-                self.full = true;
-                let message = Message::TooManyMotions { most: self.limits.motions };
-                self.tell(Diagnostic::new(message, routed.span));
-            }
+    fn store(&mut self, mut routed: Routed) {
+        if self.kept() >= self.setup.limits.motions {
+            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
             return;
         }
         // A block behind that of a motion that waited may have failed.

@@ -61,7 +61,7 @@ impl Interpreter {
             && state.tip.is_none()
             && self.recorded.is_none()
             && !self.full
-            && self.kept() < self.limits.motions;
+            && self.kept() < self.setup.limits.motions;
         if !plain {
             return false;
         }

@@ -68,7 +68,7 @@ impl Interpreter {
     /// Whether enough motions came together for a chunk.
     #[inline]
     pub fn has_full_chunk(&self) -> bool {
-        self.chunk.len() >= self.limits.stride
+        self.chunk.len() >= self.setup.limits.stride
     }
 
     /// Begins a chunk at the block to come. One without motions begins there anew.
@@ -145,9 +145,9 @@ impl Interpreter {
         let there = &other.snapshots[index];
         let told = self.diagnostics.len();
         let as_full = (told, self.hidden) == (there.told, there.hidden);
-        let has_room =
-            (self.hidden, other.hidden) == (0, 0) && told + other.told_behind(there) <= self.limits.messages;
-        let holds_all = self.kept() + other.motions_behind(there) <= self.limits.motions;
+        let has_room = (self.hidden, other.hidden) == (0, 0)
+            && told + other.told_behind(there) <= self.setup.limits.messages;
+        let holds_all = self.kept() + other.motions_behind(there) <= self.setup.limits.motions;
         let waits_behind = there.state.first_waiting() >= shift.from;
         if !self.is_straight()
             || self.work != there.work
@@ -159,37 +159,37 @@ impl Interpreter {
         }
         let mut state = there.state.clone();
         state.shift(shift);
-        // What was not carried out before does not count for what comes; see `take_over`.
-        state.uncertain = self.state.uncertain;
         self.state.goes_on_like(&state)
     }
 
     /// Takes over what another run gave behind its snapshot `index`, which this run has just met. The snapshots of that
-    /// run behind it are those of this run from here on.
+    /// run behind it are those of this run from here on. As many messages are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
-        let first = snapshots[0].clone();
+        let (chunks_out, told_out) = (snapshots[0].chunks, snapshots[0].told);
         let mut later = snapshots.split_off(index);
         let there = later.remove(0);
-        let motions = motions.split_off(there.chunks - first.chunks);
-        let mut diagnostics = diagnostics.split_off(there.told - first.told);
+        let motions = motions.split_off(there.chunks - chunks_out);
+        let mut diagnostics = diagnostics.split_off(there.told - told_out);
         diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
         let chunks = self.motions.chunks().len();
         let told = self.diagnostics.len();
-        let mut doubtful = vec![self.doubtful; motions.chunks().len()];
+        let mut doubtful = self.doubtful;
         for snapshot in &mut later {
             self.doubtful |= snapshot.failed;
-            doubtful[snapshot.chunks - there.chunks..].fill(self.doubtful);
             snapshot.at = shift.resume(snapshot.at);
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
-            snapshot.hidden = snapshot.hidden - there.hidden + self.hidden;
             snapshot.doubtful = self.doubtful;
         }
+        let mut passed = later.iter().peekable();
         self.motions.append(motions, |index, chunk| {
+            while let Some(snapshot) = passed.next_if(|snapshot| snapshot.chunks <= chunks + index) {
+                doubtful = snapshot.doubtful;
+            }
             chunk.shift(shift);
-            chunk.set_doubtful(doubtful[index]);
+            chunk.set_doubtful(doubtful);
         });
         self.diagnostics.append(&mut diagnostics);
         self.hidden = hidden;
@@ -197,9 +197,4 @@ impl Interpreter {
         self.state = state;
         later
     }
-}
-
-/// How a message is told from others.
-pub(super) fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
-    (diagnostic.span.start, diagnostic.message.slug())
 }

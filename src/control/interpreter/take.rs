@@ -30,14 +30,7 @@ impl Interpreter {
             }
         }
         match word.address {
-            b'G' => {
-                let key = match number.decimals {
-                    0 => number.mantissa * 10,
-                    1 => number.mantissa,
-                    _ => u64::MAX,
-                };
-                self.take_g(text, request, key, word);
-            }
+            b'G' => self.take_g(text, request, number.tenths(), word),
             b'M' => self.take_m(text, request, number.mantissa, word),
             b'C' if word.comma => request.comma[0] = Some(index),
             b'R' if word.comma => request.comma[1] = Some(index),
@@ -59,9 +52,9 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn take_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
-        let Some(found) = codes::g_code(key, self.dialect.code_list()) else {
-            self.unknown_g(text, request, key, word);
+    fn take_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
+        let Some(found) = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list())) else {
+            self.unknown_g(text, request, tenths, word);
             return;
         };
         if found.group == 1 {
@@ -85,7 +78,7 @@ impl Interpreter {
                 }
             }
             G::HoleReturn(level) => state.hole_return = level,
-            G::MacroCall(call) => request.macro_call = Some(call.code()),
+            G::MacroCall(call) => request.macro_call = Some(call),
             G::NoModalMacro => state.course.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
             G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
@@ -135,15 +128,15 @@ impl Interpreter {
 
     /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
     #[inline(never)]
-    pub(super) fn unknown_g(&mut self, text: &[u8], request: &mut Request, key: u64, word: &Word) {
+    fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let quoted = quote(text, word.span);
         // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
-        if matches!(key, 430 | 440) {
+        if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
             self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
             return;
         }
-        if matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10) {
+        if tenths.is_some_and(|key| matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10)) {
             self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
             self.state.uncertain = true;
             return;
@@ -154,7 +147,7 @@ impl Interpreter {
 
     /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
     #[inline(never)]
-    pub(super) fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
+    fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
         if let Some(before) = request.motion_word.replace(span)
             && quote(text, before) != quote(text, span)
         {
@@ -164,7 +157,7 @@ impl Interpreter {
     }
 
     #[inline(never)]
-    pub(super) fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+    fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match codes::m_code(number) {

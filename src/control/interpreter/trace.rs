@@ -10,7 +10,8 @@ impl Interpreter {
     pub(super) fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.kept();
         let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
-        let steers = !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(steers);
+        let steers =
+            !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(codes::steers);
         trace.push(Executed { at: here.at, first, values: None, steers });
     }
 
@@ -43,7 +44,7 @@ impl Interpreter {
         }
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
-            last.steers = !block.is_broken() && block.words.iter().any(steers);
+            last.steers = !block.is_broken() && block.words.iter().any(codes::steers);
         }
     }
 
@@ -52,14 +53,5 @@ impl Interpreter {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
             (last.values, last.steers) = (Some(String::new()), false);
         }
-    }
-}
-
-/// Whether a word only steers the program.
-fn steers(word: &Word) -> bool {
-    match word.address {
-        b'M' => matches!(plain(word), Some(97.0 | 98.0 | 99.0 | 198.0)),
-        b'G' => matches!(plain(word), Some(65.0 | 66.0 | 67.0)),
-        _ => false,
     }
 }

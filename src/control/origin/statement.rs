@@ -88,12 +88,7 @@ impl Statement {
     /// The numbers of all words of a letter, in tenths (`G33.1` is 331), with their places.
     pub fn codes(&self, letter: u8) -> impl Iterator<Item = (u32, Span)> {
         self.words().iter().filter(move |word| word.letter == letter).filter_map(|word| {
-            let number = word.number?;
-            let tenths = match number.decimals {
-                0 => number.mantissa.checked_mul(10)?,
-                1 => number.mantissa,
-                _ => return None,
-            };
+            let tenths = word.number?.tenths()?;
             Some((u32::try_from(tenths).ok()?, word.span))
         })
     }
