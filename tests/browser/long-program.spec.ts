@@ -8,7 +8,7 @@ import { editor, locate, open, openFile, problems, status, value } from './page'
 
 const LINES = 1_000_000;
 /** Milliseconds. */
-const MOST = 400;
+const MOST = 900;
 /** The editor takes in the whole text once. */
 const MOST_OPENING = 1500;
 
