@@ -21,6 +21,7 @@ pub mod motion;
 mod room;
 pub mod run;
 pub mod scene;
+pub mod shop;
 pub mod text;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

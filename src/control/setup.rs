@@ -1,7 +1,13 @@
-//! Everything a run needs that is not in the program text: the control, the tools, the stock, the start.
+//! Everything a run needs that is not in the program text: the control, the tools, the stock, the machine, the start.
 //!
-//! In: a setup as JSON (a file, the page's form). Out: [`Setup`], and the [`Dialect`] with every switch
-//! decided. Lengths here are as people write them: X values are diameters, mm.
+//! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
+//! Lengths here are as people write them: X values are diameters, mm.
+
+pub mod faults;
+pub mod machine;
+pub mod notes;
+pub mod stock;
+pub mod tool;
 
 use std::collections::BTreeMap;
 
@@ -9,6 +15,9 @@ use serde::Deserialize;
 
 use super::dialect::DialectChoice;
 use crate::limits::Limits;
+pub use machine::{Machine, Tailstock, Travel, Turret};
+pub use stock::Stock;
+pub use tool::{Side, Tool, ToolKind};
 
 /// A setup as written: every key optional, an unknown key is an error that names it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -22,6 +31,10 @@ pub struct Setup {
     pub tools: BTreeMap<String, Tool>,
     /// The blank.
     pub stock: Option<Stock>,
+    /// The centre of the tailstock, where the work is held by one.
+    pub tailstock: Option<Tailstock>,
+    /// What the machine can do.
+    pub machine: Machine,
     /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are passed over.
     pub block_skip: Vec<u8>,
     /// Number of the O program to run; the first of the text when nothing is said.
@@ -53,37 +66,4 @@ pub struct Position {
     pub x: f64,
     /// Length, mm.
     pub z: f64,
-}
-
-/// What is known of a tool.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
-pub struct Tool {
-    /// Nose radius, mm.
-    pub nose_radius: f64,
-    /// Tip direction, 0 to 9.
-    pub tip: Option<u8>,
-    /// Radius of a live cutter, mm.
-    pub tool_radius: Option<f64>,
-    /// The R entry of the geometry offset, mm.
-    pub geometry_r: Option<f64>,
-    /// What kind of tool it is.
-    #[serde(rename = "type")]
-    pub kind: Option<String>,
-}
-
-/// The blank.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Stock {
-    /// Outside diameter, mm.
-    pub diameter: f64,
-    /// Bore diameter, mm; 0 for solid.
-    #[serde(default)]
-    pub bore: f64,
-    /// Z of the front face, mm.
-    #[serde(default)]
-    pub face: f64,
-    /// Length, mm, from the face towards −Z.
-    pub length: f64,
 }

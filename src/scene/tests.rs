@@ -102,7 +102,7 @@ impl Path {
     }
 }
 
-const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0 };
+const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0, grip: None };
 
 fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
     let motions = path.motions();

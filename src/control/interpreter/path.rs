@@ -409,9 +409,7 @@ impl Interpreter {
             return (0.0, 0);
         }
         let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
-        let (radius, tip) = tool.map_or((0.0, 0), |tool| {
-            (tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius), tool.tip.unwrap_or(0))
-        });
+        let (radius, tip) = tool.map_or((0.0, 0), |tool| (tool.compensation_radius(), tool.tip_direction()));
         let written = |column| self.state.offsets.get(offset, column);
         let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(0.0);
         (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))

@@ -179,8 +179,8 @@ impl Interpreter {
         let ends = |key: &str| key.len() == 5 && key[3..].parse() == Ok(offset);
         let tool = self.setup.tools.iter().find(|(key, _)| key.is_ascii() && ends(key)).map(|(_, tool)| tool);
         match (tool, column) {
-            (Some(tool), Column::Radius) => tool.tool_radius.or(tool.geometry_r).unwrap_or(tool.nose_radius),
-            (Some(tool), Column::Tip) => f64::from(tool.tip.unwrap_or(0)),
+            (Some(tool), Column::Radius) => tool.compensation_radius(),
+            (Some(tool), Column::Tip) => f64::from(tool.tip_direction()),
             _ => 0.0,
         }
     }

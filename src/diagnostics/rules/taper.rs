@@ -59,7 +59,7 @@ fn is_round(length: f64) -> bool {
 mod tests {
     use super::*;
 
-    const STOCK: Stock = Stock { diameter: 50.0, bore: 0.0, face: 0.0, length: 60.0 };
+    const STOCK: Stock = Stock { diameter: 50.0, bore: 0.0, face: 0.0, length: 60.0, grip: None };
 
     #[test]
     fn seed_004_needs_r_minus_24_from_x54() {

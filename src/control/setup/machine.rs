@@ -1,0 +1,54 @@
+//! What the machine can do, and what stands in its way.
+
+use serde::Deserialize;
+
+/// The machine. What is not given is not known, and nothing is made up for it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct Machine {
+    /// Rapid rate along X, mm of the slide a minute.
+    pub rapid_x: Option<f64>,
+    /// Rapid rate along Z, mm a minute.
+    pub rapid_z: Option<f64>,
+    /// Highest speed of the spindle, turns a minute.
+    pub max_speed: Option<f64>,
+    /// Where the tip can go.
+    pub travel: Travel,
+    /// Which side of the spindle the turret is on.
+    pub turret: Turret,
+}
+
+/// Where the tip can go, in the coordinates of the program: X a diameter, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct Travel {
+    /// Least X, a diameter.
+    pub x_min: Option<f64>,
+    /// Greatest X, a diameter.
+    pub x_max: Option<f64>,
+    /// Least Z.
+    pub z_min: Option<f64>,
+    /// Greatest Z.
+    pub z_max: Option<f64>,
+}
+
+/// Which side of the spindle the turret is on; the picture has X+ on that side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Turret {
+    /// Behind it: X+ is drawn upwards.
+    #[default]
+    Rear,
+    /// In front of it: X+ is drawn downwards.
+    Front,
+}
+
+/// The centre of the tailstock: a cone of 60° in front of a quill.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tailstock {
+    /// Z of its point, mm.
+    pub z: f64,
+    /// Diameter of the quill, mm.
+    pub diameter: f64,
+}

@@ -1,0 +1,314 @@
+//! The setup as comments of the program, which a control passes over:
+//!
+//! ```text
+//! (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)
+//! (TOOL T0101 TURNING INSERT=CNMG120408 KR=95)
+//! (TOOL T0303 GROOVING WIDTH=3 REACH=12)
+//! (TAILSTOCK Z=2 D=20)
+//! (MACHINE RAPIDX=8000 RAPIDZ=12000 MAXSPEED=4000 TURRET=FRONT)
+//! (START X=200 Z=200)
+//! ```
+//!
+//! and `[BILLET X62 Z70`, as class simulators write a bar of 62 mm, 70 mm long.
+//!
+//! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins with one of
+//! these words, but holds no `=`, is prose.
+
+use super::{Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret};
+use crate::text::source::Span;
+
+/// Notes stand in the first bytes of a text: so many are looked at.
+pub const HEAD: usize = 1 << 16;
+
+/// What the comments of a program say of its setup.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// The blank.
+    pub stock: Option<Stock>,
+    /// Tools by their T word in four digits.
+    pub tools: Vec<(String, Tool)>,
+    /// The tailstock.
+    pub tailstock: Option<Tailstock>,
+    /// The machine.
+    pub machine: Option<Machine>,
+    /// Where the tip stands before the first block.
+    pub start: Option<Position>,
+    /// What cannot be read.
+    pub faults: Vec<NoteFault>,
+}
+
+/// A word of a note that cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoteFault {
+    /// The word.
+    pub span: Span,
+    /// The words that can stand there.
+    pub expected: &'static str,
+}
+
+/// A word of a note: `KEY=value`, or a name alone.
+struct Word<'a> {
+    key: String,
+    value: &'a str,
+    span: Span,
+}
+
+impl Word<'_> {
+    fn number(&self) -> Option<f64> {
+        self.value.parse::<f64>().ok().filter(|value| value.is_finite())
+    }
+}
+
+impl Notes {
+    /// Reads the comments at the head of a text.
+    pub fn read(text: &[u8]) -> Self {
+        let head = &text[..text.len().min(HEAD)];
+        let mut notes = Self::default();
+        let mut at = 0;
+        while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
+            let start = at + found + 1;
+            let ends = |byte: &u8| matches!(byte, b'(' | b')' | b'[' | b']' | b'\n' | b'\r' | b';');
+            let end = head[start..].iter().position(ends).map_or(head.len(), |length| start + length);
+            at = end;
+            let Ok(inside) = std::str::from_utf8(&head[start..end]) else { continue };
+            match head[start - 1] {
+                b'(' => notes.comment(inside, start),
+                _ => notes.billet(inside),
+            }
+        }
+        notes
+    }
+
+    /// The setup with what the notes say in place of what it said.
+    pub fn applied_to(&self, mut setup: Setup) -> Setup {
+        setup.stock = self.stock.or(setup.stock);
+        setup.tailstock = self.tailstock.or(setup.tailstock);
+        setup.machine = self.machine.unwrap_or(setup.machine);
+        setup.initial = self.start.or(setup.initial);
+        setup.tools.extend(self.tools.iter().cloned());
+        setup
+    }
+
+    fn comment(&mut self, inside: &str, start: usize) {
+        let words = words(inside, start);
+        let Some((head, rest)) = words.split_first() else { return };
+        if !rest.iter().any(|word| !word.value.is_empty()) {
+            return;
+        }
+        match head.key.as_str() {
+            "STOCK" => self.stock(rest),
+            "TOOL" => self.tool(rest),
+            "TAILSTOCK" => {
+                let mut tailstock = Tailstock { z: 0.0, diameter: 20.0 };
+                self.fill(rest, "Z=, D=", |word| {
+                    match (word.key.as_str(), word.number()) {
+                        ("Z", Some(z)) => tailstock.z = z,
+                        ("D", Some(diameter)) => tailstock.diameter = diameter,
+                        _ => return None,
+                    }
+                    Some(())
+                });
+                self.tailstock = Some(tailstock);
+            }
+            "MACHINE" => self.machine(rest),
+            "START" => {
+                let mut position = Setup::default().start();
+                self.fill(rest, "X=, Z=", |word| {
+                    match (word.key.as_str(), word.number()) {
+                        ("X", Some(x)) => position.x = x,
+                        ("Z", Some(z)) => position.z = z,
+                        _ => return None,
+                    }
+                    Some(())
+                });
+                self.start = Some(position);
+            }
+            _ => {}
+        }
+    }
+
+    fn stock(&mut self, words: &[Word]) {
+        let mut stock = Stock { diameter: 0.0, bore: 0.0, face: 0.0, length: 0.0, grip: None };
+        self.fill(words, "D=, BORE=, LENGTH=, FACE=, GRIP=", |word| {
+            match (word.key.as_str(), word.number()) {
+                ("D", Some(diameter)) => stock.diameter = diameter,
+                ("BORE", Some(bore)) => stock.bore = bore,
+                ("LENGTH" | "L", Some(length)) => stock.length = length,
+                ("FACE", Some(face)) => stock.face = face,
+                ("GRIP", grip @ Some(_)) => stock.grip = grip,
+                _ => return None,
+            }
+            Some(())
+        });
+        self.stock = Some(stock);
+    }
+
+    fn tool(&mut self, words: &[Word]) {
+        let expected = "T and four digits, such as T0101";
+        let Some((name, rest)) = words.split_first() else { return };
+        let Some(number) = name.key.strip_prefix('T').filter(|digits| is_number(digits)) else {
+            self.faults.push(NoteFault { span: name.span, expected });
+            return;
+        };
+        // T1 is tool 1 with offset 1.
+        let key =
+            if number.len() <= 2 { format!("T{number:0>2}{number:0>2}") } else { format!("T{number:0>4}") };
+        let mut tool = Tool::default();
+        let expected = "TURNING, BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL, OUTSIDE, INSIDE, FACE, INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=";
+        self.fill(rest, expected, |word| {
+            let number = word.number();
+            match (word.key.as_str(), number) {
+                ("INSERT", _) => tool.insert = Some(word.value.to_owned()),
+                ("R", Some(_)) => tool.nose_radius = number,
+                ("TIP", Some(tip)) if tip.fract() == 0.0 && (0.0..=255.0).contains(&tip) => {
+                    tool.tip = Some(tip as u8)
+                }
+                ("KR", Some(_)) => tool.entering_angle = number,
+                ("POINT", Some(_)) => tool.point_angle = number,
+                ("EDGE", Some(_)) => tool.edge_length = number,
+                ("WIDTH", Some(_)) => tool.width = number,
+                ("D", Some(_)) => tool.diameter = number,
+                ("REACH", Some(_)) => tool.reach = number,
+                ("SHANK", Some(_)) => tool.shank = number,
+                ("ANGLE", Some(_)) => tool.angle = number,
+                ("OUTSIDE", None) => tool.side = Some(Side::Outside),
+                ("INSIDE", None) => tool.side = Some(Side::Inside),
+                ("FACE", None) => tool.side = Some(Side::Face),
+                (name, None) if word.value.is_empty() => {
+                    tool.kind =
+                        Some(ToolKind::ALL.into_iter().find(|kind| kind.name().eq_ignore_ascii_case(name))?);
+                }
+                _ => return None,
+            }
+            Some(())
+        });
+        self.tools.push((key, tool));
+    }
+
+    fn machine(&mut self, words: &[Word]) {
+        let mut machine = Machine::default();
+        let expected = "RAPIDX=, RAPIDZ=, MAXSPEED=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR";
+        self.fill(words, expected, |word| {
+            let Travel { x_min, x_max, z_min, z_max } = &mut machine.travel;
+            let number = word.number();
+            match (word.key.as_str(), number) {
+                ("RAPIDX", Some(_)) => machine.rapid_x = number,
+                ("RAPIDZ", Some(_)) => machine.rapid_z = number,
+                ("MAXSPEED", Some(_)) => machine.max_speed = number,
+                ("XMIN", Some(_)) => *x_min = number,
+                ("XMAX", Some(_)) => *x_max = number,
+                ("ZMIN", Some(_)) => *z_min = number,
+                ("ZMAX", Some(_)) => *z_max = number,
+                ("TURRET", None) if word.value.eq_ignore_ascii_case("front") => {
+                    machine.turret = Turret::Front
+                }
+                ("TURRET", None) if word.value.eq_ignore_ascii_case("rear") => machine.turret = Turret::Rear,
+                _ => return None,
+            }
+            Some(())
+        });
+        self.machine = Some(machine);
+    }
+
+    /// `[BILLET X62 Z70`: diameter and length; the face is at Z0.
+    fn billet(&mut self, inside: &str) {
+        let mut words = inside.split_ascii_whitespace();
+        if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("billet")) {
+            return;
+        }
+        let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
+        if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
+            self.stock = Some(Stock { diameter, bore: 0.0, face: 0.0, length, grip: None });
+        }
+    }
+
+    /// Gives each word to `take`, and keeps those it does not know.
+    fn fill(&mut self, words: &[Word], expected: &'static str, mut take: impl FnMut(&Word) -> Option<()>) {
+        for word in words {
+            if take(word).is_none() {
+                self.faults.push(NoteFault { span: word.span, expected });
+            }
+        }
+    }
+}
+
+fn is_number(digits: &str) -> bool {
+    (1..=4).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// The words of a comment that begins at byte `start`.
+fn words(inside: &str, start: usize) -> Vec<Word<'_>> {
+    let offset = |part: &str| start + (part.as_ptr() as usize - inside.as_ptr() as usize);
+    let parts = inside.split_ascii_whitespace();
+    parts
+        .map(|part| {
+            let (key, value) = part.split_once('=').unwrap_or((part, ""));
+            Word {
+                key: key.to_ascii_uppercase(),
+                value,
+                span: Span::new(offset(part), offset(part) + part.len()),
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_are_read() {
+        let notes = Notes::read(
+            b"%\nO1 (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n(tool t0101 turning insert=CNMG120408 kr=95)\n\
+              (TOOL T3 GROOVING INSIDE WIDTH=3 R=.2)\n(TAILSTOCK Z=2 D=20)\n\
+              (MACHINE RAPIDX=8000 ZMIN=-300 TURRET=FRONT)\n(START X=150 Z=20)\nG0 X1\n",
+        );
+        assert_eq!(notes.faults, []);
+        assert_eq!(
+            notes.stock,
+            Some(Stock { diameter: 65.0, bore: 18.0, face: 1.0, length: 80.0, grip: Some(30.0) })
+        );
+        let [(first, turning), (second, groove)] = &notes.tools[..] else { panic!("{:?}", notes.tools) };
+        assert_eq!((first.as_str(), second.as_str()), ("T0101", "T0303"));
+        assert_eq!(
+            (turning.kind, turning.nose(), turning.entering_angle),
+            (Some(ToolKind::Turning), 0.8, Some(95.0))
+        );
+        assert_eq!((groove.side, groove.width, groove.tip_direction()), (Some(Side::Inside), Some(3.0), 2));
+        assert_eq!(notes.tailstock, Some(Tailstock { z: 2.0, diameter: 20.0 }));
+        let machine = notes.machine.unwrap();
+        assert_eq!(
+            (machine.rapid_x, machine.travel.z_min, machine.turret),
+            (Some(8000.0), Some(-300.0), Turret::Front)
+        );
+        assert_eq!(notes.start, Some(Position { x: 150.0, z: 20.0 }));
+    }
+
+    #[test]
+    fn a_class_billet_is_read() {
+        for (text, stock) in [
+            ("[BILLET X62 Z70", Some((62.0, 70.0))),
+            ("[billet x51.8 z15.5]", Some((51.8, 15.5))),
+            ("[BILLET", None),
+        ] {
+            assert_eq!(
+                Notes::read(text.as_bytes()).stock.map(|stock| (stock.diameter, stock.length)),
+                stock,
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn prose_is_prose_and_a_slip_is_told() {
+        assert_eq!(
+            Notes::read(b"(STOCK: ROUND BAR)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)\n(X=3)"),
+            Notes::default()
+        );
+        let text = b"(STOCK D=65 LENGHT=80 BORE=x)";
+        let notes = Notes::read(text);
+        let told: Vec<_> = notes.faults.iter().map(|fault| fault.span.of(text)).collect();
+        assert_eq!(told, [&b"LENGHT=80"[..], b"BORE=x"]);
+        assert_eq!(Notes::read(b"(TOOL TURNING R=1)").faults.len(), 1);
+    }
+}

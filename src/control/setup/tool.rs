@@ -1,0 +1,185 @@
+//! What is known of a tool.
+
+use serde::Deserialize;
+
+/// A tool as a setup sheet names it. What is left out has the usual value of its kind.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct Tool {
+    /// Nose radius, mm; of a grooving blade that of its corners.
+    pub nose_radius: Option<f64>,
+    /// Tip direction, 0 to 9 (semantics §4.1).
+    pub tip: Option<u8>,
+    /// Radius of a live cutter, mm.
+    pub tool_radius: Option<f64>,
+    /// The R entry of the geometry offset, mm.
+    pub geometry_r: Option<f64>,
+    /// What kind of tool it is.
+    #[serde(rename = "type")]
+    pub kind: Option<ToolKind>,
+    /// Which side of the work a blade or a threading tool is for.
+    pub side: Option<Side>,
+    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose.
+    pub insert: Option<String>,
+    /// Angle between the two edges of a turning insert, degrees; the shape of the insert where nothing is said.
+    pub point_angle: Option<f64>,
+    /// Angle of the main edge to the direction of feed along Z, degrees (κr, 95 for a common turning tool).
+    pub entering_angle: Option<f64>,
+    /// Length of the cutting edge, mm.
+    pub edge_length: Option<f64>,
+    /// Width of a blade, mm.
+    pub width: Option<f64>,
+    /// Diameter of a drill, a tap or a cutter, mm.
+    pub diameter: Option<f64>,
+    /// How far a blade or a drill reaches from its holder, or a boring bar into the work, mm.
+    pub reach: Option<f64>,
+    /// Diameter of a boring bar, mm.
+    pub shank: Option<f64>,
+    /// Angle of a thread or of a drill's point, degrees.
+    pub angle: Option<f64>,
+}
+
+/// What kind of tool it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ToolKind {
+    /// Turns outsides and faces.
+    Turning,
+    /// Turns bores.
+    Boring,
+    /// A blade: grooves, parts off.
+    Grooving,
+    /// Cuts threads with one point.
+    Threading,
+    /// Drills on the spindle axis.
+    Drill,
+    /// Taps on the spindle axis.
+    Tap,
+    /// A live cutter.
+    Endmill,
+}
+
+/// Which side of the work a tool is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    /// The outside.
+    #[default]
+    Outside,
+    /// The bore.
+    Inside,
+    /// The end face.
+    Face,
+}
+
+impl ToolKind {
+    /// All kinds.
+    pub const ALL: [ToolKind; 7] =
+        [Self::Turning, Self::Boring, Self::Grooving, Self::Threading, Self::Drill, Self::Tap, Self::Endmill];
+
+    /// Its name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Turning => "turning",
+            Self::Boring => "boring",
+            Self::Grooving => "grooving",
+            Self::Threading => "threading",
+            Self::Drill => "drill",
+            Self::Tap => "tap",
+            Self::Endmill => "endmill",
+        }
+    }
+}
+
+/// What an insert's designation says (ISO 1832): lengths in mm, angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Insert {
+    /// Letter of the shape.
+    pub shape: char,
+    /// Angle between two edges; `None` for a round one.
+    pub point_angle: Option<f64>,
+    /// Length of the edge, or diameter of a round one.
+    pub edge_length: Option<f64>,
+    /// Nose radius.
+    pub nose_radius: Option<f64>,
+}
+
+impl Insert {
+    /// Reads a designation such as `C`, `DNMG` or `VBMT 160404`; nothing for a shape that is not known.
+    pub fn read(designation: &str) -> Option<Self> {
+        let shape = designation.trim().chars().next()?.to_ascii_uppercase();
+        let point_angle = match shape {
+            'C' | 'W' => Some(80.0),
+            'D' | 'K' => Some(55.0),
+            'V' => Some(35.0),
+            'T' => Some(60.0),
+            'S' => Some(90.0),
+            'R' => None,
+            _ => return None,
+        };
+        // Digits in pairs: edge length and thickness in mm, nose radius in tenths.
+        let digits: Vec<u32> = designation.chars().filter_map(|c| c.to_digit(10)).collect();
+        let pair = |index: usize| match digits.get(2 * index..2 * index + 2) {
+            Some([tens, ones]) => Some(f64::from(10 * tens + ones)),
+            _ => None,
+        };
+        Some(Self {
+            shape,
+            point_angle,
+            edge_length: pair(0),
+            nose_radius: pair(2).map(|tenths| tenths / 10.0),
+        })
+    }
+}
+
+impl Tool {
+    /// What its insert's designation says.
+    pub fn insert(&self) -> Option<Insert> {
+        Insert::read(self.insert.as_deref()?)
+    }
+
+    /// Tip direction: as given, or the usual one of its kind; 0 where nothing is known.
+    pub fn tip_direction(&self) -> u8 {
+        self.tip.unwrap_or(match (self.kind, self.side.unwrap_or_default()) {
+            (None | Some(ToolKind::Endmill), _) => 0,
+            (Some(ToolKind::Drill | ToolKind::Tap), _) => 7,
+            (Some(ToolKind::Turning), _) => 3,
+            (Some(ToolKind::Boring), _) => 2,
+            // A blade is set by its left corner (seed 003, example 5), or by the lower one of two at the face.
+            (Some(ToolKind::Grooving), Side::Outside | Side::Face) => 3,
+            (Some(ToolKind::Grooving), Side::Inside) => 2,
+            (Some(ToolKind::Threading), Side::Outside | Side::Face) => 8,
+            (Some(ToolKind::Threading), Side::Inside) => 6,
+        })
+    }
+
+    /// The radius that compensation uses, mm: of the cutter, or of the nose.
+    pub fn compensation_radius(&self) -> f64 {
+        let cutter =
+            self.diameter.filter(|_| self.kind == Some(ToolKind::Endmill)).map(|diameter| diameter / 2.0);
+        self.tool_radius.or(self.geometry_r).or(cutter).unwrap_or_else(|| self.nose())
+    }
+
+    /// Nose radius, mm: as given, or as the insert's designation says; 0 where nothing is known.
+    pub fn nose(&self) -> f64 {
+        self.nose_radius.or_else(|| self.insert()?.nose_radius).unwrap_or(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn designations() {
+        let read = |text| {
+            Insert::read(text).map(|insert| (insert.point_angle, insert.edge_length, insert.nose_radius))
+        };
+        assert_eq!(read("CNMG120408"), Some((Some(80.0), Some(12.0), Some(0.8))));
+        assert_eq!(read("vbmt 160404"), Some((Some(35.0), Some(16.0), Some(0.4))));
+        assert_eq!(read("D"), Some((Some(55.0), None, None)));
+        assert_eq!(read("RCMT 0602"), Some((None, Some(6.0), None)));
+        assert_eq!(read("Q"), None);
+        assert_eq!(read(""), None);
+    }
+}

@@ -1,0 +1,118 @@
+//! Which tool and which blank a program is run with: those of the setup, and guesses for what it does not name.
+//!
+//! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is a guess.
+
+use super::guess::{Guesses, Use};
+use super::tool::Shape;
+use crate::control::setup::{Setup, Stock, Tool};
+use crate::motion::{Motion, Motions};
+
+/// Whether somebody has said so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// By the setup, or a comment of the program.
+    Given,
+    /// Concluded from the program.
+    Guessed,
+}
+
+/// A tool with its shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fitted {
+    /// Turret station.
+    pub station: u16,
+    /// The tool.
+    pub tool: Tool,
+    /// Its shape.
+    pub shape: Shape,
+    /// Whether somebody has named it.
+    pub known: Known,
+}
+
+/// How large the part of a guessed tool is that is held against the work: nothing is known of the rest.
+const TIP: f64 = 0.02;
+
+/// Tools and blank.
+#[derive(Clone, Debug)]
+pub struct Fitting {
+    given: Vec<(u16, u16, Fitted)>,
+    guessed: Vec<(u16, Use, Fitted)>,
+    /// For what no tool is known of: a program without cuts.
+    other: Fitted,
+    stock: Option<(Stock, Known)>,
+}
+
+impl Fitting {
+    /// Fits out a program.
+    pub fn new(motions: &Motions, setup: &Setup) -> Self {
+        let guesses = Guesses::of(motions);
+        let given = setup.tools.iter().filter_map(|(name, tool)| {
+            let (station, offset) = station_of(name)?;
+            Some((station, offset, Fitted::given(station, tool)))
+        });
+        let guessed = guesses
+            .tools()
+            .map(|(station, purpose, tool)| (station, purpose, Fitted::guessed(station, tool)));
+        let stock = setup.stock.map(|stock| (stock, Known::Given));
+        Self {
+            given: given.collect(),
+            guessed: guessed.collect(),
+            other: Fitted::guessed(0, &Tool::default()),
+            stock: stock.or_else(|| guesses.stock.map(|stock| (stock, Known::Guessed))),
+        }
+    }
+
+    /// The tool of a motion: of its station and offset, of its station, or the guess for what it does.
+    pub fn tool(&self, motion: &Motion) -> &Fitted {
+        let (station, offset) = motion.process.tool;
+        let own = self.given.iter().filter(|given| given.0 == station);
+        let given = own.clone().find(|given| given.1 == offset).or_else(|| own.clone().next());
+        if let Some((.., tool)) = given {
+            return tool;
+        }
+        let purpose = Use::of(motion);
+        let own = self.guessed.iter().filter(|guess| guess.0 == station);
+        let guess = own.clone().find(|guess| guess.1 == purpose).or_else(|| own.clone().next());
+        guess.map_or(&self.other, |(.., tool)| tool)
+    }
+
+    /// Whether the setup names tools, but none for this station.
+    pub fn misses(&self, station: u16) -> bool {
+        station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
+    }
+
+    /// The blank, and whether somebody has named it.
+    pub fn stock(&self) -> Option<(Stock, Known)> {
+        self.stock
+    }
+
+    /// All tools that the program uses or the setup names.
+    pub fn tools(&self) -> impl Iterator<Item = &Fitted> {
+        let covered = |station: u16| self.given.iter().any(|given| given.0 == station);
+        let guessed = self.guessed.iter().filter(move |guess| !covered(guess.0)).map(|(.., tool)| tool);
+        self.given.iter().map(|(.., tool)| tool).chain(guessed)
+    }
+}
+
+impl Fitted {
+    fn given(station: u16, tool: &Tool) -> Self {
+        Self { station, shape: Shape::of(tool), tool: tool.clone(), known: Known::Given }
+    }
+
+    fn guessed(station: u16, tool: &Tool) -> Self {
+        let mut shape = Shape::of(tool);
+        shape.core = shape.edge.scaled(TIP).shrunk(0.01);
+        shape.body = None;
+        Self { station, shape, tool: tool.clone(), known: Known::Guessed }
+    }
+}
+
+/// Station and offset of a T word such as `T0101`.
+fn station_of(name: &str) -> Option<(u16, u16)> {
+    let digits = name.strip_prefix(['T', 't'])?;
+    if digits.is_empty() || digits.len() > 4 || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let number: u16 = digits.parse().ok()?;
+    Some(if digits.len() <= 2 { (number, number) } else { (number / 100, number % 100) })
+}

@@ -1,0 +1,154 @@
+//! The work as it is machined: what is left of the blank after each motion.
+//!
+//! In: the motions, and tools and blank as they are given or guessed. Out: the half-section at any moment. Material is
+//! taken off in slices (`advance`), so that a long program holds nothing up; now and then the state is kept, so that any
+//! moment is near one that is known.
+
+use super::fitting::{Fitted, Fitting};
+use super::region::Region;
+use super::sweep::chords;
+use super::tool::Action;
+use crate::control::setup::Stock;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Motion, MotionKind, Motions};
+
+/// Most turns of a thread that are cut one by one; a finer one is cut as a whole.
+const MOST_TURNS: f64 = 2000.0;
+
+/// Corners of the pieces that wait to be taken off, at most.
+const MOST_WAITING: usize = 1500;
+
+/// Motions from one kept state to the next, at least.
+const STRIDE: usize = 32;
+
+/// Most motions whose material is taken off.
+pub const MOST_MOTIONS: usize = 100_000;
+
+/// The work under way.
+#[derive(Clone, Debug, Default)]
+pub struct Part {
+    blank: Region,
+    now: Region,
+    /// Motions whose material is off, or waits in `waiting`.
+    done: usize,
+    /// Outlines that are still to be taken off `now`.
+    waiting: Vec<Vec<Point>>,
+    corners: usize,
+    /// States on the way: so many motions were done.
+    kept: Vec<(usize, Region)>,
+}
+
+impl Part {
+    /// The blank, before the first motion.
+    pub fn new(stock: &Stock) -> Self {
+        let (low, high) = (stock.bore / 2.0, stock.diameter / 2.0);
+        let corners = [(low, stock.back()), (low, stock.face), (high, stock.face), (high, stock.back())];
+        let blank = Region::inside(&corners.map(|(x, z)| Point::new(x, z)));
+        Self { now: blank.clone(), blank, ..Self::default() }
+    }
+
+    /// The blank.
+    pub fn blank(&self) -> &Region {
+        &self.blank
+    }
+
+    /// Motions that are done.
+    pub fn done(&self) -> usize {
+        self.done
+    }
+
+    /// Does the next motion with its tool.
+    pub fn step(&mut self, motion: &Motion, tool: &Fitted) {
+        let before = self.waiting.len();
+        self.waiting.extend(cut(motion, tool));
+        self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
+        self.done += 1;
+        if self.corners > MOST_WAITING {
+            self.settle();
+        }
+        if self.done >= self.kept.last().map_or(0, |last| last.0) + STRIDE && !self.waiting.is_empty() {
+            self.settle();
+            self.kept.push((self.done, self.now.clone()));
+        }
+    }
+
+    /// The work as it is now.
+    pub fn now(&mut self) -> &Region {
+        self.settle();
+        &self.now
+    }
+
+    /// The work after all motions that are done.
+    pub fn finished(&self) -> Region {
+        let mut now = self.now.clone();
+        now.cut(&self.waiting);
+        now
+    }
+
+    /// The work when so many motions are done, and of the next one the fraction `share`.
+    pub fn at(&self, motions: &Motions, fitting: &Fitting, count: usize, share: f64) -> Region {
+        let count = count.min(self.done);
+        let kept = self.kept.partition_point(|state| state.0 <= count);
+        let (from, mut region) = match kept.checked_sub(1) {
+            Some(index) => (self.kept[index].0, self.kept[index].1.clone()),
+            None => (0, self.blank.clone()),
+        };
+        let mut outlines: Vec<Vec<Point>> = Vec::new();
+        for motion in (from..count).map(|index| motions.get(index)) {
+            outlines.extend(cut(&motion, fitting.tool(&motion)));
+        }
+        if count < motions.len() && count < self.done && share > 0.0 {
+            let motion = part_of(&motions.get(count), share);
+            outlines.extend(cut(&motion, fitting.tool(&motion)));
+        }
+        region.cut(&outlines);
+        region
+    }
+
+    fn settle(&mut self) {
+        if !self.waiting.is_empty() {
+            self.now.cut(&self.waiting);
+            self.waiting.clear();
+            self.corners = 0;
+        }
+    }
+}
+
+/// What a motion takes off, as outlines that may overlap.
+pub fn cut(motion: &Motion, tool: &Fitted) -> Vec<Vec<Point>> {
+    if !motion.kind.cuts() || motion.rotary.is_some() || tool.shape.action == Action::Live {
+        return Vec::new();
+    }
+    let edge = &tool.shape.edge;
+    if let (Action::Threading, MotionKind::Thread, Some(lead)) = (tool.shape.action, motion.kind, motion.lead)
+    {
+        let long = (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs());
+        let turns = long / lead.abs();
+        if turns.is_finite() && turns <= MOST_TURNS {
+            return (0..=(turns + SAME) as u32)
+                .map(|turn| edge.at(between(motion, f64::from(turn) / turns.max(SAME))))
+                .collect();
+        }
+    }
+    match motion.arc() {
+        Some(arc) => edge.along(&chords(&arc)).collect(),
+        None => vec![edge.along_line(motion.from, motion.to)],
+    }
+}
+
+/// The first part of a motion.
+fn part_of(motion: &Motion, share: f64) -> Motion {
+    let to = match motion.arc() {
+        Some(arc) => arc.at(share),
+        None => between(motion, share),
+    };
+    // An arc that comes back to its start is a full circle.
+    let center = motion.center.filter(|_| !to.is_same(motion.from));
+    let kind = if motion.center.is_some() && center.is_none() { MotionKind::Feed } else { motion.kind };
+    Motion { kind, to, center, ..*motion }
+}
+
+fn between(motion: &Motion, share: f64) -> Point {
+    let Motion { from, to, .. } = motion;
+    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+}

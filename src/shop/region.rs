@@ -1,0 +1,215 @@
+//! Areas of the half-section, and what is left when others are taken out of them.
+//!
+//! In: closed outlines in mm (`z` to the right, `x` the radius upwards). Out: areas with holes, and questions about
+//! them. The Boolean operations are those of `i_overlay`, on a grid of whole numbers: an outline comes back as it went in,
+//! and nothing depends on the size of the picture. Must not know tools, motions or stock.
+
+use i_overlay::core::fill_rule::FillRule;
+use i_overlay::core::overlay::{Overlay, ShapeType};
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::core::relate::PredicateOverlay;
+use i_overlay::i_float::int::point::IntPoint;
+use i_overlay::i_shape::int::shape::IntShapes;
+
+use crate::geometry::{Point, within};
+
+/// Steps of the grid in a millimetre: a power of two, so that binary fractions stay what they are.
+const STEPS: f64 = 131_072.0;
+
+/// No coordinate is further from zero, mm: what `i_overlay` has room for, with something to spare.
+const FURTHEST: f64 = 8000.0;
+
+/// Smaller pieces are dust of rounding, mm².
+const DUST: f64 = 1e-7;
+
+/// An area of the half-section: any number of pieces, with holes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Region {
+    shapes: IntShapes<i32>,
+}
+
+/// One piece of an area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Its outside, counter-clockwise.
+    pub outline: Vec<Point>,
+    /// What is missing inside it, clockwise.
+    pub holes: Vec<Vec<Point>>,
+}
+
+impl Region {
+    /// The area inside an outline; it may run either way, and cross itself.
+    pub fn inside(outline: &[Point]) -> Self {
+        Self::combined(&Self::default(), &[outline], OverlayRule::Union)
+    }
+
+    /// Whether nothing is left.
+    pub fn is_empty(&self) -> bool {
+        self.shapes.is_empty()
+    }
+
+    /// Takes all outlines out of it.
+    pub fn cut(&mut self, outlines: &[impl AsRef<[Point]>]) {
+        if !outlines.is_empty() {
+            *self = Self::combined(self, outlines, OverlayRule::Difference);
+        }
+    }
+
+    /// The part of it that lies in the outlines.
+    pub fn in_common(&self, outlines: &[impl AsRef<[Point]>]) -> Self {
+        Self::combined(self, outlines, OverlayRule::Intersect)
+    }
+
+    /// What of it is not in another.
+    pub fn without(&self, other: &Region) -> Self {
+        let mut overlay = Overlay::from_subj_and_clip(&self.shapes, &other.shapes);
+        Self { shapes: overlay.overlay(OverlayRule::Difference, FillRule::NonZero) }
+    }
+
+    /// Whether an outline shares more with it than the edge.
+    pub fn meets(&self, outline: &[Point]) -> bool {
+        let mut question = PredicateOverlay::new(64);
+        question.add_source(&self.shapes, ShapeType::Subject);
+        question.add_contour(&on_grid(outline), ShapeType::Clip);
+        question.interiors_intersect()
+    }
+
+    /// Its pieces.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
+        let points = |contour: &Vec<IntPoint<i32>>| contour.iter().map(off_grid).collect();
+        self.shapes.iter().filter_map(move |shape| {
+            let (outline, holes) = shape.split_first()?;
+            Some(Piece { outline: points(outline), holes: holes.iter().map(points).collect() })
+        })
+    }
+
+    /// All closed outlines, those of holes among them.
+    pub fn outlines(&self) -> impl Iterator<Item = impl Iterator<Item = Point> + '_> + '_ {
+        self.shapes.iter().flatten().map(|contour| contour.iter().map(off_grid))
+    }
+
+    /// Number of corners.
+    pub fn corners(&self) -> usize {
+        self.shapes.iter().flatten().map(Vec::len).sum()
+    }
+
+    /// Its area, mm².
+    pub fn area(&self) -> f64 {
+        self.edges().map(|(a, b)| (a.z * b.x - b.z * a.x) / 2.0).sum()
+    }
+
+    /// Where a line across the spindle axis at `z` runs through it: pairs of radii, mm, from the axis outwards.
+    /// Exactly on a step, the material towards −Z counts.
+    pub fn radii(&self, z: f64) -> Vec<(f64, f64)> {
+        let crossing = self.edges().filter(|(a, b)| (a.z < z) != (b.z < z));
+        let mut radii: Vec<f64> =
+            crossing.map(|(a, b)| a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x)).collect();
+        radii.sort_unstable_by(f64::total_cmp);
+        radii.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
+    }
+
+    /// Whether a point lies in it.
+    pub fn holds(&self, point: Point) -> bool {
+        self.radii(point.z).iter().any(|&(low, high)| low < point.x && point.x < high)
+    }
+
+    /// Its edges, the material on the left.
+    pub fn edges(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
+        self.shapes.iter().flatten().flat_map(|contour| {
+            let next = contour.iter().cycle().skip(1);
+            contour.iter().zip(next).map(|(a, b)| (off_grid(a), off_grid(b)))
+        })
+    }
+
+    fn combined(region: &Region, outlines: &[impl AsRef<[Point]>], rule: OverlayRule) -> Self {
+        let points = outlines.iter().map(|outline| outline.as_ref().len()).sum::<usize>() + region.corners();
+        let mut overlay = Overlay::new(points);
+        overlay.options.min_output_area = (DUST * STEPS * STEPS * 2.0) as u64;
+        overlay.add_source(&region.shapes, ShapeType::Subject);
+        let mut grid = Vec::new();
+        for outline in outlines {
+            grid.clear();
+            grid.extend(outline.as_ref().iter().map(|&point| to_grid(point)));
+            make_counterclockwise(&mut grid);
+            overlay.add_contour(&grid, ShapeType::Clip);
+        }
+        Self { shapes: overlay.overlay(rule, FillRule::NonZero) }
+    }
+}
+
+fn on_grid(outline: &[Point]) -> Vec<IntPoint<i32>> {
+    outline.iter().map(|&point| to_grid(point)).collect()
+}
+
+/// Overlapping outlines add up only if they run the same way.
+fn make_counterclockwise(contour: &mut [IntPoint<i32>]) {
+    let next = contour.iter().cycle().skip(1);
+    let area: f64 = contour
+        .iter()
+        .zip(next)
+        .map(|(a, b)| f64::from(a.x) * f64::from(b.y) - f64::from(b.x) * f64::from(a.y))
+        .sum();
+    if area < 0.0 {
+        contour.reverse();
+    }
+}
+
+fn to_grid(point: Point) -> IntPoint<i32> {
+    let step = |value: f64| (within(value, -FURTHEST, FURTHEST) * STEPS).round() as i32;
+    IntPoint::new(step(point.z), step(point.x))
+}
+
+fn off_grid(point: &IntPoint<i32>) -> Point {
+    Point::new(f64::from(point.y) / STEPS, f64::from(point.x) / STEPS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rectangle(z: (f64, f64), x: (f64, f64)) -> Vec<Point> {
+        vec![Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
+    }
+
+    #[test]
+    fn cuts_leave_the_rest() {
+        let mut region = Region::inside(&rectangle((-50.0, 0.0), (5.0, 20.0)));
+        assert!((region.area() - 750.0).abs() < 1e-9);
+        // One that runs the other way, and two that overlap.
+        let mut other_way = rectangle((-10.0, 5.0), (15.0, 30.0));
+        other_way.reverse();
+        region.cut(&[
+            other_way,
+            rectangle((-30.0, -20.0), (15.0, 30.0)),
+            rectangle((-25.0, -15.0), (15.0, 30.0)),
+        ]);
+        assert!((region.area() - 750.0 + 50.0 + 75.0).abs() < 1e-9);
+        assert_eq!(region.radii(-5.0), [(5.0, 15.0)]);
+        assert_eq!(region.radii(-12.0), [(5.0, 20.0)]);
+        assert_eq!(region.radii(-60.0), []);
+        assert!(region.holds(Point::new(17.0, -40.0)) && !region.holds(Point::new(17.0, -20.0)));
+    }
+
+    #[test]
+    fn a_ring_has_a_hole() {
+        let mut region = Region::inside(&rectangle((-10.0, 10.0), (0.0, 20.0)));
+        region.cut(&[rectangle((-5.0, 5.0), (5.0, 15.0))]);
+        let pieces: Vec<_> = region.pieces().collect();
+        assert_eq!((pieces.len(), pieces[0].holes.len()), (1, 1));
+        assert_eq!(region.radii(0.0), [(0.0, 5.0), (15.0, 20.0)]);
+    }
+
+    #[test]
+    fn an_edge_in_common_is_no_meeting() {
+        let region = Region::inside(&rectangle((-10.0, 0.0), (0.0, 20.0)));
+        assert!(!region.meets(&rectangle((0.0, 5.0), (0.0, 20.0))));
+        assert!(region.meets(&rectangle((-0.001, 5.0), (0.0, 20.0))));
+        assert!(!region.meets(&rectangle((1.0, 5.0), (0.0, 20.0))));
+    }
+
+    #[test]
+    fn nothing_is_beyond_the_grid() {
+        let far = Region::inside(&rectangle((-1e300, f64::INFINITY), (0.0, f64::NAN)));
+        assert!(far.area().is_finite());
+    }
+}

@@ -1,0 +1,196 @@
+//! What a tool passes over on its way.
+//!
+//! In: the outline of a tool and the way of its tip. Out: outlines of all it touches. Straight ways are exact; arcs are
+//! cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
+
+use crate::geometry::{Arc, Point};
+
+/// How far a chord may be from its arc, mm. A part's radius is exact to twice as much.
+pub const CHORD: f64 = 0.002;
+
+/// Most chords of one arc.
+const MOST_CHORDS: f64 = 2000.0;
+
+/// A closed convex outline, counter-clockwise with Z to the right and X up; the tip it belongs to is at the origin.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outline {
+    points: Vec<Point>,
+}
+
+impl Outline {
+    /// The smallest convex outline around some points.
+    pub fn around(points: impl IntoIterator<Item = Point>) -> Self {
+        let mut sorted: Vec<Point> = points.into_iter().collect();
+        sorted.sort_unstable_by(|a, b| a.z.total_cmp(&b.z).then(a.x.total_cmp(&b.x)));
+        sorted.dedup_by(|a, b| a.is_same(*b));
+        // Andrew's two chains: below from left to right, above back.
+        let mut points: Vec<Point> = Vec::with_capacity(sorted.len() + 1);
+        for half in [sorted.to_vec(), sorted.into_iter().rev().collect()] {
+            let begin = points.len();
+            for point in half {
+                while points.len() >= begin + 2
+                    && turn(points[points.len() - 2], points[points.len() - 1], point) <= 0.0
+                {
+                    points.pop();
+                }
+                points.push(point);
+            }
+            points.pop();
+        }
+        Self { points }
+    }
+
+    /// Its corners.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Where it is when the tip stands at a place.
+    pub fn at(&self, tip: Point) -> Vec<Point> {
+        self.points.iter().map(|point| moved(*point, tip)).collect()
+    }
+
+    /// All it passes over while the tip goes straight: the parts of the edge that look ahead stand at the end, the others
+    /// at the start.
+    pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
+        let (dx, dz) = (to.x - from.x, to.z - from.z);
+        let count = self.points.len();
+        let looks_ahead = |index: usize| {
+            let (a, b) = (self.points[index % count], self.points[(index + 1) % count]);
+            // The normal to the right of the edge, which points outwards, against the direction.
+            (b.x - a.x) * dz - (b.z - a.z) * dx > 0.0
+        };
+        let mut outline = Vec::with_capacity(count + 2);
+        let mut before = looks_ahead(count.wrapping_sub(1));
+        for (index, &point) in self.points.iter().enumerate() {
+            let behind = looks_ahead(index);
+            match (before, behind) {
+                (true, true) => outline.push(moved(point, to)),
+                (false, false) => outline.push(moved(point, from)),
+                (true, false) => outline.extend([moved(point, to), moved(point, from)]),
+                (false, true) => outline.extend([moved(point, from), moved(point, to)]),
+            }
+            before = behind;
+        }
+        outline
+    }
+
+    /// All it passes over while the tip goes through the points, one outline for each straight piece.
+    pub fn along(&self, way: &[Point]) -> impl Iterator<Item = Vec<Point>> {
+        way.windows(2).map(|ends| self.along_line(ends[0], ends[1]))
+    }
+
+    /// The part of it at the tip: the same outline, so many times as large.
+    pub fn scaled(&self, by: f64) -> Self {
+        Self { points: self.points.iter().map(|point| Point::new(by * point.x, by * point.z)).collect() }
+    }
+
+    /// The same outline, smaller by `by` mm on all sides; nothing is left of a very small one.
+    pub fn shrunk(&self, by: f64) -> Self {
+        let count = self.points.len();
+        let mut points = self.points.clone();
+        for index in 0..count {
+            let (a, b) = (self.points[index], self.points[(index + 1) % count]);
+            let length = a.distance(b);
+            if length <= 0.0 {
+                continue;
+            }
+            // Everything outside the line `by` inside of this edge goes.
+            let (nx, nz) = (-(b.z - a.z) / length, (b.x - a.x) / length);
+            let depth = |point: Point| -((point.x - a.x) * nx + (point.z - a.z) * nz) - by;
+            points = cut_off(&points, depth);
+        }
+        Self { points }
+    }
+}
+
+/// The points of an arc that straight lines join within [`CHORD`], its ends among them.
+pub fn chords(arc: &Arc) -> Vec<Point> {
+    let radius = arc.radius().max(CHORD);
+    let widest = 2.0 * (1.0 - CHORD / radius).max(-1.0).acos();
+    let count = (arc.sweep().abs() / widest).ceil().clamp(1.0, MOST_CHORDS);
+    let inside = (1..count as u32).map(|piece| arc.at(f64::from(piece) / count));
+    [arc.start].into_iter().chain(inside).chain([arc.end]).collect()
+}
+
+/// The part of a convex outline where `depth` is not negative; it must be linear.
+fn cut_off(points: &[Point], depth: impl Fn(Point) -> f64) -> Vec<Point> {
+    let mut kept = Vec::with_capacity(points.len() + 1);
+    for (index, &point) in points.iter().enumerate() {
+        let next = points[(index + 1) % points.len()];
+        let (own, its) = (depth(point), depth(next));
+        if own >= 0.0 {
+            kept.push(point);
+        }
+        if (own >= 0.0) != (its >= 0.0) {
+            let share = own / (own - its);
+            kept.push(Point::new(point.x + share * (next.x - point.x), point.z + share * (next.z - point.z)));
+        }
+    }
+    kept
+}
+
+fn moved(point: Point, by: Point) -> Point {
+    Point::new(point.x + by.x, point.z + by.z)
+}
+
+/// Positive where the way from `a` over `b` to `c` turns to the left.
+fn turn(a: Point, b: Point, c: Point) -> f64 {
+    (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Turn;
+    use crate::shop::region::Region;
+
+    fn square() -> Outline {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.5, 0.5)];
+        Outline::around(corners.map(|(x, z)| Point::new(x, z)))
+    }
+
+    #[test]
+    fn an_outline_is_convex_and_runs_to_the_left() {
+        assert_eq!(square().points().len(), 4);
+        assert!((Region::inside(square().points()).area() - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_straight_way_passes_over_start_end_and_all_between() {
+        for (to, area) in [((3.0, 0.0), 4.0), ((0.0, -2.0), 3.0), ((2.0, 2.0), 5.0), ((-2.0, 1.0), 4.0)] {
+            let outline = square().along_line(Point::new(10.0, 5.0), Point::new(10.0 + to.0, 5.0 + to.1));
+            assert!((Region::inside(&outline).area() - area).abs() < 1e-4, "{to:?}");
+            assert!(outline.iter().all(|point| point.x.is_finite()));
+        }
+        assert!(
+            (Region::inside(&square().along_line(Point::default(), Point::default())).area() - 1.0).abs()
+                < 1e-9
+        );
+    }
+
+    #[test]
+    fn shrinking_moves_every_edge() {
+        let smaller = square().shrunk(0.1);
+        assert!((Region::inside(smaller.points()).area() - 0.64).abs() < 1e-4);
+        assert!(square().shrunk(0.6).points().len() < 3);
+    }
+
+    #[test]
+    fn chords_stay_near_their_arc() {
+        let arc = |turn| Arc {
+            start: Point::new(20.0, 0.0),
+            end: Point::new(0.0, -20.0),
+            center: Point::default(),
+            turn,
+        };
+        for arc in [arc(Turn::Clockwise), arc(Turn::Counterclockwise)] {
+            let points = chords(&arc);
+            assert_eq!((points[0], *points.last().unwrap()), (arc.start, arc.end));
+            for ends in points.windows(2) {
+                let middle = Point::new((ends[0].x + ends[1].x) / 2.0, (ends[0].z + ends[1].z) / 2.0);
+                assert!((middle.distance(arc.center) - 20.0).abs() <= CHORD + 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! How long motions take, and how fast the spindle turns.
+//!
+//! In: a motion and what is known of the machine. Out: seconds, turns a minute, feed; nothing where it cannot be known.
+//! Must not know the program.
+
+use std::f64::consts::PI;
+
+use crate::control::setup::Machine;
+use crate::geometry::{Point, SAME};
+use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
+
+/// A spindle faster than this has no limit that anybody gave, turns a minute: nothing is known of it.
+const NO_LIMIT: f64 = 100_000.0;
+
+/// Pieces in which the time of an arc under G96 is added up.
+const PIECES: u32 = 32;
+
+/// Turns a minute with the tip at a radius, mm; nothing while the spindle stands, or without a limit at the axis.
+pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64> {
+    if process.turn == SpindleTurn::Stopped {
+        return None;
+    }
+    let limit = highest(process, machine);
+    let speed = match process.speed {
+        SpindleSpeed::Constant(speed) => limit.map_or(speed, |limit| speed.min(limit)),
+        SpindleSpeed::Surface { speed } => {
+            let wanted = 1000.0 * speed / (2.0 * PI * radius.abs());
+            limit.map_or(wanted, |limit| wanted.min(limit))
+        }
+    };
+    (speed > 0.0 && speed < NO_LIMIT).then_some(speed)
+}
+
+/// Cutting speed at a radius, metres a minute.
+pub fn surface_speed(speed: f64, radius: f64) -> f64 {
+    2.0 * PI * radius.abs() * speed / 1000.0
+}
+
+/// Feed along the path with the tip at a radius, mm a minute; nothing for rapids and dwells.
+pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
+    let per_turn = match (motion.kind, motion.process.feed) {
+        (MotionKind::Rapid | MotionKind::Dwell, _) => return None,
+        // The lead counts along the long axis, the feed along the path.
+        (MotionKind::Thread, _) => motion.lead? * motion.length() / longer_axis(motion.from, motion.to),
+        (_, Feed::PerMinute(feed)) => return Some(feed),
+        (_, Feed::PerTurn(feed)) => feed,
+        (_, Feed::Unset) => return None,
+    };
+    Some(per_turn * speed_at(&motion.process, machine, radius)?).filter(|feed| feed.is_finite())
+}
+
+/// Seconds a motion takes.
+pub fn seconds(motion: &Motion, machine: &Machine) -> Option<f64> {
+    if motion.kind == MotionKind::Dwell {
+        return motion.seconds;
+    }
+    let length = motion.length();
+    if motion.kind == MotionKind::Rapid {
+        return rapid(motion, machine);
+    }
+    if length <= SAME {
+        // C alone turns, at a rate that is not given; or nothing moves at all.
+        return if motion.is_turn() { None } else { Some(0.0) };
+    }
+    let seconds = match (motion.kind, motion.process.feed, motion.process.speed) {
+        (MotionKind::Thread, _, SpindleSpeed::Surface { .. })
+        | (_, Feed::PerTurn(_), SpindleSpeed::Surface { .. }) => under_surface_speed(motion, machine)?,
+        _ => 60.0 * length / feed_at(motion, machine, motion.to.x)?,
+    };
+    Some(seconds).filter(|seconds| seconds.is_finite())
+}
+
+/// Both axes at their own rates: the time of the one that takes longer.
+fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
+    let axis = |length: f64, rate: Option<f64>| match length.abs() {
+        length if length <= SAME => Some(0.0),
+        length => Some(60.0 * length / rate?),
+    };
+    if motion.rotary.is_some_and(|rotary| rotary.from != rotary.to) {
+        return None;
+    }
+    let x = axis(motion.to.x - motion.from.x, machine.rapid_x)?;
+    let z = axis(motion.to.z - motion.from.z, machine.rapid_z)?;
+    Some(x.max(z))
+}
+
+/// The time of a cut whose spindle follows the radius. A straight one is added up exactly: the time of each mm grows with
+/// the radius where the speed is held, and is the same everywhere below the radius at which the limit is reached.
+fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
+    let SpindleSpeed::Surface { speed } = motion.process.speed else { return None };
+    let held = 1000.0 * speed / (2.0 * PI);
+    let limit = highest(&motion.process, machine);
+    // Turns a mm of path.
+    let turns = match (motion.kind, motion.process.feed) {
+        (MotionKind::Thread, _) => longer_axis(motion.from, motion.to) / motion.length() / motion.lead?,
+        (_, Feed::PerTurn(feed)) => 1.0 / feed,
+        _ => return None,
+    };
+    // Speed needs a turning spindle, and at the axis a limit.
+    let nearest =
+        if motion.from.x * motion.to.x <= 0.0 { 0.0 } else { motion.from.x.abs().min(motion.to.x.abs()) };
+    speed_at(&motion.process, machine, nearest)?;
+    let points: Vec<Point> = match motion.arc() {
+        Some(arc) => (0..=PIECES).map(|piece| arc.at(f64::from(piece) / f64::from(PIECES))).collect(),
+        None => vec![motion.from, motion.to],
+    };
+    let share = motion.length() / points.windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>();
+    let corner = limit.map_or(0.0, |limit| held / limit);
+    let minutes: f64 = points
+        .windows(2)
+        .map(|ends| {
+            let length = share * ends[0].distance(ends[1]);
+            turns * length * mean_of_larger(ends[0].x, ends[1].x, corner) / held
+        })
+        .sum();
+    Some(60.0 * minutes)
+}
+
+/// The mean of `max(|x|, least)` while x goes evenly from `a` to `b`.
+fn mean_of_larger(a: f64, b: f64, least: f64) -> f64 {
+    if (a < 0.0) != (b < 0.0) && a != 0.0 && b != 0.0 {
+        // Through the axis: the two sides by their lengths.
+        let (left, right) = (a.abs(), b.abs());
+        return (left * mean_of_larger(0.0, left, least) + right * mean_of_larger(0.0, right, least))
+            / (left + right);
+    }
+    let (low, high) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+    if high <= least {
+        return least;
+    }
+    if low >= least || high - low <= 1e-12 {
+        return f64::midpoint(low, high);
+    }
+    ((least - low) * least + (high - least) * f64::midpoint(least, high)) / (high - low)
+}
+
+fn highest(process: &Process, machine: &Machine) -> Option<f64> {
+    // G50 S holds under G96 only.
+    let clamp = process.clamp.filter(|_| matches!(process.speed, SpindleSpeed::Surface { .. }));
+    match (clamp, machine.max_speed) {
+        (Some(clamp), Some(most)) => Some(clamp.min(most)),
+        (clamp, most) => clamp.or(most),
+    }
+}
+
+fn longer_axis(from: Point, to: Point) -> f64 {
+    (from.x - to.x).abs().max((from.z - to.z).abs())
+}
+
+/// The time of all motions of a run, and where it is not known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Total {
+    /// Seconds of all motions whose time is known.
+    pub known: f64,
+    /// Cuts whose time is not.
+    pub unknown_cuts: u32,
+    /// Rapids whose time is not.
+    pub unknown_rapids: u32,
+}
+
+impl Total {
+    /// Adds a motion.
+    pub fn add(&mut self, motion: &Motion, machine: &Machine) {
+        match (seconds(motion, machine), motion.kind) {
+            (Some(seconds), _) => self.known += seconds,
+            (None, MotionKind::Rapid) => self.unknown_rapids += 1,
+            (None, _) => self.unknown_cuts += 1,
+        }
+    }
+}

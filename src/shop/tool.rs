@@ -1,0 +1,391 @@
+//! The outline of a tool: what of it cuts, and what must touch nothing.
+//!
+//! In: a [`Tool`] of the setup. Out: convex outlines about the point that follows the program (the imaginary tip), in mm, as
+//! the tool stands at the upper half of the section. Angles are measured from +Z towards +X. Must not know programs.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::sweep::{CHORD, Outline};
+use crate::control::setup::{Side, Tool, ToolKind};
+use crate::geometry::Point;
+
+/// Edge of an insert of which nothing is said, mm.
+const EDGE: f64 = 12.0;
+
+/// Entering angle of a turning or boring tool of which nothing is said, degrees.
+const ENTERING: f64 = 95.0;
+
+/// Insert of which nothing is said: a rhombus of 80°, degrees.
+const POINT: f64 = 80.0;
+
+/// Width of a blade of which nothing is said, mm.
+const BLADE: f64 = 3.0;
+
+/// Diameter of a drill of which nothing is said, mm.
+const DRILL: f64 = 10.0;
+
+/// Thread angle of which nothing is said, degrees.
+const THREAD: f64 = 60.0;
+
+/// Angle of a drill's point of which nothing is said, degrees.
+const DRILL_POINT: f64 = 118.0;
+
+/// Longer than anything it could be held against, mm.
+const LONG: f64 = 400.0;
+
+/// Side of the square shank of a turning tool, mm.
+const SHANK: f64 = 25.0;
+
+/// How a tool takes material away.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// All it passes over.
+    Turning,
+    /// A groove for each turn of the spindle where it is locked to it, else all it passes over.
+    Threading,
+    /// Nothing of the turned profile: it turns itself.
+    Live,
+}
+
+/// A tool as it is drawn and as it cuts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// How it cuts.
+    pub action: Action,
+    /// The cutting part.
+    pub edge: Outline,
+    /// The same, a little smaller: what touches the work without cutting into it, does not meet this.
+    pub core: Outline,
+    /// The holder, as far as it is known.
+    pub body: Option<Outline>,
+    /// Nose radius, mm.
+    pub nose: f64,
+}
+
+/// How much smaller the core is, mm: below it a touch is a touch.
+const CORE: f64 = 0.01;
+
+/// Which way the tool's body lies from the tip, of the eight directions and none: −1, 0 or 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Direction {
+    x: f64,
+    z: f64,
+}
+
+impl Direction {
+    /// Of a tip number (semantics §4.1).
+    fn of(tip: u8) -> Self {
+        let (x, z) = match tip {
+            1 => (-1.0, -1.0),
+            2 => (-1.0, 1.0),
+            3 => (1.0, 1.0),
+            4 => (1.0, -1.0),
+            5 => (0.0, -1.0),
+            6 => (-1.0, 0.0),
+            7 => (0.0, 1.0),
+            8 => (1.0, 0.0),
+            _ => (0.0, 0.0),
+        };
+        Self { x, z }
+    }
+}
+
+impl Shape {
+    /// The shape of a tool.
+    pub fn of(tool: &Tool) -> Self {
+        let kind = tool.kind.unwrap_or(ToolKind::Turning);
+        let (action, edge, body) = match kind {
+            ToolKind::Turning | ToolKind::Boring => {
+                let (edge, body) = insert(tool, kind);
+                (Action::Turning, edge, body)
+            }
+            ToolKind::Grooving => {
+                let (edge, body) = blade(tool);
+                (Action::Turning, edge, body)
+            }
+            ToolKind::Threading => (Action::Threading, thread(tool), None),
+            ToolKind::Drill | ToolKind::Tap => {
+                let (edge, body) = drill(tool, kind);
+                (Action::Turning, edge, body)
+            }
+            ToolKind::Endmill => {
+                let radius =
+                    tool.tool_radius.or(tool.diameter.map(|diameter| diameter / 2.0)).unwrap_or(DRILL / 2.0);
+                (Action::Live, Outline::around(rectangle((0.0, LONG / 10.0), (-radius, radius))), None)
+            }
+        };
+        let nose = match kind {
+            ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => 0.0,
+            _ => tool.nose(),
+        };
+        Self { action, core: edge.shrunk(CORE), edge, body, nose }
+    }
+}
+
+/// A turning or boring insert and its holder.
+fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
+    let written = tool.insert();
+    let length = tool.edge_length.or_else(|| written?.edge_length).unwrap_or(EDGE);
+    let is_round = tool.point_angle.is_none() && written.is_some_and(|insert| insert.point_angle.is_none());
+    let direction =
+        Direction::of(if tool.tip == Some(0) || tool.tip == Some(9) { 0 } else { tool.tip_direction() });
+    if is_round {
+        let radius = tool.nose_radius.filter(|&radius| radius > 0.0).unwrap_or(length / 2.0);
+        let center = Point::new(direction.x * radius, direction.z * radius);
+        return (Outline::around(circle(center, radius, 0.0, TAU)), None);
+    }
+    let point = tool.point_angle.or_else(|| written?.point_angle).unwrap_or(POINT).to_radians();
+    let entering = tool.entering_angle.unwrap_or(ENTERING).to_radians();
+    let nose = tool.nose();
+    // Built as a tool that points to the lower left, or straight down, and turned over after that.
+    let (low, high) = match (direction.x == 0.0, direction.z == 0.0) {
+        (false, true) => (FRAC_PI_2 - point / 2.0, FRAC_PI_2 + point / 2.0),
+        (true, false) => (-point / 2.0, point / 2.0),
+        _ => (PI - entering - point, PI - entering),
+    };
+    let center = Point::new(nose * direction.x.abs(), nose * direction.z.abs());
+    let corners = match written.map(|insert| insert.shape) {
+        Some('T') => Corners::Three,
+        _ => Corners::Four,
+    };
+    let points = wedge(low, high, center, nose, length, corners);
+    let over = |point: &Point| {
+        Point::new(
+            if direction.x < 0.0 { -point.x } else { point.x },
+            if direction.z < 0.0 { -point.z } else { point.z },
+        )
+    };
+    // The holder begins a little behind the edges.
+    let far = far_corner(low, high, center, nose, length);
+    let inside = points
+        .iter()
+        .map(|point| Point::new(far.x + 0.75 * (point.x - far.x), far.z + 0.75 * (point.z - far.z)));
+    let seat: Vec<Point> = inside.collect();
+    let left = seat.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
+    let top = seat.iter().map(|point| point.x).fold(f64::NEG_INFINITY, f64::max);
+    let body = match kind {
+        // A square shank across the axis.
+        _ if kind == ToolKind::Turning => Some(Outline::around(
+            seat.iter()
+                .copied()
+                .chain(rectangle((left, left + SHANK), (top, LONG)))
+                .map(|point| over(&point)),
+        )),
+        // A round bar along it, whose upper side is a little below the edge.
+        _ => tool.shank.map(|bar| {
+            let low = seat.iter().map(|point| point.x).fold(f64::INFINITY, f64::min);
+            Outline::around(
+                rectangle((left, tool.reach.unwrap_or(LONG)), (low, low + bar))
+                    .into_iter()
+                    .map(|point| over(&point)),
+            )
+        }),
+    };
+    let body = body.filter(|_| tool.kind.is_some());
+    (Outline::around(points.iter().map(over)), body)
+}
+
+/// A grooving or parting blade and its holder.
+fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
+    let width = tool.width.unwrap_or(BLADE);
+    let nose = tool.nose().min(width / 2.0);
+    let direction = Direction::of(tool.tip_direction());
+    let side = tool.side.unwrap_or_default();
+    // Built as one that cuts outsides: width along Z, reach along X.
+    let across = match side {
+        Side::Outside | Side::Inside => direction.z,
+        Side::Face => direction.x,
+    };
+    let (first, last) = match across {
+        sign if sign > 0.0 => (0.0, width),
+        sign if sign < 0.0 => (-width, 0.0),
+        _ => (-width / 2.0, width / 2.0),
+    };
+    let turned = |point: Point| match side {
+        Side::Outside => point,
+        Side::Inside => Point::new(-point.x, point.z),
+        Side::Face => Point::new(point.z, point.x),
+    };
+    let top = tool.reach.unwrap_or(LONG);
+    let mut points = vec![Point::new(top, first), Point::new(top, last)];
+    points.extend(circle(Point::new(nose, first + nose), nose, PI, FRAC_PI_2));
+    points.extend(circle(Point::new(nose, last - nose), nose, PI + FRAC_PI_2, FRAC_PI_2));
+    let body = tool.reach.map(|reach| {
+        Outline::around(rectangle((first, first + SHANK), (reach, LONG)).into_iter().map(turned))
+    });
+    (Outline::around(points.into_iter().map(turned)), body)
+}
+
+/// The point of a threading tool.
+fn thread(tool: &Tool) -> Outline {
+    let half = tool.angle.unwrap_or(THREAD).to_radians() / 2.0;
+    let nose = tool.nose();
+    let side = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
+    let points = wedge(FRAC_PI_2 - half, FRAC_PI_2 + half, Point::new(nose, 0.0), nose, EDGE, Corners::Three);
+    Outline::around(points.into_iter().map(|point| Point::new(side * point.x, point.z)))
+}
+
+/// A drill or a tap on the axis, and what holds it.
+fn drill(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
+    let radius = tool.diameter.unwrap_or(DRILL) / 2.0;
+    let point = if kind == ToolKind::Tap { 180.0 } else { tool.angle.unwrap_or(DRILL_POINT) };
+    let shoulder = radius / (point.to_radians() / 2.0).tan();
+    let length = tool.reach.unwrap_or(LONG).max(shoulder);
+    let body = [
+        Point::new(-radius, shoulder),
+        Point::new(radius, shoulder),
+        Point::new(-radius, length),
+        Point::new(radius, length),
+    ];
+    let holder =
+        tool.reach.map(|reach| Outline::around(rectangle((reach, LONG), (-2.0 * radius, 2.0 * radius))));
+    (Outline::around(body.into_iter().chain([Point::default()])), holder)
+}
+
+/// How many corners an insert has.
+#[derive(Clone, Copy)]
+enum Corners {
+    Three,
+    Four,
+}
+
+/// Corners of an insert between two edges in the directions `low` and `high`, round about `center` with radius `nose`;
+/// `length` is that of an edge from the corner it would have without a nose.
+fn wedge(low: f64, high: f64, center: Point, nose: f64, length: f64, corners: Corners) -> Vec<Point> {
+    let half = (high - low) / 2.0;
+    let (sharp, left) = (sharp_corner(low, high, center, nose), length.max(1.01 * nose / half.tan()));
+    let mut points = circle(center, nose, high + FRAC_PI_2, PI - (high - low));
+    points.extend([ahead(sharp, low, left), ahead(sharp, high, left)]);
+    if let Corners::Four = corners {
+        points.push(far_corner(low, high, center, nose, left));
+    }
+    points
+}
+
+fn sharp_corner(low: f64, high: f64, center: Point, nose: f64) -> Point {
+    ahead(center, (low + high) / 2.0, -nose / ((high - low) / 2.0).sin())
+}
+
+fn far_corner(low: f64, high: f64, center: Point, nose: f64, length: f64) -> Point {
+    ahead(ahead(sharp_corner(low, high, center, nose), low, length), high, length)
+}
+
+/// The point `length` mm from another, in a direction.
+fn ahead(from: Point, direction: f64, length: f64) -> Point {
+    Point::new(from.x + length * direction.sin(), from.z + length * direction.cos())
+}
+
+/// Points on a circle from an angle on, counter-clockwise, joined by chords that stay within half of [`CHORD`] on either side
+/// of it; the centre itself where there is no radius.
+fn circle(center: Point, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
+    if radius <= 0.0 {
+        return vec![center];
+    }
+    let step = 2.0 * (1.0 - CHORD / radius).max(0.0).acos();
+    let count = (sweep / step).ceil().max(1.0);
+    let outside = radius + CHORD / 2.0;
+    (0..=count as u32)
+        .map(|index| {
+            let share = f64::from(index) / count;
+            // The ends lie on the edges.
+            let radius = if index == 0 || f64::from(index) == count { radius } else { outside };
+            ahead(center, from + share * sweep, radius)
+        })
+        .collect()
+}
+
+fn rectangle(z: (f64, f64), x: (f64, f64)) -> [Point; 4] {
+    [Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape(json: &str) -> Shape {
+        Shape::of(&serde_json::from_str(json).expect("a tool"))
+    }
+
+    /// The extents of the cutting part: least and greatest Z, least and greatest X.
+    fn check(json: &str, expected: [f64; 4]) {
+        let edge = shape(json).edge;
+        let fold = |of: fn(&Point) -> f64| {
+            let all = edge.points().iter().map(of);
+            [all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let ([left, right], [low, high]) = (fold(|point| point.z), fold(|point| point.x));
+        for (found, expected) in [left, right, low, high].into_iter().zip(expected) {
+            assert!((found - expected).abs() < 0.003, "{json}: {left} {right} {low} {high}");
+        }
+    }
+
+    #[test]
+    fn the_tip_touches_both_axes() {
+        // A rhombus of 80° with edges of 12 mm between 5° and 85°.
+        let reach = 12.0 * (5f64.to_radians().cos() + 85f64.to_radians().cos());
+        check(r#"{"type": "turning"}"#, [0.0, reach, 0.0, reach]);
+        check(r#"{"type": "boring"}"#, [0.0, reach, -reach, 0.0]);
+        check(r#"{"type": "turning", "tip": 4}"#, [-reach, 0.0, 0.0, reach]);
+        check(r#"{"type": "turning", "tip": 1}"#, [-reach, 0.0, -reach, 0.0]);
+    }
+
+    #[test]
+    fn a_nose_keeps_the_imaginary_tip() {
+        for tip in [1, 2, 3, 4] {
+            let edge = shape(&format!(
+                r#"{{"type": "turning", "insert": "DNMG150608", "enteringAngle": 93, "tip": {tip}}}"#
+            ))
+            .edge;
+            let (x, z) = (if tip <= 2 { -1.0 } else { 1.0 }, if tip == 2 || tip == 3 { 1.0 } else { -1.0 });
+            let low = |of: &dyn Fn(&Point) -> f64| edge.points().iter().map(of).fold(f64::INFINITY, f64::min);
+            assert!(
+                low(&|point| x * point.x).abs() < 0.002 && low(&|point| z * point.z).abs() < 0.002,
+                "{tip}"
+            );
+            // The nose is 0.8 mm about its centre: nothing of the insert is nearer to the imaginary tip than this.
+            let nearest = low(&|point| point.x.hypot(point.z));
+            assert!((nearest - 0.8 * (2f64.sqrt() - 1.0)).abs() < 0.01, "{tip}: {nearest}");
+        }
+    }
+
+    #[test]
+    fn blades_are_set_by_a_corner() {
+        check(r#"{"type": "grooving", "width": 4, "reach": 20}"#, [0.0, 4.0, 0.0, 20.0]);
+        check(r#"{"type": "grooving", "width": 4, "reach": 20, "tip": 4}"#, [-4.0, 0.0, 0.0, 20.0]);
+        check(
+            r#"{"type": "grooving", "width": 4, "reach": 20, "tip": 8, "noseRadius": 0.4}"#,
+            [-2.0, 2.0, 0.0, 20.0],
+        );
+        check(r#"{"type": "grooving", "width": 4, "reach": 20, "side": "inside"}"#, [0.0, 4.0, -20.0, 0.0]);
+        check(r#"{"type": "grooving", "width": 4, "reach": 20, "side": "face"}"#, [0.0, 20.0, 0.0, 4.0]);
+    }
+
+    #[test]
+    fn drills_and_points() {
+        check(r#"{"type": "drill", "diameter": 10, "reach": 50}"#, [0.0, 50.0, -5.0, 5.0]);
+        let half = 12.0 * 30f64.to_radians().sin();
+        check(r#"{"type": "threading"}"#, [-half, half, 0.0, 12.0 * 30f64.to_radians().cos()]);
+        check(
+            r#"{"type": "threading", "side": "inside"}"#,
+            [-half, half, -12.0 * 30f64.to_radians().cos(), 0.0],
+        );
+        check(r#"{"type": "turning", "insert": "RCMT0803"}"#, [0.0, 8.0, 0.0, 8.0]);
+        check(r#"{"type": "turning", "insert": "RCMT0803", "tip": 8}"#, [-4.0, 4.0, 0.0, 8.0]);
+    }
+
+    #[test]
+    fn a_holder_stays_behind_the_edges() {
+        for json in [
+            r#"{"type": "turning"}"#,
+            r#"{"type": "turning", "insert": "VNMG160404", "enteringAngle": 93}"#,
+            r#"{"type": "boring", "shank": 12}"#,
+            r#"{"type": "grooving", "reach": 12}"#,
+            r#"{"type": "drill", "reach": 40}"#,
+        ] {
+            let shape = shape(json);
+            let body = shape.body.expect("a known holder");
+            assert!(body.points().iter().all(|point| point.x.hypot(point.z) > 1.0), "{json}");
+        }
+        assert_eq!(shape("{}").body, None);
+    }
+}
