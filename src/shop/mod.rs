@@ -3,6 +3,7 @@
 //! In: the motions and the setup. Out: [`Shop`], with the work at any moment and the findings. Comes after the control and
 //! before the picture; must not know the text of the program.
 
+pub mod danger;
 pub mod fitting;
 pub mod guess;
 pub mod part;
@@ -13,6 +14,7 @@ pub mod tool;
 
 use crate::control::setup::{Machine, Setup};
 use crate::motion::Motions;
+use danger::{Finding, Watch};
 use fitting::Fitting;
 use part::{MOST_MOTIONS, Part};
 use region::Region;
@@ -22,6 +24,7 @@ use region::Region;
 pub struct Shop {
     fitting: Fitting,
     part: Option<Part>,
+    watch: Watch,
     machine: Machine,
 }
 
@@ -30,7 +33,8 @@ impl Shop {
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let fitting = Fitting::new(motions, setup);
         let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
-        Self { fitting, part, machine: setup.machine }
+        let watch = Watch::new(&fitting, setup);
+        Self { fitting, part, watch, machine: setup.machine }
     }
 
     /// Takes the material of at most so many motions off; true once all are done, or more than can be.
@@ -39,9 +43,15 @@ impl Shop {
         let end = motions.len().min(MOST_MOTIONS);
         for index in part.done()..end.min(part.done().saturating_add(count)) {
             let motion = motions.get(index);
+            self.watch.look(index, &motion, &self.fitting, part);
             part.step(&motion, self.fitting.tool(&motion));
         }
         part.done() >= end
+    }
+
+    /// What runs into what, as far as motions are done.
+    pub fn findings(&self) -> &[Finding] {
+        &self.watch.findings
     }
 
     /// Tools and blank.

@@ -68,9 +68,19 @@ impl Region {
 
     /// Whether an outline shares more with it than the edge.
     pub fn meets(&self, outline: &[Point]) -> bool {
+        let all = self.shapes.iter().flatten().flatten();
+        let grid = on_grid(outline);
+        if grid.len() < 3
+            || !overlap(
+                extents(all.map(|point| (point.x, point.y))),
+                extents(grid.iter().map(|point| (point.x, point.y))),
+            )
+        {
+            return false;
+        }
         let mut question = PredicateOverlay::new(64);
         question.add_source(&self.shapes, ShapeType::Subject);
-        question.add_contour(&on_grid(outline), ShapeType::Clip);
+        question.add_contour(&grid, ShapeType::Clip);
         question.interiors_intersect()
     }
 
@@ -96,6 +106,23 @@ impl Region {
     /// Its area, mm².
     pub fn area(&self) -> f64 {
         self.edges().map(|(a, b)| (a.z * b.x - b.z * a.x) / 2.0).sum()
+    }
+
+    /// Area of the part that lies on the side of +Z of a line, mm².
+    pub fn area_beside(&self, from: Point, to: Point) -> f64 {
+        let length = from.distance(to).max(f64::MIN_POSITIVE);
+        let (ux, uz) = ((to.x - from.x) / length, (to.z - from.z) / length);
+        let side = if ux > 0.0 { -1.0 } else { 1.0 };
+        let at = |along: f64, beside: f64| {
+            Point::new(from.x + along * ux + side * beside * uz, from.z + along * uz - side * beside * ux)
+        };
+        let strip = [
+            at(-FURTHEST / 4.0, 0.0),
+            at(FURTHEST / 4.0, 0.0),
+            at(FURTHEST / 4.0, FURTHEST / 4.0),
+            at(-FURTHEST / 4.0, FURTHEST / 4.0),
+        ];
+        self.in_common(&[strip]).area()
     }
 
     /// Where a line across the spindle axis at `z` runs through it: pairs of radii, mm, from the axis outwards.
@@ -135,6 +162,18 @@ impl Region {
         }
         Self { shapes: overlay.overlay(rule, FillRule::NonZero) }
     }
+}
+
+/// Least and greatest of both coordinates.
+fn extents(points: impl Iterator<Item = (i32, i32)>) -> [(i32, i32); 2] {
+    let none = (i32::MAX, i32::MIN);
+    points.fold([none; 2], |[x, y], point| {
+        [(x.0.min(point.0), x.1.max(point.0)), (y.0.min(point.1), y.1.max(point.1))]
+    })
+}
+
+fn overlap(one: [(i32, i32); 2], other: [(i32, i32); 2]) -> bool {
+    one.iter().zip(other).all(|(one, other)| one.0 < other.1 && other.0 < one.1)
 }
 
 fn on_grid(outline: &[Point]) -> Vec<IntPoint<i32>> {

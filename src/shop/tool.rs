@@ -60,6 +60,9 @@ pub struct Shape {
     pub body: Option<Outline>,
     /// Nose radius, mm.
     pub nose: f64,
+    /// Of a turning or boring insert the angle of the edge behind the tip to the spindle axis, radians: no slope that
+    /// falls more steeply can be followed.
+    pub trailing: Option<f64>,
 }
 
 /// How much smaller the core is, mm: below it a touch is a touch.
@@ -118,7 +121,13 @@ impl Shape {
             ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => 0.0,
             _ => tool.nose(),
         };
-        Self { action, core: edge.shrunk(CORE), edge, body, nose }
+        let trailing = match kind {
+            ToolKind::Turning | ToolKind::Boring => {
+                angles(tool).map(|(entering, point)| PI - entering - point)
+            }
+            _ => None,
+        };
+        Self { action, core: edge.shrunk(CORE), edge, body, nose, trailing }
     }
 }
 
@@ -126,16 +135,13 @@ impl Shape {
 fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     let written = tool.insert();
     let length = tool.edge_length.or_else(|| written?.edge_length).unwrap_or(EDGE);
-    let is_round = tool.point_angle.is_none() && written.is_some_and(|insert| insert.point_angle.is_none());
     let direction =
         Direction::of(if tool.tip == Some(0) || tool.tip == Some(9) { 0 } else { tool.tip_direction() });
-    if is_round {
+    let Some((entering, point)) = angles(tool) else {
         let radius = tool.nose_radius.filter(|&radius| radius > 0.0).unwrap_or(length / 2.0);
         let center = Point::new(direction.x * radius, direction.z * radius);
         return (Outline::around(circle(center, radius, 0.0, TAU)), None);
-    }
-    let point = tool.point_angle.or_else(|| written?.point_angle).unwrap_or(POINT).to_radians();
-    let entering = tool.entering_angle.unwrap_or(ENTERING).to_radians();
+    };
     let nose = tool.nose();
     // Built as a tool that points to the lower left, or straight down, and turned over after that.
     let (low, high) = match (direction.x == 0.0, direction.z == 0.0) {
@@ -183,6 +189,15 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     };
     let body = body.filter(|_| tool.kind.is_some());
     (Outline::around(points.iter().map(over)), body)
+}
+
+/// Entering angle and angle between the edges of a turning or boring insert, radians; nothing for a round one.
+fn angles(tool: &Tool) -> Option<(f64, f64)> {
+    let point = match (tool.point_angle, tool.insert()) {
+        (None, Some(written)) => written.point_angle?,
+        (own, _) => own.unwrap_or(POINT),
+    };
+    Some((tool.entering_angle.unwrap_or(ENTERING).to_radians(), point.to_radians()))
 }
 
 /// A grooving or parting blade and its holder.

@@ -1,0 +1,311 @@
+//! What runs into what.
+//!
+//! In: each motion with its tool, and the work as it stands. Out: [`Finding`]s. What only touches is no finding: outlines are
+//! held against the work a hundredth of a millimetre smaller than they are. Of a tool that nobody has named only the
+//! tip counts, and nothing is found in a blank that nobody has named. Must not know messages.
+
+use super::fitting::{Fitted, Fitting, Known};
+use super::part::{Part, cut};
+use super::region::Region;
+use super::sweep::{Outline, chords};
+use super::tool::Action;
+use crate::control::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
+use crate::geometry::{Point, SAME};
+use crate::motion::{Motion, MotionKind};
+
+/// A place where something is wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finding {
+    /// The motion.
+    pub motion: usize,
+    /// Where, mm: radius and length.
+    pub at: Point,
+    /// What.
+    pub danger: Danger,
+}
+
+/// What can be wrong at the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Danger {
+    /// A rapid goes through the work.
+    RapidThroughStock,
+    /// A rapid goes through the work where each axis moves at its own rate until it is there.
+    DoglegThroughStock,
+    /// A rapid goes along the outside of the blank.
+    RapidAlongStock,
+    /// The tool meets the jaws.
+    IntoJaws,
+    /// The tool meets the tailstock.
+    IntoTailstock,
+    /// The holder meets the work.
+    HolderInStock,
+    /// The slope falls more steeply than the trailing edge behind the tip: it cuts too. Degrees.
+    SlopeTooSteep {
+        /// The slope.
+        slope: f64,
+        /// What the tool can follow.
+        tool: f64,
+    },
+    /// The tip cuts beyond the spindle axis.
+    BelowCenter,
+    /// The tip leaves the travel of an axis.
+    OverTravel {
+        /// The axis.
+        axis: Axis,
+        /// The end of its travel as a program writes it, mm.
+        limit: f64,
+    },
+    /// The setup names tools, but not this one.
+    ToolNotListed {
+        /// Its station.
+        station: u16,
+    },
+}
+
+/// An axis of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Across the spindle axis.
+    X,
+    /// Along it.
+    Z,
+}
+
+/// Length of the jaws across the axis, and of the chuck behind them, mm.
+const JAW: f64 = 40.0;
+
+/// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
+const PAST_CENTER: f64 = 0.5;
+
+/// Material that an edge takes off beside the way of the tip and that is worth a word, mm² for each mm of way.
+const BESIDE: f64 = 0.05;
+
+/// How near a rapid may come to the surface it runs along, mm.
+const ALONG: f64 = 0.001;
+
+/// Looks at motions, one after the other.
+#[derive(Clone, Debug)]
+pub struct Watch {
+    jaws: Option<Region>,
+    tailstock: Option<Region>,
+    stock: Option<Stock>,
+    travel: Travel,
+    missed: Vec<u16>,
+    /// All that was found.
+    pub findings: Vec<Finding>,
+}
+
+/// Most findings that are kept.
+const MOST: usize = 1000;
+
+impl Watch {
+    /// Looks at a program fitted out so.
+    pub fn new(fitting: &Fitting, setup: &Setup) -> Self {
+        let given = |stock: (Stock, Known)| (stock.1 == Known::Given).then_some(stock.0);
+        let stock = fitting.stock().and_then(given);
+        Self {
+            jaws: stock.and_then(|stock| jaws(&stock)),
+            tailstock: setup.tailstock.map(|tailstock| center(&tailstock)),
+            stock,
+            travel: setup.machine.travel,
+            missed: Vec::new(),
+            findings: Vec::new(),
+        }
+    }
+
+    /// Looks at the next motion, before its material is off.
+    pub fn look(&mut self, index: usize, motion: &Motion, fitting: &Fitting, part: &mut Part) {
+        if self.findings.len() >= MOST || motion.kind == MotionKind::Dwell || motion.process.uncertain {
+            return;
+        }
+        let tool = fitting.tool(motion);
+        let station = motion.process.tool.0;
+        if motion.kind.cuts() && fitting.misses(station) && !self.missed.contains(&station) {
+            self.missed.push(station);
+            self.tell(index, motion.from, Danger::ToolNotListed { station });
+        }
+        self.travel(index, motion);
+        if motion.rotary.is_some() || tool.shape.action == Action::Live {
+            return;
+        }
+        self.obstacles(index, motion, tool);
+        if self.stock.is_none() {
+            return;
+        }
+        match motion.kind {
+            MotionKind::Rapid => self.rapid(index, motion, tool, part),
+            _ => self.cut(index, motion, tool, part),
+        }
+    }
+
+    fn tell(&mut self, motion: usize, at: Point, danger: Danger) {
+        self.findings.push(Finding { motion, at, danger });
+    }
+
+    fn travel(&mut self, index: usize, motion: &Motion) {
+        let Travel { x_min, x_max, z_min, z_max } = self.travel;
+        let Point { x, z } = motion.to;
+        let beyond = |low: Option<f64>, high: Option<f64>, value: f64| {
+            low.filter(|&low| value < low - SAME).or(high.filter(|&high| value > high + SAME))
+        };
+        for (axis, limit) in [(Axis::X, beyond(x_min, x_max, 2.0 * x)), (Axis::Z, beyond(z_min, z_max, z))] {
+            if let Some(limit) = limit {
+                self.tell(index, motion.to, Danger::OverTravel { axis, limit });
+            }
+        }
+    }
+
+    fn obstacles(&mut self, index: usize, motion: &Motion, tool: &Fitted) {
+        let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
+        let found = obstacles.map(|(danger, obstacle)| {
+            let outlines = [Some(&tool.shape.core), tool.shape.body.as_ref()];
+            Some((
+                danger,
+                outlines
+                    .into_iter()
+                    .flatten()
+                    .find_map(|outline| hit(obstacle.as_ref()?, outline, motion))?,
+            ))
+        });
+        for (danger, at) in found.into_iter().flatten() {
+            self.tell(index, at, danger);
+        }
+    }
+
+    fn rapid(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
+        let Some(stock) = self.stock else { return };
+        let outlines = || [Some(&tool.shape.core), tool.shape.body.as_ref()].into_iter().flatten();
+        // Far from the blank nothing needs to be worked out.
+        let far = |outline: &Outline, way: &[Point]| outline.along(way).all(|swept| !near(&stock, &swept));
+        let straight = [motion.from, motion.to];
+        if !outlines().all(|outline| far(outline, &straight)) {
+            let now = part.now();
+            if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
+                self.tell(index, at, Danger::RapidThroughStock);
+                return;
+            }
+        }
+        if let Some(at) = along_outside(&stock, motion) {
+            self.tell(index, at, Danger::RapidAlongStock);
+            return;
+        }
+        let Some(dogleg) = dogleg(motion) else { return };
+        if !outlines().all(|outline| far(outline, &dogleg)) {
+            let now = part.now();
+            let legs = dogleg.windows(2).map(|ends| Motion { from: ends[0], to: ends[1], ..*motion });
+            let found = legs.flat_map(|leg| outlines().find_map(|outline| hit(now, outline, &leg))).next();
+            if let Some(at) = found {
+                self.tell(index, at, Danger::DoglegThroughStock);
+            }
+        }
+    }
+
+    fn cut(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
+        let turns = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
+        let low = motion.from.x.min(motion.to.x);
+        if turns && tool.known == Known::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
+            self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
+        }
+        if let Some(body) = &tool.shape.body {
+            // What the edge takes off in the same motion is not in the way of the holder.
+            let mut left = part.now().clone();
+            left.cut(&cut(motion, tool));
+            if let Some(at) = hit(&left, &body.shrunk(0.01), motion) {
+                self.tell(index, at, Danger::HolderInStock);
+                return;
+            }
+        }
+        if let Some(danger) = too_steep(motion, tool, part) {
+            self.tell(index, motion.to, danger);
+        }
+    }
+}
+
+/// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
+fn too_steep(motion: &Motion, tool: &Fitted, part: &mut Part) -> Option<Danger> {
+    if tool.known == Known::Guessed || motion.arc().is_some() || motion.kind != MotionKind::Feed {
+        return None;
+    }
+    let side = match tool.tool.kind? {
+        ToolKind::Turning if tool.tool.tip_direction() == 3 => 1.0,
+        ToolKind::Boring if tool.tool.tip_direction() == 2 => -1.0,
+        _ => return None,
+    };
+    let (dx, dz) = (side * (motion.to.x - motion.from.x), motion.to.z - motion.from.z);
+    if dx > -SAME || dz > -SAME {
+        return None;
+    }
+    let slope = (-dx).atan2(-dz);
+    let follows = tool.shape.trailing?;
+    if slope <= follows + 0.01 {
+        return None;
+    }
+    // What lies behind the tip, above the slope, and is taken off.
+    let behind = part.now().in_common(&cut(motion, tool));
+    let above = behind.area_beside(motion.from, motion.to);
+    let worth = above > BESIDE * motion.length();
+    worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
+}
+
+/// Where an outline first meets a region on the way of a motion.
+fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
+    if outline.points().len() < 3 {
+        return None;
+    }
+    let way = motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc));
+    let swept = outline.along(&way).find(|swept| region.meets(swept))?;
+    let common = region.in_common(&[swept]);
+    let from = motion.from;
+    common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+}
+
+/// Whether an outline comes near the box of the blank.
+fn near(stock: &Stock, outline: &[Point]) -> bool {
+    let radius = stock.diameter / 2.0;
+    outline.iter().any(|point| point.x < radius)
+        && outline.iter().any(|point| point.z < stock.face)
+        && outline.iter().any(|point| point.z > stock.back())
+}
+
+/// A rapid that runs along the outside of the blank, and where it begins to.
+fn along_outside(stock: &Stock, motion: &Motion) -> Option<Point> {
+    let (from, to) = (motion.from, motion.to);
+    let on = |point: Point| (2.0 * point.x - stock.diameter).abs() <= 2.0 * ALONG;
+    let (low, high) = (from.z.min(to.z).max(stock.back()), from.z.max(to.z).min(stock.face));
+    (on(from) && on(to) && high - low > ALONG)
+        .then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
+}
+
+/// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for one that is straight
+/// anyway.
+fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
+    let (from, to) = (motion.from, motion.to);
+    let (dx, dz) = (to.x - from.x, to.z - from.z);
+    let both = dx.abs().min(dz.abs());
+    let differs = both > SAME && (dx.abs() - dz.abs()).abs() > SAME;
+    differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
+}
+
+/// The jaws around the end of the blank, and the chuck behind.
+fn jaws(stock: &Stock) -> Option<Region> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outside, back) = (stock.diameter / 2.0, stock.back());
+    let corners = [
+        (outside, back),
+        (outside, back + grip),
+        (outside + JAW, back + grip),
+        (outside + JAW, back - JAW),
+        (stock.bore / 2.0, back - JAW),
+        (stock.bore / 2.0, back),
+    ];
+    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+}
+
+/// The centre of the tailstock: a cone of 60°, and the quill.
+fn center(tailstock: &Tailstock) -> Region {
+    let Tailstock { z, diameter } = *tailstock;
+    let shoulder = z + diameter / 2.0 / 30f64.to_radians().tan();
+    let corners =
+        [(0.0, z), (0.0, shoulder + 200.0), (diameter / 2.0, shoulder + 200.0), (diameter / 2.0, shoulder)];
+    Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
+}
