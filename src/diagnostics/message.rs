@@ -8,6 +8,7 @@
 use crate::control::dialect::GSystem;
 use crate::control::macros::FaultKind;
 use crate::control::origin::Origin;
+use crate::control::setup::faults::Need;
 
 /// How grave a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -365,6 +366,34 @@ pub enum Message {
 
     /// Nose compensation in force where it does nothing.
     CompensationIdle { code: &'static str },
+
+    // Setup
+    /// A value of the setup that cannot be.
+    SetupValue { key: String, value: f64, need: Need },
+    /// A word of a setup comment that cannot be read.
+    NoteWord { word: String, expected: &'static str },
+
+    // Machine
+    /// The setup names tools, but not this one.
+    ToolNotListed { tool: String },
+    /// A rapid goes through the work.
+    RapidThroughStock { x: f64, z: f64 },
+    /// A rapid goes through the work where it is not a straight line.
+    DoglegThroughStock { x: f64, z: f64 },
+    /// A rapid goes along the outside of the blank.
+    RapidAlongStock { x: f64 },
+    /// The tool meets the jaws.
+    IntoJaws { x: f64, z: f64 },
+    /// The tool meets the tailstock.
+    IntoTailstock { x: f64, z: f64 },
+    /// The holder meets the work.
+    HolderInStock { x: f64, z: f64 },
+    /// The edge behind the tip cuts into a slope.
+    SlopeTooSteep { slope: f64, follows: f64 },
+    /// A cut goes far beyond the spindle axis.
+    BelowCenter { x: f64 },
+    /// The tip leaves the travel of an axis.
+    OverTravel { axis: char, to: f64, limit: f64 },
 }
 
 impl Message {
@@ -415,7 +444,10 @@ impl Message {
             | Self::CAxisNotConnected
             | Self::LiveToolStopped
             | Self::FeedMissing
-            | Self::ProgramNotFound { .. } => Kind::Machine,
+            | Self::ProgramNotFound { .. }
+            | Self::ToolNotListed { .. }
+            | Self::DoglegThroughStock { .. }
+            | Self::OverTravel { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
     }
@@ -595,6 +627,20 @@ impl Message {
             Self::CompensationPlane => ("PS0037", "compensation-plane-change", Error, Some("PS0037")),
             Self::LeadRunsOut { .. } => ("PS0313", "lead-runs-out", Error, Some("PS0313")),
             Self::CompensationIdle { .. } => ("W-TNRC-CYCLE", "compensation-without-effect", Warning, None),
+            Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
+            Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
+            Self::ToolNotListed { .. } => ("W-TOOL-NOT-LISTED", "tool-not-in-setup", Warning, None),
+            Self::RapidThroughStock { .. } => ("W-START-IN-STOCK", "rapid-through-stock", Error, None),
+            Self::DoglegThroughStock { .. } => {
+                ("W-START-IN-STOCK", "dogleg-rapid-through-stock", Warning, None)
+            }
+            Self::RapidAlongStock { .. } => ("W-START-IN-STOCK", "rapid-along-stock", Warning, None),
+            Self::IntoJaws { .. } => ("W-JAWS", "tool-into-jaws", Error, None),
+            Self::IntoTailstock { .. } => ("W-TAILSTOCK", "tool-into-tailstock", Error, None),
+            Self::HolderInStock { .. } => ("W-HOLDER", "holder-in-stock", Warning, None),
+            Self::SlopeTooSteep { .. } => ("W-SLOPE", "slope-steeper-than-tool", Warning, None),
+            Self::BelowCenter { .. } => ("W-BELOW-CENTER", "cut-beyond-centre", Warning, None),
+            Self::OverTravel { .. } => ("W-TRAVEL", "over-travel", Error, Some("OT0500")),
         }
     }
 }

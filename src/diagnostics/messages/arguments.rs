@@ -4,6 +4,7 @@
 //! The sentences are data: nothing here knows a language.
 
 use super::number;
+use crate::control::setup::faults::Need;
 use crate::diagnostics::message::Message;
 
 /// A word or number that a sentence quotes.
@@ -249,6 +250,27 @@ impl Message {
                 vec![("first", Count(i64::from(*first))), ("last", Count(i64::from(*last)))]
             }
             Self::LeadRunsOut { lead } => vec![("lead", Number(*lead))],
+            Self::SetupValue { key, value, need } => {
+                let mut all = vec![("key", Text(key)), ("value", Number(*value))];
+                if let Need::Below(most) | Need::AtMost(most) = need {
+                    all.push(("most", Number(*most)));
+                }
+                all
+            }
+            Self::NoteWord { word, expected } => vec![("word", Text(word)), ("expected", Text(expected))],
+            Self::ToolNotListed { tool } => vec![("tool", Text(tool))],
+            Self::RapidThroughStock { x, z }
+            | Self::DoglegThroughStock { x, z }
+            | Self::IntoJaws { x, z }
+            | Self::IntoTailstock { x, z }
+            | Self::HolderInStock { x, z } => vec![("x", Number(*x)), ("z", Number(*z))],
+            Self::RapidAlongStock { x } | Self::BelowCenter { x } => vec![("x", Number(*x))],
+            Self::SlopeTooSteep { slope, follows } => {
+                vec![("slope", Number(*slope)), ("follows", Number(*follows))]
+            }
+            Self::OverTravel { axis, to, limit } => {
+                vec![("axis", Letter(*axis)), ("to", Number(*to)), ("limit", Number(*limit))]
+            }
         }
     }
 }

@@ -320,6 +320,36 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             K is the change of lead for each turn; it must leave the lead positive to the end.",
         CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
             Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",
+        SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
+            The picture goes on without it: what is wrong counts as not given.",
+        SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\
+            The picture goes on without it: what is wrong counts as not given.",
+        SetupBelow => "`{key}` of the setup is {value}; it must be less than {most}.\n\
+            A bore fits inside the bar, and jaws hold less than the whole of it. What is wrong counts as not given.",
+        SetupAtMost => "`{key}` of the setup is {value}; it can be {most} at most.\n\
+            Lengths are in millimetres, angles in degrees. What is wrong counts as not given.",
+        NoteWord => "`{word}` is nothing a setup comment can say.\n\
+            Here can stand: {expected}",
+        ToolNotListed => "The setup names tools, but not {tool}.\n\
+            A tool is guessed for the picture; no collision of its holder is found. Add {tool} to the setup.",
+        RapidThroughStock => "The rapid runs into the work at X{x} Z{z}.\n\
+            A rapid must stay clear of material: go to a point outside first, or cut there at feed (G01).",
+        DoglegThroughStock => "Where both axes start at rapid rate together, this rapid runs into the work at X{x} Z{z}.\n\
+            Many machines do not move in a straight line with G00: the shorter axis arrives first. Move one axis after the other.",
+        RapidAlongStock => "The rapid slides along the outside of the blank at X{x}.\n\
+            Stay at least one millimetre clear: the bar may be a little larger than nominal.",
+        IntoJaws => "The tool runs into the chuck at X{x} Z{z}.\n\
+            Check the sign and length of Z, or how far the blank stands out of the jaws (`grip`).",
+        IntoTailstock => "The tool runs into the tailstock at X{x} Z{z}.\n\
+            Go around the centre: X first, then Z.",
+        HolderInStock => "The holder of the tool runs into the work at X{x} Z{z}.\n\
+            The cut is deeper than the tool reaches. Take a longer tool, or cut in steps from outside.",
+        SlopeTooSteep => "The contour falls by {slope}°, but the edge behind the tip lets this tool follow only {follows}°.\n\
+            The trailing edge takes off material beside the contour. Use an insert with a smaller point angle, or cut from the other side.",
+        BelowCenter => "The cut goes to X{x}, beyond the spindle axis.\n\
+            Facing ends at X0, or past it by twice the nose radius. Beyond that the edge rubs against work that moves the other way.",
+        OverTravel => "{axis}{to} is beyond the travel of the machine, which ends at {axis}{limit}.\n\
+            The control stops there. Check sign and point of the number, or the travel in the setup.",
     }
 }
 

@@ -5,6 +5,7 @@ use super::*;
 use crate::control::dialect::GSystem;
 use crate::control::macros::FaultKind;
 use crate::control::origin::Origin;
+use crate::control::setup::faults::Need;
 
 #[test]
 fn every_sentence_quotes_nothing_but_what_its_message_has() {
@@ -223,6 +224,21 @@ fn samples() -> Vec<Message> {
         Message::CompensationPlane,
         Message::LeadRunsOut { lead: 1.5 },
         Message::CompensationIdle { code: "G71" },
+        Message::SetupValue { key: "X1".into(), value: -1.5, need: Need::Positive },
+        Message::SetupValue { key: "X1".into(), value: -1.5, need: Need::NotNegative },
+        Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::Below(1.0) },
+        Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::AtMost(1.0) },
+        Message::NoteWord { word: "X1".into(), expected: "G71" },
+        Message::ToolNotListed { tool: "X1".into() },
+        Message::RapidThroughStock { x: 1.5, z: 1.5 },
+        Message::DoglegThroughStock { x: 1.5, z: 1.5 },
+        Message::RapidAlongStock { x: 1.5 },
+        Message::IntoJaws { x: 1.5, z: 1.5 },
+        Message::IntoTailstock { x: 1.5, z: 1.5 },
+        Message::HolderInStock { x: 1.5, z: 1.5 },
+        Message::SlopeTooSteep { slope: 1.5, follows: 1.5 },
+        Message::BelowCenter { x: 1.5 },
+        Message::OverTravel { axis: 'X', to: 1.5, limit: 1.5 },
     ];
     let kinds = [
         FaultKind::Overflow,

@@ -5,6 +5,7 @@
 
 use crate::control::macros::FaultKind;
 use crate::control::origin::Origin;
+use crate::control::setup::faults::Need;
 use crate::diagnostics::message::Message;
 
 /// Lists the wordings once, for the enum and for the tests of all of them.
@@ -50,6 +51,9 @@ wordings! {
     CornerAxis, CornerTwice, CornerInThread, CornerWithCompensation, CyclePlane, CycleWord, CycleAxis,
     FinishStart, FinishWithoutRoughing, AngleNoPoint, CompensationOnArc, CompensationOvercut,
     CompensationNoIntersection, CompensationPlane, LeadRunsOut, CompensationIdle,
+    SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, ToolNotListed,
+    RapidThroughStock, DoglegThroughStock, RapidAlongStock, IntoJaws, IntoTailstock, HolderInStock, SlopeTooSteep,
+    BelowCenter, OverTravel,
 }
 
 impl Wording {
@@ -207,6 +211,21 @@ impl Wording {
             Message::CompensationPlane => Self::CompensationPlane,
             Message::LeadRunsOut { .. } => Self::LeadRunsOut,
             Message::CompensationIdle { .. } => Self::CompensationIdle,
+            Message::SetupValue { need: Need::Positive, .. } => Self::SetupPositive,
+            Message::SetupValue { need: Need::NotNegative, .. } => Self::SetupNotNegative,
+            Message::SetupValue { need: Need::Below(_), .. } => Self::SetupBelow,
+            Message::SetupValue { need: Need::AtMost(_), .. } => Self::SetupAtMost,
+            Message::NoteWord { .. } => Self::NoteWord,
+            Message::ToolNotListed { .. } => Self::ToolNotListed,
+            Message::RapidThroughStock { .. } => Self::RapidThroughStock,
+            Message::DoglegThroughStock { .. } => Self::DoglegThroughStock,
+            Message::RapidAlongStock { .. } => Self::RapidAlongStock,
+            Message::IntoJaws { .. } => Self::IntoJaws,
+            Message::IntoTailstock { .. } => Self::IntoTailstock,
+            Message::HolderInStock { .. } => Self::HolderInStock,
+            Message::SlopeTooSteep { .. } => Self::SlopeTooSteep,
+            Message::BelowCenter { .. } => Self::BelowCenter,
+            Message::OverTravel { .. } => Self::OverTravel,
         }
     }
 

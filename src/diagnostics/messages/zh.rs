@@ -320,6 +320,36 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
         CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
             车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
+        SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
+            错误的值按未给出处理，图形照常显示。",
+        SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\
+            错误的值按未给出处理，图形照常显示。",
+        SetupBelow => "设置中的 `{key}` 为 {value}，必须小于 {most}。\n\
+            内孔要小于外径，卡爪夹持长度要小于毛坯长度。错误的值按未给出处理。",
+        SetupAtMost => "设置中的 `{key}` 为 {value}，最大为 {most}。\n\
+            长度单位为毫米，角度单位为度。错误的值按未给出处理。",
+        NoteWord => "设置注释中不能写 `{word}`。\n\
+            这里可以写：{expected}",
+        ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\
+            图形中的刀具是推测的，不检查刀杆碰撞。请在设置中加上 {tool}。",
+        RapidThroughStock => "快速移动在 X{x} Z{z} 处撞到工件。\n\
+            快速移动时刀具不能碰到材料：先走到工件外面的点，或用 G01 切削。",
+        DoglegThroughStock => "两轴同时以快速速度起动时，这次快速移动会在 X{x} Z{z} 处撞到工件。\n\
+            许多机床的 G00 不走直线，行程短的轴先到。请让两轴先后移动。",
+        RapidAlongStock => "快速移动贴着毛坯外圆 X{x} 滑过。\n\
+            至少留出 1 毫米：棒料直径可能比公称尺寸略大。",
+        IntoJaws => "刀具在 X{x} Z{z} 处撞到卡盘。\n\
+            请检查 Z 的正负号和数值，或毛坯的夹持长度（`grip`）。",
+        IntoTailstock => "刀具在 X{x} Z{z} 处撞到尾座。\n\
+            请绕开顶尖：先移动 X，再移动 Z。",
+        HolderInStock => "刀杆在 X{x} Z{z} 处碰到工件。\n\
+            切削深度超过刀具的伸出长度。请换较长的刀具，或从外面逐层切削。",
+        SlopeTooSteep => "轮廓下降 {slope}°，而这把刀的副切削刃只允许 {follows}°。\n\
+            副切削刃会切掉轮廓旁的材料。请用刀尖角较小的刀片，或从另一侧切削。",
+        BelowCenter => "切削到 X{x}，超过了主轴中心。\n\
+            车端面到 X0 为止，或再过两倍刀尖圆弧半径。再往前，刀刃会与反向运动的工件摩擦。",
+        OverTravel => "{axis}{to} 超出机床行程，行程到 {axis}{limit} 为止。\n\
+            系统会在那里停止并报警。请检查数值的正负号和小数点，或设置中的行程。",
     }
 }
 

@@ -1,0 +1,46 @@
+//! What is told of what happens at the machine.
+//!
+//! In: the findings of the shop. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
+//! that runs into something does so in every pass.
+
+use crate::diagnostics::{Diagnostic, Message};
+use crate::motion::Motions;
+use crate::shop::danger::{Axis, Danger, Finding};
+
+/// The messages of all findings.
+pub fn diagnostics(findings: &[Finding], motions: &Motions) -> Vec<Diagnostic> {
+    let mut told: Vec<Diagnostic> = Vec::new();
+    for finding in findings {
+        let (message, span) = (message(finding, motions), motions.span(finding.motion));
+        let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
+        if !told.iter().rev().take(20).any(same) {
+            told.push(Diagnostic::new(message, span));
+        }
+    }
+    told
+}
+
+fn message(finding: &Finding, motions: &Motions) -> Message {
+    let (x, z) = (2.0 * finding.at.x, finding.at.z);
+    match finding.danger {
+        Danger::RapidThroughStock => Message::RapidThroughStock { x, z },
+        Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
+        Danger::RapidAlongStock => Message::RapidAlongStock { x },
+        Danger::IntoJaws => Message::IntoJaws { x, z },
+        Danger::IntoTailstock => Message::IntoTailstock { x, z },
+        Danger::HolderInStock => Message::HolderInStock { x, z },
+        Danger::SlopeTooSteep { slope, tool } => {
+            let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
+            Message::SlopeTooSteep { slope: tenth(slope), follows: tenth(tool) }
+        }
+        Danger::BelowCenter => Message::BelowCenter { x },
+        Danger::OverTravel { axis, limit } => match axis {
+            Axis::X => Message::OverTravel { axis: 'X', to: x, limit },
+            Axis::Z => Message::OverTravel { axis: 'Z', to: z, limit },
+        },
+        Danger::ToolNotListed { station } => {
+            let offset = motions.get(finding.motion).process.tool.1;
+            Message::ToolNotListed { tool: format!("T{station:02}{offset:02}") }
+        }
+    }
+}
