@@ -7,11 +7,15 @@ use serde::Serialize;
 
 use crate::control::codes;
 use crate::control::dialect::CodeList;
+use crate::control::setup::Machine;
 use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions};
+use crate::shop::region::Region;
+use crate::shop::tally::Tally;
+use crate::shop::timing;
 use crate::text::source::{LineIndex, Span};
 
 #[cfg(target_arch = "wasm32")]
@@ -154,10 +158,22 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub lead: Option<f64>,
-    /// Length of a dwell, seconds.
+    /// How long it takes, seconds; left out where that cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub seconds: Option<f64>,
+    /// Feed along the path where it ends, mm a minute.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub feed: Option<f64>,
+    /// Turns of the spindle a minute where it ends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub rpm: Option<f64>,
+    /// Its tool, such as `T0101`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub tool: Option<String>,
     /// The cycle it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -260,6 +276,78 @@ impl Summary {
             }
         }
         summary
+    }
+}
+
+/// What is left of the blank: the half-section above the spindle axis.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Part {
+    /// The outside of each piece, counter-clockwise: `[z, x]`, mm, x a diameter.
+    pub polygons: Vec<Vec<[f64; 2]>>,
+    /// What is missing inside them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub holes: Vec<Vec<[f64; 2]>>,
+}
+
+impl Part {
+    /// The pieces of an area.
+    pub fn new(region: &Region) -> Self {
+        let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
+            points.into_iter().map(|point| [rounded(point.z), rounded(2.0 * point.x)]).collect()
+        };
+        let mut part = Self::default();
+        for piece in region.pieces() {
+            part.polygons.push(outline(piece.outline));
+            part.holes.extend(piece.holes.into_iter().map(outline));
+        }
+        part
+    }
+}
+
+/// What a tool does, or a whole program, added up.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Totals {
+    /// The tool, such as `T0101`; left out for moves before the first one, and for the whole program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub tool: Option<String>,
+    /// Seconds of all motions whose time is known.
+    pub seconds: f64,
+    /// Cuts whose time is not known: without a feed, or with the spindle stopped.
+    pub unknown_cuts: u32,
+    /// Rapids whose time is not known: without a rapid rate of the machine.
+    pub unknown_rapids: u32,
+    /// Path cut at feed, mm.
+    pub cut: f64,
+    /// Path at rapid, mm.
+    pub rapid: f64,
+    /// Least X and Z of its cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub low: Option<Place>,
+    /// Greatest X and Z of its cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub high: Option<Place>,
+}
+
+impl Totals {
+    /// The row of a tally.
+    pub fn new(tally: &Tally) -> Self {
+        Self {
+            tool: tool_name(tally.tool),
+            seconds: rounded(tally.time.known),
+            unknown_cuts: tally.time.unknown_cuts,
+            unknown_rapids: tally.time.unknown_rapids,
+            cut: rounded(tally.cut),
+            rapid: rounded(tally.rapid),
+            low: tally.extents.map(|extents| place(extents.min)),
+            high: tally.extents.map(|extents| place(extents.max)),
+        }
     }
 }
 
@@ -463,7 +551,7 @@ fn passes(motions: &Motions, index: usize) -> Option<u32> {
 }
 
 /// The row of a motion on a line (from 0).
-pub fn motion(motion: &motion::Motion, line: u32) -> Motion {
+pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
     let virtual_move = motion.virtual_move();
     let arc = match virtual_move {
         Some(VirtualMove { way: Way::Arc(arc), .. }) => Some(arc),
@@ -494,7 +582,10 @@ pub fn motion(motion: &motion::Motion, line: u32) -> Motion {
             .and(motion.rotary)
             .map(|rotary| MachinePlace { x: rounded(2.0 * motion.to.x), c: rounded(rotary.to) }),
         lead: motion.lead.map(rounded),
-        seconds: motion.seconds.map(rounded),
+        seconds: timing::seconds(motion, machine).map(rounded),
+        feed: timing::feed_at(motion, machine, motion.to.x).map(rounded),
+        rpm: timing::speed_at(&motion.process, machine, motion.to.x).map(rounded),
+        tool: tool_name(motion.process.tool),
         cycle: motion.cycle.map(|step| step.cycle.code()),
         pass: motion.cycle.map(|step| step.pass).filter(|&pass| pass > 0),
         step: motion.cycle.map(|step| step.step.name()),
@@ -514,12 +605,16 @@ fn place_on(surface: Surface, point: Point, third: f64) -> Place {
     }
 }
 
+/// The T word of a tool; nothing before the first one.
+fn tool_name((station, offset): (u16, u16)) -> Option<String> {
+    (station > 0).then(|| format!("T{station:02}{offset:02}"))
+}
+
 /// The rows of all motions.
-pub fn motions(motions: &Motions) -> impl Iterator<Item = Motion> + '_ {
-    motions
-        .chunks()
-        .iter()
-        .flat_map(|chunk| (0..chunk.len()).map(move |index| motion(&chunk.get(index), chunk.line(index))))
+pub fn motions(motions: &Motions, machine: &Machine) -> impl Iterator<Item = Motion> {
+    motions.chunks().iter().flat_map(move |chunk| {
+        (0..chunk.len()).map(move |index| motion(&chunk.get(index), chunk.line(index), machine))
+    })
 }
 
 fn kind_name(kind: MotionKind) -> &'static str {

@@ -13,8 +13,10 @@ use crate::control::modal::State;
 use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
-use crate::diagnostics::{Diagnostic, Message};
+use crate::control::setup::notes::Notes;
+use crate::diagnostics::{Diagnostic, Message, rules};
 use crate::motion::Motions;
+use crate::shop::{Shop, danger};
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::text::source::Span;
@@ -33,6 +35,19 @@ pub struct Analysis {
     pub trace: Vec<Executed>,
     /// The G codes the program was read with.
     pub codes: CodeList,
+    /// The setup it was run under: the one handed in, with what the text adds.
+    pub setup: Setup,
+}
+
+impl Analysis {
+    /// Adds what is to be told of what happens at the machine, where a blank or a machine is given to hold it against.
+    pub fn look_at_machine(&mut self) {
+        if danger::can_be_found(&self.setup) {
+            let shop = Shop::done(&self.motions, &self.setup);
+            self.diagnostics.extend(rules::machine::diagnostics(shop.findings(), &self.motions));
+            self.diagnostics.sort_by_key(|told| (told.span.start, told.span.end));
+        }
+    }
 }
 
 /// A change of the text.
@@ -57,6 +72,10 @@ pub struct Run {
     /// First byte of each O program met, by number.
     programs: BTreeMap<u32, u32>,
     origin: Origin,
+    /// The setup that was handed in, to which the text may add.
+    given: Setup,
+    /// What the text adds.
+    notes: Notes,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -93,7 +112,9 @@ impl Origin {
 
 impl Run {
     /// Begins a run.
-    pub fn new(text: Vec<u8>, setup: Setup) -> Self {
+    pub fn new(text: Vec<u8>, given: Setup) -> Self {
+        let notes = Notes::read(&text);
+        let (setup, faults) = notes.applied_to(given.clone()).without_faults();
         let limits = setup.limits;
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
@@ -103,6 +124,8 @@ impl Run {
             blocks: 0,
             programs: BTreeMap::new(),
             origin: Origin::default(),
+            given,
+            notes,
             begun: false,
             ended: false,
             finished: false,
@@ -126,6 +149,9 @@ impl Run {
             run.interpreter.tell(Diagnostic::new(message, foreign.evidence));
             run.finish();
             return run;
+        }
+        for told in run.notes.diagnostics(faults, &run.text) {
+            run.interpreter.tell(told);
         }
         if let Some((system, evidence)) = run.origin.system {
             run.interpreter.set_system(system);
@@ -275,8 +301,9 @@ impl Run {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
+        let setup = interpreter.setup().clone();
         let motions = interpreter.into_motions();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes }
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup }
     }
 
     /// Begins with another program than the first of the text.
@@ -289,15 +316,21 @@ impl Run {
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
-        let is_guess = |told: &&Diagnostic| matches!(told.message, Message::SystemGuessed { .. });
-        let guess = self.interpreter.diagnostics().iter().find(is_guess).cloned();
+        // What was told before the first block.
+        let of_setup = |told: &&Diagnostic| {
+            matches!(
+                told.message,
+                Message::SystemGuessed { .. } | Message::SetupValue { .. } | Message::NoteWord { .. }
+            )
+        };
+        let kept: Vec<_> = self.interpreter.diagnostics().iter().filter(of_setup).cloned().collect();
         self.interpreter = Interpreter::new(setup);
         self.interpreter.set_system(system);
         if traced {
             self.interpreter.keep_trace();
         }
-        if let Some(guess) = guess {
-            self.interpreter.tell(guess);
+        for told in kept {
+            self.interpreter.tell(told);
         }
         self.begun = false;
         self.marks.clear();

@@ -207,7 +207,8 @@ impl Playground {
     pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
         let motions = self.run.motions();
         let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
-        let rows = range.map(|index| api::motion(&motions.get(index), motions.line(index)));
+        let rows = range
+            .map(|index| api::motion(&motions.get(index), motions.line(index), &self.run.setup().machine));
         to_js(&rows.collect::<Vec<_>>())
     }
 
@@ -251,7 +252,7 @@ impl Playground {
     /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
     pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
         self.view.resize(&scene, Size { width, height }, pixel_ratio);
     }
 
@@ -268,7 +269,7 @@ impl Playground {
     /// Shows everything worth looking at.
     pub fn fit(&mut self) {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
         self.view.fit(&scene);
     }
 
@@ -354,7 +355,7 @@ impl Playground {
     /// Paints what has changed, and says when to call again.
     pub fn draw(&mut self) -> Result<Drawn, JsValue> {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.setup.stock);
+        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
         let Some(painter) = &mut self.painter else { return Ok(Drawn::All) };
         Ok(match painter.draw(&scene, &self.view)? {
             Progress::Done => Drawn::All,
@@ -406,7 +407,7 @@ impl Playground {
         // Until then the picture that is shown is of the last run, or moved by the user.
         if self.run.is_finished() {
             self.outline.settle();
-            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.setup.stock));
+            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.run.setup().stock));
         }
         self.light_up();
     }

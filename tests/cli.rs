@@ -112,11 +112,11 @@ fn motions_have_the_documented_keys() {
         b"M3 S1 F100\nG0 X20 Z0\nG3 X40 Z-10 R10\nG92 X18 Z-20 F2\nG4 X1\nM30",
     );
     let rows = rows(&output);
-    assert_eq!(rows[0], json!({"kind": "rapid", "to": {"x": 20.0, "z": 0.0}, "line": 2}));
+    assert_eq!(rows[0], json!({"kind": "rapid", "to": {"x": 20.0, "z": 0.0}, "line": 2, "rpm": 1.0}));
     assert_eq!(
         rows[1],
         json!({"kind": "arc", "to": {"x": 40.0, "z": -10.0}, "line": 3, "center": {"x": 20.0, "z": -10.0},
-               "r": 10.0, "dir": "ccw"})
+               "r": 10.0, "dir": "ccw", "feed": 100.0, "rpm": 1.0, "seconds": 9.424778})
     );
     let thread = rows.iter().find(|row| row["kind"] == "thread").expect("a thread");
     assert_eq!(

@@ -12,7 +12,7 @@ use gcode_playground::diagnostics::messages::number;
 fn check_with(setup: &str, program: &str, expected: &str) {
     let setup = Setup::from_json(setup).expect("setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let found: Vec<String> = api::motions(&analysis.motions)
+    let found: Vec<String> = api::motions(&analysis.motions, &analysis.setup.machine)
         .map(|row| {
             let to = format!("({},{})", number(row.to.x), number(row.to.z));
             match (row.kind, row.dir, row.center, row.seconds) {
@@ -199,7 +199,9 @@ fn g92_pulls_out_as_set() {
 fn leads_in_threads_per_inch_follow_the_control() {
     let lead = |setup: &str, program: &str| -> Option<f64> {
         let analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
-        api::motions(&analysis.motions).find(|row| row.kind == "thread").and_then(|row| row.lead)
+        api::motions(&analysis.motions, &analysis.setup.machine)
+            .find(|row| row.kind == "thread")
+            .and_then(|row| row.lead)
     };
     let gsk = r#"{"dialect": {"control": "gsk"}}"#;
     assert_eq!(lead(gsk, "M3 S1\nG0 X30 Z2\nG92 X28 Z-20 I8"), Some(3.175));
@@ -220,7 +222,9 @@ fn the_program_ends_at_m30_and_what_follows_is_only_read() {
 #[test]
 fn what_is_not_supported_moves_nothing_and_makes_the_rest_uncertain() {
     let analysis = analyze(b"M3 S1\nG0 X50\nG36 X0 Z0\nG1 X40 F1\nM30", &Setup::default());
-    let rows: Vec<_> = api::motions(&analysis.motions).map(|row| (row.to.x, row.uncertain)).collect();
+    let rows: Vec<_> = api::motions(&analysis.motions, &analysis.setup.machine)
+        .map(|row| (row.to.x, row.uncertain))
+        .collect();
     assert_eq!(rows, [(50.0, false), (40.0, true)]);
 }
 

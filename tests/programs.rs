@@ -19,7 +19,9 @@ fn analysis(program: &Program) -> Analysis {
 }
 
 fn motion_rows(analysis: &Analysis) -> Vec<Value> {
-    api::motions(&analysis.motions).map(|row| serde_json::to_value(row).expect("row")).collect()
+    api::motions(&analysis.motions, &analysis.setup.machine)
+        .map(|row| serde_json::to_value(row).expect("row"))
+        .collect()
 }
 
 fn message_rows(text: &str, analysis: &Analysis) -> Vec<Value> {

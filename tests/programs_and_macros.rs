@@ -14,7 +14,7 @@ fn run(setup: &str, program: &str) -> Analysis {
 
 /// Motions, with the angle of C where it turns.
 fn listing(analysis: &Analysis) -> String {
-    let rows = api::motions(&analysis.motions).map(|row| {
+    let rows = api::motions(&analysis.motions, &analysis.setup.machine).map(|row| {
         let c = row.to.c.map_or_else(String::new, |c| format!(",C{}", number(c)));
         let to = format!("({},{}{c})", number(row.to.x), number(row.to.z));
         match row.kind {

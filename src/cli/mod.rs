@@ -3,6 +3,7 @@
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
 mod encoding;
+mod summary;
 mod terminal;
 
 use std::borrow::Cow;
@@ -20,6 +21,7 @@ use crate::diagnostics::messages::Language;
 use crate::run::{Analysis, Run};
 use crate::scene::outline::Outline;
 use crate::scene::{self, Scene};
+use crate::shop::Shop;
 use crate::text::source::LineIndex;
 
 use encoding::Encoding;
@@ -73,6 +75,23 @@ enum Command {
         /// Language of the descriptions.
         #[arg(long, value_enum, default_value = "en")]
         lang: LanguageName,
+        /// A table, or one JSON object a line.
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+    },
+    /// Print what is left of the blank as JSON: the half-section as polygons of [z, x], x a diameter.
+    Part {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+    },
+    /// Add up time, cutting length and extents for each tool.
+    Summary {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
         /// A table, or one JSON object a line.
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
@@ -136,7 +155,6 @@ struct Program {
     text: Vec<u8>,
     /// Of the file.
     encoding: Encoding,
-    setup: Setup,
     analysis: Analysis,
 }
 
@@ -157,7 +175,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Motions { file, with } => {
             let program = program(&file, &with)?;
             print(|out| {
-                for row in api::motions(&program.analysis.motions) {
+                for row in api::motions(&program.analysis.motions, &program.analysis.setup.machine) {
                     write_row(out, &row)?;
                 }
                 Ok(())
@@ -175,10 +193,22 @@ fn run(command: Command) -> Result<ExitCode, String> {
             print(|out| codes(out, list, language(lang), format))?;
             Ok(ExitCode::SUCCESS)
         }
+        Command::Part { file, with } => {
+            let program = program(&file, &with)?;
+            let shop = Shop::done(&program.analysis.motions, &program.analysis.setup);
+            let part = shop.finished().map(|region| api::Part::new(&region)).unwrap_or_default();
+            print(|out| write_row(out, &part))?;
+            Ok(status(&program.analysis))
+        }
+        Command::Summary { file, with, format } => {
+            let program = program(&file, &with)?;
+            print(|out| summary::write(out, &program.analysis, format))?;
+            Ok(status(&program.analysis))
+        }
         Command::Svg { file, with, output } => {
             let program = program(&file, &with)?;
             let outline = Outline::of(&program.analysis.motions);
-            let scene = Scene::new(&program.analysis.motions, &outline, program.setup.stock);
+            let scene = Scene::new(&program.analysis.motions, &outline, program.analysis.setup.stock);
             let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
             save(output.as_deref(), svg.as_bytes())?;
             Ok(status(&program.analysis))
@@ -277,10 +307,11 @@ fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Resu
     }
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
-    let mut run = begin(Run::new(text.clone(), setup.clone()));
+    let mut run = begin(Run::new(text.clone(), setup));
     while !run.advance(usize::MAX) {}
-    let analysis = run.into_analysis();
-    Ok(Program { name, text, encoding, setup, analysis })
+    let mut analysis = run.into_analysis();
+    analysis.look_at_machine();
+    Ok(Program { name, text, encoding, analysis })
 }
 
 /// A text made from a program, in the encoding of the program's file.

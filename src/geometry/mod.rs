@@ -3,6 +3,7 @@
 //! Everything is in millimetres in the plane of the lathe: `z` along the spindle, to the right; `x` the
 //! **radius** from the spindle axis, upwards. Seen so, a counter-clockwise turn is to the left.
 
+pub mod bounds;
 pub mod virtual_plane;
 
 /// Two lengths nearer than this, in mm, count as equal: binary rounding would decide otherwise.

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use super::{Origin, Run, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::control::origin;
+use crate::control::setup::notes::{self, Notes};
 use crate::text::parser::Resume;
 use crate::text::shift::Shift;
 
@@ -86,6 +87,7 @@ impl Run {
         let mark = self.marks.last().filter(|_| {
             text.len() <= self.setup().limits.text
                 && (start >= origin::HEAD || self.origin == Origin::of(&text, &self.setup().dialect))
+                && (start >= notes::HEAD || self.notes == Notes::read(&text))
         });
         let same_way = match mark {
             Some(mark) => {
@@ -98,9 +100,9 @@ impl Run {
                 true
             }
             None => {
-                let origin = self.origin;
-                *self = Self::new(text, self.setup().clone());
-                !self.finished && self.origin == origin
+                let (origin, setup) = (self.origin, self.setup().clone());
+                *self = Self::new(text, self.given.clone());
+                !self.finished && self.origin == origin && *self.setup() == setup
             }
         };
         let filled = self.text.trim_ascii_end().len();

@@ -6,7 +6,7 @@
 
 use crate::geometry::{Point, within};
 
-use super::bounds::Bounds;
+use crate::geometry::bounds::Bounds;
 
 /// A place in the picture, CSS pixels from its top left corner, `y` down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -76,8 +76,8 @@ pub fn insert(tip: Pixel) -> [Pixel; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::bounds::Bounds;
     use crate::geometry::{Arc, Point, Turn};
-    use crate::scene::bounds::Bounds;
     use crate::scene::camera::Size;
 
     #[test]

@@ -5,7 +5,6 @@
 //! copied: strokes are made from motions as they are asked for. Must not know G-code words, nor say anything
 //! in human language but the names of the axes.
 
-pub mod bounds;
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
@@ -27,7 +26,7 @@ use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::text::source::Span;
 
-use bounds::{Bounds, join};
+use crate::geometry::bounds::{Bounds, join};
 use outline::{Outline, Stretch};
 
 /// The line style of a stroke: what a technical drawing tells apart.
@@ -135,6 +134,16 @@ impl StrokeShape {
     /// Points that straight lines join to the curve of a virtual move.
     pub fn curve(own: &VirtualMove) -> Vec<Point> {
         own.machine_path(CHORD)
+    }
+
+    /// The box around it; of an arc its true extents.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Line { from, to } => Bounds::around(*from, *to),
+            Self::Arc(arc) => Bounds::of_arc(arc),
+            Self::Virtual(own) => Self::curve(own).into_iter().fold(Bounds::of(own.at(0.0)), Bounds::with),
+            Self::Dot(at) => Bounds::of(*at),
+        }
     }
 
     /// Length along it, mm.

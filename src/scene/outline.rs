@@ -10,8 +10,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::motion::{Chunk, Motions};
 use crate::text::source::Span;
 
-use super::bounds::{Bounds, join};
 use super::{StrokeShape, StrokeStyle};
+use crate::geometry::bounds::{Bounds, join};
 
 /// Most motions in a stretch.
 pub const STRETCH: usize = 1024;
@@ -206,7 +206,7 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
     let mut length = 0.0;
     for at in motions.clone() {
         let shape = StrokeShape::in_chunk(chunk, at);
-        let own = Bounds::of_shape(&shape);
+        let own = shape.bounds();
         match StrokeStyle::of(chunk.kind(at)) {
             StrokeStyle::Rapid => add(&mut rapids, Bounds::of(shape.end())),
             StrokeStyle::Dwell | StrokeStyle::Feed | StrokeStyle::Thread => add(&mut cuts, own),

@@ -6,9 +6,9 @@ use std::ops::Range;
 
 use crate::geometry::{Arc, Point, Turn};
 
-use super::bounds::Bounds;
 use super::camera::{Camera, Pixel};
 use super::{Scene, Stroke, StrokeShape, StrokeStyle};
+use crate::geometry::bounds::Bounds;
 
 /// Distances that differ by less than this, CSS pixels, are a tie: nobody can aim better.
 const TIE: f64 = 1.0;
@@ -42,7 +42,7 @@ pub fn pick(
         let around = Bounds::of(pointer).grown(reach + dot);
         let stretches = scene.outline().stretches().iter().filter(move |s| s.bounds.meets(around));
         stretches.flat_map(|stretch| scene.strokes_of(stretch.motions.clone())).filter_map(move |stroke| {
-            if !Bounds::of_shape(&stroke.shape).meets(around) {
+            if !stroke.shape.bounds().meets(around) {
                 return None;
             }
             let at = nearest(&stroke.shape, pointer);

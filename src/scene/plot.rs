@@ -258,9 +258,9 @@ fn chords(arc: &Arc, scale: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bounds::Bounds;
     use super::super::camera::Size;
     use super::*;
+    use crate::geometry::bounds::Bounds;
 
     /// A plot with one picture of 200 × 100 pixels, 1 mm each, and what `shapes` cover of it, in whole pixels.
     fn covered(shapes: &[StrokeShape]) -> f64 {

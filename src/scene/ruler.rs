@@ -156,7 +156,7 @@ impl Step {
 mod tests {
     use super::*;
     use crate::geometry::Point;
-    use crate::scene::bounds::Bounds;
+    use crate::geometry::bounds::Bounds;
     use crate::scene::camera::Size;
 
     fn labels(axis: Axis, camera: &Camera) -> String {

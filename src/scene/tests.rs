@@ -6,8 +6,8 @@ use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSp
 use crate::text::source::Span;
 
 use super::Scene;
-use super::bounds::Bounds;
 use super::outline::{Outline, STRETCH, Stretch, StretchKey};
+use crate::geometry::bounds::Bounds;
 
 /// A point by its diameter and Z.
 pub(super) fn point(diameter: f64, z: f64) -> Point {

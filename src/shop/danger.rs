@@ -83,6 +83,11 @@ const BESIDE: f64 = 0.05;
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
 
+/// Whether a setup says anything that motions can be held against.
+pub fn can_be_found(setup: &Setup) -> bool {
+    setup.stock.is_some() || setup.tailstock.is_some() || setup.machine.travel != Travel::default()
+}
+
 /// Looks at motions, one after the other.
 #[derive(Clone, Debug)]
 pub struct Watch {

@@ -9,6 +9,7 @@ pub mod guess;
 pub mod part;
 pub mod region;
 pub mod sweep;
+pub mod tally;
 pub mod timing;
 pub mod tool;
 
@@ -35,6 +36,13 @@ impl Shop {
         let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
         Self { fitting, part, watch, machine: setup.machine }
+    }
+
+    /// A program with all its material off.
+    pub fn done(motions: &Motions, setup: &Setup) -> Self {
+        let mut shop = Self::new(motions, setup);
+        shop.advance(motions, usize::MAX);
+        shop
     }
 
     /// Takes the material of at most so many motions off; true once all are done, or more than can be.

@@ -14,7 +14,9 @@
 //! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins with one of
 //! these words, but holds no `=`, is prose.
 
+use super::faults::Fault;
 use super::{Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret};
+use crate::diagnostics::{Diagnostic, Message};
 use crate::text::source::Span;
 
 /// Notes stand in the first bytes of a text: so many are looked at.
@@ -35,6 +37,8 @@ pub struct Notes {
     pub start: Option<Position>,
     /// What cannot be read.
     pub faults: Vec<NoteFault>,
+    /// Where each stands: the beginning of its key in a setup, such as `stock.`.
+    places: Vec<(String, Span)>,
 }
 
 /// A word of a note that cannot be read.
@@ -73,7 +77,7 @@ impl Notes {
             let Ok(inside) = std::str::from_utf8(&head[start..end]) else { continue };
             match head[start - 1] {
                 b'(' => notes.comment(inside, start),
-                _ => notes.billet(inside),
+                _ => notes.billet(inside, start),
             }
         }
         notes
@@ -89,15 +93,37 @@ impl Notes {
         setup
     }
 
+    /// What is to be told of them; `faults` are those of the whole setup.
+    pub fn diagnostics(&self, faults: Vec<Fault>, text: &[u8]) -> Vec<Diagnostic> {
+        let words = self.faults.iter().map(|fault| {
+            let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
+            Diagnostic::new(Message::NoteWord { word, expected: fault.expected }, fault.span)
+        });
+        let values = faults.into_iter().map(|Fault { key, value, need }| {
+            let place = self.places.iter().rfind(|place| key.starts_with(&place.0));
+            let span = place.map_or(Span::new(0, 0), |place| place.1);
+            Diagnostic::new(Message::SetupValue { key, value, need }, span)
+        });
+        words.chain(values).collect()
+    }
+
     fn comment(&mut self, inside: &str, start: usize) {
         let words = words(inside, start);
         let Some((head, rest)) = words.split_first() else { return };
         if !rest.iter().any(|word| !word.value.is_empty()) {
             return;
         }
+        let whole = Span::new(start, start + inside.len());
+        let mut stands = |key: &str| self.places.push((key.to_owned(), whole));
+        match head.key.as_str() {
+            "STOCK" => stands("stock."),
+            "TAILSTOCK" => stands("tailstock."),
+            "MACHINE" => stands("machine."),
+            _ => {}
+        }
         match head.key.as_str() {
             "STOCK" => self.stock(rest),
-            "TOOL" => self.tool(rest),
+            "TOOL" => self.tool(rest, whole),
             "TAILSTOCK" => {
                 let mut tailstock = Tailstock { z: 0.0, diameter: 20.0 };
                 self.fill(rest, "Z=, D=", |word| {
@@ -143,7 +169,7 @@ impl Notes {
         self.stock = Some(stock);
     }
 
-    fn tool(&mut self, words: &[Word]) {
+    fn tool(&mut self, words: &[Word], whole: Span) {
         let expected = "T and four digits, such as T0101";
         let Some((name, rest)) = words.split_first() else { return };
         let Some(number) = name.key.strip_prefix('T').filter(|digits| is_number(digits)) else {
@@ -182,6 +208,7 @@ impl Notes {
             }
             Some(())
         });
+        self.places.push((format!("tools.{key}."), whole));
         self.tools.push((key, tool));
     }
 
@@ -211,13 +238,14 @@ impl Notes {
     }
 
     /// `[BILLET X62 Z70`: diameter and length; the face is at Z0.
-    fn billet(&mut self, inside: &str) {
+    fn billet(&mut self, inside: &str, start: usize) {
         let mut words = inside.split_ascii_whitespace();
         if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("billet")) {
             return;
         }
         let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
+            self.places.push(("stock.".to_owned(), Span::new(start, start + inside.len())));
             self.stock = Some(Stock { diameter, bore: 0.0, face: 0.0, length, grip: None });
         }
     }

@@ -1,13 +1,11 @@
 //! Boxes in the plane of the lathe.
 //!
-//! In: points and shapes. Out: the upright box around them, true extents of arcs included. Knows nothing of
+//! In: points and arcs. Out: the upright box around them, true extents of arcs included. Knows nothing of
 //! pixels.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::geometry::{Arc, Point, Turn};
-
-use super::StrokeShape;
+use super::{Arc, Point, Turn};
 
 /// An upright box; both corners in mm, `x` a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,18 +25,6 @@ impl Bounds {
     /// The box around two points.
     pub fn around(a: Point, b: Point) -> Self {
         Self::of(a).with(b)
-    }
-
-    /// The box around a shape; of an arc its true extents.
-    pub fn of_shape(shape: &StrokeShape) -> Self {
-        match shape {
-            StrokeShape::Line { from, to } => Self::around(*from, *to),
-            StrokeShape::Arc(arc) => Self::of_arc(arc),
-            StrokeShape::Virtual(own) => {
-                StrokeShape::curve(own).into_iter().fold(Self::of(own.at(0.0)), Self::with)
-            }
-            StrokeShape::Dot(at) => Self::of(*at),
-        }
     }
 
     /// The box around an arc: its ends, and the outermost points of the circle that it passes.

@@ -1,0 +1,55 @@
+//! The table of what each tool does.
+//!
+//! In: a program that was run. Out: text or JSON: a row for each tool, and one for the whole program.
+
+use std::io::{self, Write};
+
+use super::{Format, write_row};
+use crate::api::{Place, Totals};
+use crate::run::Analysis;
+use crate::shop::tally::tally;
+
+/// Writes the table.
+pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) -> io::Result<()> {
+    let (tools, all) = tally(&analysis.motions, &analysis.setup.machine);
+    let rows = tools.iter().map(Totals::new);
+    match format {
+        Format::Json => rows.chain([Totals::new(&all)]).try_for_each(|row| write_row(out, &row)),
+        Format::Text => {
+            writeln!(out, "{:<6} {:>10} {:>11} {:>11}  {:<23} Z", "tool", "time", "cut mm", "rapid mm", "X")?;
+            for row in rows {
+                line(out, row.tool.as_deref().unwrap_or("-"), &row)?;
+            }
+            let all = Totals::new(&all);
+            line(out, "all", &all)?;
+            for (count, what, why) in [
+                (all.unknown_cuts, "cuts", "no feed, or the spindle stands"),
+                (all.unknown_rapids, "rapids", "set machine.rapidX and machine.rapidZ"),
+            ] {
+                if count > 0 {
+                    writeln!(out, "Not in the time: {count} {what} ({why}).")?;
+                }
+            }
+            Ok(())
+        }
+    }
+}
+
+fn line(out: &mut dyn Write, name: &str, row: &Totals) -> io::Result<()> {
+    let time = match (row.seconds, row.unknown_cuts, row.unknown_rapids) {
+        (0.0, cuts, rapids) if cuts + rapids > 0 => "unknown".to_owned(),
+        (seconds, ..) => clock(seconds),
+    };
+    let range = |of: fn(&Place) -> f64| match (&row.low, &row.high) {
+        (Some(low), Some(high)) => format!("{:.3} … {:.3}", of(low), of(high)),
+        _ => "–".to_owned(),
+    };
+    let (x, z) = (range(|place| place.x), range(|place| place.z));
+    writeln!(out, "{name:<6} {time:>10} {:>11.1} {:>11.1}  {x:<23} {z}", row.cut, row.rapid)
+}
+
+/// Minutes and seconds.
+fn clock(seconds: f64) -> String {
+    let tenths = (10.0 * seconds).round();
+    format!("{}:{:04.1}", (tenths / 600.0).floor(), tenths % 600.0 / 10.0)
+}
