@@ -33,6 +33,10 @@ pub struct Limits {
     pub macro_depth: usize,
     /// Most messages that are kept.
     pub messages: usize,
+    /// Most motions of a program whose material is taken off the blank; of a longer one only the path is shown.
+    pub part_motions: usize,
+    /// Most corners of what is left of the blank.
+    pub part_corners: usize,
     /// Motions from one snapshot to the next: after a change of the text, at least so many run again. It changes nothing
     /// that can be seen, so it is no setting.
     #[serde(skip)]
@@ -53,6 +57,8 @@ impl Default for Limits {
             call_depth: 10,
             macro_depth: 5,
             messages: 500,
+            part_motions: 20_000,
+            part_corners: 50_000,
             stride: 4096,
         }
     }
@@ -60,7 +66,7 @@ impl Default for Limits {
 
 impl Limits {
     /// The settings by name: what is set, and the most that can be.
-    pub fn settings(&self) -> [(&'static str, usize, usize); 11] {
+    pub fn settings(&self) -> [(&'static str, usize, usize); 13] {
         [
             // Places in the text and in memory are numbers of 32 bits, and a page has 4 GB.
             ("text", self.text, 256 << 20),
@@ -75,6 +81,8 @@ impl Limits {
             ("callDepth", self.call_depth, 100),
             ("macroDepth", self.macro_depth, MACRO_LEVELS),
             ("messages", self.messages, 100_000),
+            ("partMotions", self.part_motions, 1_000_000),
+            ("partCorners", self.part_corners, 1_000_000),
         ]
     }
 

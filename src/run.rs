@@ -44,7 +44,7 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            self.diagnostics.extend(rules::machine::diagnostics(shop.findings(), &self.motions));
+            self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions));
             self.diagnostics.sort_by_key(|told| (told.span.start, told.span.end));
         }
     }

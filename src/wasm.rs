@@ -15,6 +15,7 @@ use web_sys::OffscreenCanvas;
 use crate::api::{self, Places, Summary};
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
+use crate::diagnostics::rules;
 use crate::geometry::Point;
 use crate::motion::Chunk;
 use crate::run::{Run, TextEdit};
@@ -25,6 +26,9 @@ use crate::scene::outline::Outline;
 use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
 use crate::scene::view::{Mark, View};
+use crate::scene::work::{Moment, Work};
+use crate::shop::Shop;
+use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
 use crate::text::source::{LineIndex, Span};
 
@@ -48,6 +52,12 @@ pub struct Playground {
     cursor: Option<u32>,
     /// A text that is being handed in.
     incoming: Vec<u8>,
+    /// The program at the machine, once it has run.
+    shop: Option<Shop>,
+    /// The work as it is shown.
+    work: Option<Work>,
+    /// The moment it is shown at.
+    moment: Option<Moment>,
 }
 
 #[wasm_bindgen]
@@ -73,6 +83,9 @@ impl Playground {
             painter: None,
             cursor: None,
             incoming: Vec::new(),
+            shop: None,
+            work: None,
+            moment: None,
         }
     }
 
@@ -154,6 +167,20 @@ impl Playground {
         self.run.advance(blocks as usize)
     }
 
+    /// Takes the material of at most so many motions off the blank, once the run has ended; true when there is no more to
+    /// do. Messages about what runs into what come with it.
+    pub fn machine(&mut self, motions: u32) -> bool {
+        if !self.run.is_finished() {
+            return false;
+        }
+        let shop = self.shop.get_or_insert_with(|| Shop::new(self.run.motions(), self.run.setup()));
+        let done = shop.advance(self.run.motions(), motions as usize);
+        if done && self.work.is_none() {
+            self.show_work();
+        }
+        done
+    }
+
     /// Share of the program that has run, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.run.progress()
@@ -180,7 +207,11 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         let places = self.places();
-        let rows = self.run.diagnostics().iter().map(|found| places.diagnostic(found, self.language));
+        let findings =
+            self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions()));
+        let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
+        all.sort_by_key(|told| (told.span.start, told.span.end));
+        let rows = all.iter().map(|found| places.diagnostic(found, self.language));
         to_js(&rows.collect::<Vec<_>>())
     }
 
@@ -252,7 +283,7 @@ impl Playground {
     /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
     pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
+        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
         self.view.resize(&scene, Size { width, height }, pixel_ratio);
     }
 
@@ -269,7 +300,7 @@ impl Playground {
     /// Shows everything worth looking at.
     pub fn fit(&mut self) {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
+        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
         self.view.fit(&scene);
     }
 
@@ -352,10 +383,27 @@ impl Playground {
         vec![pixel.x, pixel.y]
     }
 
+    /// What is left of the blank, when all motions are done; nothing where there is no blank.
+    #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
+    pub fn part(&self) -> Result<JsValue, JsValue> {
+        match self.shop.as_ref().and_then(Shop::finished) {
+            Some(region) => to_js(&api::Part::new(&region)),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+
+    /// Time, cutting length and extents: of each tool, and at last of the whole program.
+    #[wasm_bindgen(unchecked_return_type = "Totals[]")]
+    pub fn totals(&self) -> Result<JsValue, JsValue> {
+        let (tools, all) = tally(self.run.motions(), &self.run.setup().machine);
+        to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
+    }
+
     /// Paints what has changed, and says when to call again.
     pub fn draw(&mut self) -> Result<Drawn, JsValue> {
         self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.run.setup().stock);
+        self.show_work();
+        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
         let Some(painter) = &mut self.painter else { return Ok(Drawn::All) };
         Ok(match painter.draw(&scene, &self.view)? {
             Progress::Done => Drawn::All,
@@ -407,9 +455,26 @@ impl Playground {
         // Until then the picture that is shown is of the last run, or moved by the user.
         if self.run.is_finished() {
             self.outline.settle();
-            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.run.setup().stock));
+            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
         }
         self.light_up();
+    }
+
+    /// Brings the work to the moment at which the tool stands.
+    fn show_work(&mut self) {
+        let Some(shop) = &self.shop else { return };
+        let motions = self.run.motions();
+        let place =
+            self.view.playhead.and_then(|length| Scene::new(motions, &self.outline, None).at_length(length));
+        let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
+        if self.work.is_none() || moment != self.moment {
+            self.moment = moment;
+            let first = self.work.is_none();
+            self.work = Work::of(shop, motions, moment);
+            if first && self.run.is_finished() {
+                self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
+            }
+        }
     }
 
     fn lines(&self) -> &LineIndex {
@@ -511,6 +576,9 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
         text: colour("text")?,
         stock: colour("stock")?,
         stock_edge: colour("stockEdge")?,
+        part: colour("part")?,
+        part_edge: colour("partEdge")?,
+        danger: colour("danger")?,
         rapid: colour("rapid")?,
         feed: colour("feed")?,
         thread: colour("thread")?,

@@ -294,6 +294,8 @@ const SMALL: Limits = Limits {
     call_depth: 4,
     macro_depth: 3,
     messages: 30,
+    part_motions: 1000,
+    part_corners: 1000,
     stride: 7,
 };
 

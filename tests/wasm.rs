@@ -243,6 +243,7 @@ fn every_bound_is_exact() {
             playground.set_setup(&bound.setup).expect("setup");
             playground.set_text(text.into());
             while !playground.advance(1) {}
+            while !playground.machine(1) {}
             rows(playground.diagnostics()).iter().any(|row| row["slug"] == bound.slug)
         };
         assert!(!is_told(&bound.within), "{}", bound.slug);

@@ -20,6 +20,7 @@ use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
 use crate::run::{Analysis, Run};
 use crate::scene::outline::Outline;
+use crate::scene::work::Work;
 use crate::scene::{self, Scene};
 use crate::shop::Shop;
 use crate::text::source::LineIndex;
@@ -208,7 +209,9 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Svg { file, with, output } => {
             let program = program(&file, &with)?;
             let outline = Outline::of(&program.analysis.motions);
-            let scene = Scene::new(&program.analysis.motions, &outline, program.analysis.setup.stock);
+            let motions = &program.analysis.motions;
+            let work = Work::of(&Shop::done(motions, &program.analysis.setup), motions, None);
+            let scene = Scene::new(motions, &outline, work.as_ref());
             let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
             save(output.as_deref(), svg.as_bytes())?;
             Ok(status(&program.analysis))

@@ -374,6 +374,10 @@ pub enum Message {
     NoteWord { word: String, expected: &'static str },
 
     // Machine
+    /// The program has too many motions for the part to be worked out.
+    PartTooManyMotions { most: usize },
+    /// The outline of the part has too many corners.
+    PartTooManyCorners { most: usize },
     /// The setup names tools, but not this one.
     ToolNotListed { tool: String },
     /// A rapid goes through the work.
@@ -432,6 +436,8 @@ impl Message {
             | Self::TooManyRounds { .. }
             | Self::TooManyMacroSteps { .. }
             | Self::TextTooLong { .. }
+            | Self::PartTooManyMotions { .. }
+            | Self::PartTooManyCorners { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
@@ -629,6 +635,8 @@ impl Message {
             Self::CompensationIdle { .. } => ("W-TNRC-CYCLE", "compensation-without-effect", Warning, None),
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
+            Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
+            Self::PartTooManyCorners { .. } => ("I-PART-CORNERS", "part-too-many-corners", Info, None),
             Self::ToolNotListed { .. } => ("W-TOOL-NOT-LISTED", "tool-not-in-setup", Warning, None),
             Self::RapidThroughStock { .. } => ("W-START-IN-STOCK", "rapid-through-stock", Error, None),
             Self::DoglegThroughStock { .. } => {

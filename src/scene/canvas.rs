@@ -18,7 +18,9 @@ use super::camera::Pixel;
 use super::ink::Ink;
 use super::marks::{arrow_heads, insert};
 use super::view::View;
-use super::{Place, Scene, StockShape, Stroke, StrokeStyle};
+use super::work::{ToolOutline, Work};
+use super::{Place, Scene, Stroke, StrokeStyle};
+use crate::geometry::Point;
 pub use layer::Progress;
 use layer::StrokeLayer;
 use paths::Paths;
@@ -48,7 +50,7 @@ pub struct Painter {
 #[derive(Clone, Debug, PartialEq)]
 struct Painted {
     view: View,
-    stock: Option<StockShape>,
+    work: Option<u64>,
     outline: u64,
     /// Which image of the strokes.
     strokes: u32,
@@ -67,7 +69,7 @@ impl Painter {
         let progress = self.strokes.update(scene, view)?;
         let now = Painted {
             view: view.clone(),
-            stock: scene.stock(),
+            work: scene.work().map(Work::id),
             outline: scene.outline().id(),
             strokes: self.strokes.version(),
         };
@@ -106,8 +108,17 @@ impl Painter {
             let paths = Paths::of([stroke].into_iter())?;
             self.pick_out(view, &paths, &view.palette.hover, || [stroke].into_iter())?;
         }
-        if let Some(place) = view.playhead.and_then(|length| scene.at_length(length)) {
-            self.tool(view, place)?;
+        if let Some(work) = scene.work() {
+            self.dangers(view, work)?;
+        }
+        match (scene.work().and_then(|work| work.tool.as_ref()), view.playhead) {
+            (Some(tool), _) => self.real_tool(view, tool)?,
+            (None, Some(length)) => {
+                if let Some(place) = scene.at_length(length) {
+                    self.tool(view, place)?;
+                }
+            }
+            (None, None) => {}
         }
         self.screen.unclip();
         Ok(())
@@ -181,6 +192,38 @@ impl Painter {
         pen.dots(colour, start.into_iter(), 4.5)
     }
 
+    /// Rings where something runs into something.
+    fn dangers(&self, view: &View, work: &Work) -> Result<(), JsValue> {
+        self.screen.page(view)?;
+        for at in work.dangers.iter().map(|at| view.camera().to_screen(*at)) {
+            self.screen.ring(&view.palette.danger, at, 8.0, 2.5)?;
+            let arm = |x: f64, y: f64| [Pixel::new(at.x - x, at.y - y), Pixel::new(at.x + x, at.y + y)];
+            self.screen.lines(&view.palette.danger, 2.5, [arm(4.0, 4.0), arm(4.0, -4.0)].iter().copied());
+        }
+        Ok(())
+    }
+
+    /// The outline of the tool that cuts, its tip marked.
+    fn real_tool(&self, view: &View, tool: &ToolOutline) -> Result<(), JsValue> {
+        let camera = view.camera();
+        let seen = |points: &[Point]| points.iter().map(|at| sheet::held(camera, *at)).collect::<Vec<_>>();
+        self.screen.page(view)?;
+        if let Some(body) = tool.body.as_deref().map(seen) {
+            self.screen.opacity(0.16);
+            self.screen.fill(&view.palette.tool, [&body[..]].into_iter());
+            self.screen.opacity(0.6);
+            self.screen.outline(&view.palette.tool, &body, 1.0);
+        }
+        let edge = seen(&tool.edge);
+        self.screen.opacity(0.85);
+        self.screen.fill(&view.palette.background, [&edge[..]].into_iter());
+        self.screen.opacity(0.3);
+        self.screen.fill(&view.palette.tool, [&edge[..]].into_iter());
+        self.screen.opacity(1.0);
+        self.screen.outline(&view.palette.tool, &edge, 1.75);
+        self.screen.dots(&view.palette.tool, [camera.to_screen(tool.tip)].into_iter(), 2.5)
+    }
+
     fn tool(&self, view: &View, place: Place) -> Result<(), JsValue> {
         let tip = view.camera().to_screen(place.at);
         let corners = insert(tip);
@@ -199,7 +242,7 @@ impl Painter {
 impl Painted {
     /// Whether the sheet under what is picked out is the same.
     fn has_same_sheet(&self, now: &Painted) -> bool {
-        let image = |painted: &Painted| (painted.stock, painted.outline, painted.strokes);
+        let image = |painted: &Painted| (painted.work, painted.outline, painted.strokes);
         self.view.shows_same_ground(&now.view) && image(self) == image(now)
     }
 }

@@ -1,6 +1,6 @@
 //! What you see: the analysis as shapes that carry the block that made them.
 //!
-//! In: the motion list and the stock. Out: [`Scene`], a neutral picture in mm that exporters only read:
+//! In: the motion list and the work. Out: [`Scene`], a neutral picture in mm that exporters only read:
 //! `svg` writes it as a file, `canvas` draws it in the page, `pick` finds what is under a pointer. Nothing is
 //! copied: strokes are made from motions as they are asked for. Must not know G-code words, nor say anything
 //! in human language but the names of the axes.
@@ -8,6 +8,7 @@
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
+pub mod hatch;
 pub mod ink;
 pub mod marks;
 pub mod outline;
@@ -17,10 +18,10 @@ pub mod plot;
 pub mod ruler;
 pub mod svg;
 pub mod view;
+pub mod work;
 
 use std::ops::Range;
 
-use crate::control::setup::Stock;
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
@@ -28,6 +29,7 @@ use crate::text::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
 use outline::{Outline, Stretch};
+use work::Work;
 
 /// The line style of a stroke: what a technical drawing tells apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -236,42 +238,19 @@ pub struct Place {
     pub at: Point,
 }
 
-/// The blank as a rectangle above the spindle axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StockShape {
-    /// From the bore to the outside radius, from the back to the front face.
-    pub bounds: Bounds,
-}
-
-impl StockShape {
-    /// Its two halves, above the spindle axis and below: corners from the bore at the back over the outside to
-    /// the bore at the front.
-    pub fn halves(&self) -> [[Point; 4]; 2] {
-        let Bounds { min, max } = self.bounds;
-        let corners = [(min.x, min.z), (max.x, min.z), (max.x, max.z), (min.x, max.z)];
-        [1.0, -1.0].map(|side| corners.map(|(x, z)| Point::new(side * x, z)))
-    }
-
-    /// How many of its four edges there are: solid stock has none on the axis, where it would fill the gaps of
-    /// the centre line.
-    pub fn edges(&self) -> usize {
-        if self.bounds.min.x > 0.0 { 4 } else { 3 }
-    }
-}
-
-/// The picture of a run: a view over its motions and the stock, which nothing is copied into.
+/// The picture of a run: a view over its motions and the work, which nothing is copied into.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     motions: &'a Motions,
     outline: &'a Outline,
-    stock: Option<Stock>,
+    work: Option<&'a Work>,
 }
 
 impl<'a> Scene<'a> {
-    /// The picture of `motions`, of which `outline` was made, in `stock`. Motions that the outline has not
+    /// The picture of `motions`, of which `outline` was made, and of the work. Motions that the outline has not
     /// seen yet are left out.
-    pub fn new(motions: &'a Motions, outline: &'a Outline, stock: Option<Stock>) -> Self {
-        Self { motions, outline, stock }
+    pub fn new(motions: &'a Motions, outline: &'a Outline, work: Option<&'a Work>) -> Self {
+        Self { motions, outline, work }
     }
 
     /// The outline the scene goes by.
@@ -289,17 +268,9 @@ impl<'a> Scene<'a> {
         self.len() == 0
     }
 
-    /// The stock, if it has a size.
-    pub fn stock(&self) -> Option<StockShape> {
-        let stock = self.stock?;
-        let (outside, bore) = (stock.diameter / 2.0, stock.bore / 2.0);
-        let sized = outside > 0.0 && stock.length > 0.0 && outside.is_finite() && stock.length.is_finite();
-        sized.then(|| StockShape {
-            bounds: Bounds {
-                min: Point::new(crate::geometry::within(bore, 0.0, outside), stock.face - stock.length),
-                max: Point::new(outside, stock.face),
-            },
-        })
+    /// The work.
+    pub fn work(&self) -> Option<&'a Work> {
+        self.work
     }
 
     /// The stroke of one motion; `None` past the end.
@@ -377,7 +348,11 @@ impl<'a> Scene<'a> {
     /// The box worth looking at: what cuts and the stock, with the rapids that end nearby; all motions where
     /// nothing cuts. The spindle axis is always in it.
     pub fn bounds(&self) -> Bounds {
-        let stock = self.stock().map(|stock| stock.bounds);
+        // Both sides of the centre line are drawn.
+        let stock = self.work.map(|work| {
+            let bounds = work.bounds();
+            bounds.with(Point::new(-bounds.max.x, bounds.min.z))
+        });
         let Some(cuts) = self.outline.cuts() else {
             let all = join(self.outline.rapids(), stock)
                 .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });

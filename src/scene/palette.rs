@@ -14,10 +14,16 @@ pub struct Palette {
     pub axis: String,
     /// Tick labels.
     pub text: String,
-    /// The stock.
+    /// The blank, where material is gone from it.
     pub stock: String,
-    /// Outline of the stock.
+    /// Outline of the blank.
     pub stock_edge: String,
+    /// What is left of it.
+    pub part: String,
+    /// Outline of what is left, and its hatching.
+    pub part_edge: String,
+    /// Where something runs into something.
+    pub danger: String,
     /// Rapids.
     pub rapid: String,
     /// Cuts at feed.
@@ -42,8 +48,11 @@ impl Palette {
             grid: "#eceff2".into(),
             axis: "#8b95a1".into(),
             text: "#56606b".into(),
-            stock: "#f3eee4".into(),
+            stock: "#f6f3ec".into(),
             stock_edge: "#c8bda6".into(),
+            part: "#e3dcc8".into(),
+            part_edge: "#8a7f63".into(),
+            danger: "#c02b2b".into(),
             rapid: "#7f8b98".into(),
             feed: "#174ea6".into(),
             thread: "#0b7a53".into(),
@@ -61,8 +70,11 @@ impl Palette {
             grid: "#23282e".into(),
             axis: "#6b7681".into(),
             text: "#a3aeb9".into(),
-            stock: "#2a2822".into(),
+            stock: "#211f1b".into(),
             stock_edge: "#6a6250".into(),
+            part: "#3a3629".into(),
+            part_edge: "#a0936f".into(),
+            danger: "#ff8f87".into(),
             rapid: "#7d8894".into(),
             feed: "#7fb2ff".into(),
             thread: "#4fd0a0".into(),

@@ -7,11 +7,14 @@
 use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
+use crate::shop::fitting::Known;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
 use super::ruler::{Axis, Tick, TickWeight, ticks};
+use super::work::Outlines;
 use super::{Scene, Stroke, StrokeShape, StrokeStyle};
 
 /// How the file is to look.
@@ -66,13 +69,14 @@ impl Drawing {
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
         let (along, across) = (ticks(Axis::Z, &self.camera), ticks(Axis::X, &self.camera));
         self.grid(&along, &across);
-        self.stock(scene);
+        self.work(scene);
         self.center_line();
         self.programmed(scene);
         for style in StrokeStyle::ALL {
             self.strokes(scene, style);
         }
         self.arrows(scene);
+        self.dangers(scene);
         self.line("</svg>");
         self.rulers(&along, &across);
         self.line("</svg>");
@@ -90,13 +94,53 @@ impl Drawing {
         self.line(&format!(r#"<path class="grid" d="{d}"/>"#));
     }
 
-    fn stock(&mut self, scene: &Scene) {
-        let Some(stock) = scene.stock() else { return };
-        let close = if stock.edges() == 4 { "Z" } else { "" };
-        for (class, corners) in ["stock", "stock mirrored"].into_iter().zip(stock.halves()) {
-            let [a, b, c, d] = corners.map(|corner| self.place(corner));
-            self.line(&format!(r#"<path class="{class}" d="M{a}L{b}L{c}L{d}{close}"/>"#));
+    /// The blank, what is left of it, and what stands around it: above the axis, and below.
+    fn work(&mut self, scene: &Scene) {
+        let Some(work) = scene.work() else { return };
+        let guessed = match work.known {
+            Known::Given => "",
+            Known::Guessed => " guessed",
+        };
+        for side in [1.0, -1.0] {
+            let seen = |outlines: &Outlines, camera: &Camera| -> Vec<Vec<Pixel>> {
+                let place = |at: &Point| camera.to_screen(Point::new(side * at.x, at.z));
+                outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
+            };
+            let (blank, part) = (seen(&work.blank, &self.camera), seen(&work.part, &self.camera));
+            let obstacles = seen(&work.obstacles, &self.camera);
+            self.outlines(&format!("blank{guessed}"), &blank);
+            self.outlines("part", &part);
+            let zero = self.camera.to_screen(Point::default());
+            let lines = hatch(&part, zero, self.camera.size());
+            if !lines.is_empty() {
+                let d: String = lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect();
+                self.line(&format!(r#"<path class="hatch" d="{d}"/>"#));
+            }
+            self.outlines("obstacle", &obstacles);
         }
+    }
+
+    fn outlines(&mut self, class: &str, outlines: &[Vec<Pixel>]) {
+        if outlines.is_empty() {
+            return;
+        }
+        let outline = |corners: &Vec<Pixel>| {
+            let places: Vec<String> = corners.iter().map(|corner| pixel(*corner)).collect();
+            format!("M{}Z", places.join("L"))
+        };
+        let d: String = outlines.iter().map(outline).collect();
+        self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
+    }
+
+    /// Crosses where something runs into something.
+    fn dangers(&mut self, scene: &Scene) {
+        let Some(work) = scene.work().filter(|work| !work.dangers.is_empty()) else { return };
+        let mut d = String::new();
+        for at in work.dangers.iter().map(|at| self.camera.to_screen(*at)) {
+            let (x, y) = (number(at.x - 8.0), number(at.y));
+            let _ = write!(d, "M{x} {y}a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8");
+        }
+        self.line(&format!(r#"<path class="danger" d="{d}"/>"#));
     }
 
     fn center_line(&mut self) {
@@ -243,7 +287,11 @@ const SHAPES: &str = "\
 .lathe g path.dwell { stroke-width: 6; stroke-linecap: round }
 .lathe .center { stroke-dasharray: 16 4 2 4 }
 .lathe .programmed { stroke-dasharray: 2 3 }
-.lathe .stock.mirrored { opacity: 0.45 }
+.lathe .blank.guessed { stroke-dasharray: 7 4 }
+.lathe .part { stroke-width: 1.5; stroke-linejoin: round }
+.lathe .hatch { fill: none; opacity: 0.35 }
+.lathe .obstacle { fill-opacity: 0.25 }
+.lathe .danger { fill: none; stroke-width: 2.5 }
 .lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
 .lathe text.x { text-anchor: end }
 .lathe text.z { text-anchor: middle }
@@ -252,15 +300,33 @@ const SHAPES: &str = "\
 
 /// The colours of a palette as style rules.
 fn colours(palette: &Palette) -> String {
-    let Palette { background, grid, axis, text, stock, stock_edge, rapid, feed, thread, uncertain, .. } =
-        palette;
+    let Palette {
+        background,
+        grid,
+        axis,
+        text,
+        stock,
+        stock_edge,
+        part,
+        part_edge,
+        danger,
+        rapid,
+        feed,
+        thread,
+        uncertain,
+        ..
+    } = palette;
     format!(
         "\
 .lathe .background {{ fill: {background} }}
 .lathe .grid {{ stroke: {grid} }}
 .lathe .ruler, .lathe .center, .lathe .programmed {{ stroke: {axis} }}
 .lathe text {{ fill: {text} }}
-.lathe .stock {{ fill: {stock}; stroke: {stock_edge} }}
+.lathe .blank {{ fill: {stock}; stroke: {stock_edge} }}
+.lathe .part {{ fill: {part}; stroke: {part_edge} }}
+.lathe .hatch {{ stroke: {part_edge} }}
+.lathe .obstacle {{ fill: {axis}; stroke: {axis} }}
+.lathe .danger {{ stroke: {danger} }}
 .lathe g .rapid {{ stroke: {rapid} }}
 .lathe g .feed, .lathe g .dwell {{ stroke: {feed} }}
 .lathe g .thread {{ stroke: {thread} }}
@@ -296,12 +362,11 @@ mod tests {
     use super::super::outline::Outline;
     use super::super::tests::Path;
     use super::*;
-    use crate::control::setup::Stock;
 
-    fn draw(path: Path, stock: Option<Stock>) -> String {
+    fn draw(path: Path) -> String {
         let motions = path.motions();
         let outline = Outline::of(&motions);
-        svg(&Scene::new(&motions, &outline, stock), &SvgOptions::default())
+        svg(&Scene::new(&motions, &outline, None), &SvgOptions::default())
     }
 
     fn paths(file: &str) -> Vec<&str> {
@@ -311,7 +376,7 @@ mod tests {
     #[test]
     fn every_block_has_its_own_path() {
         let path = Path::from(100.0, 20.0).rapid(60.0, 2.0).feed(60.0, -30.0).dwell().thread(60.0, -40.0);
-        let file = draw(path.uncertain().feed(70.0, -40.0), None);
+        let file = draw(path.uncertain().feed(70.0, -40.0));
         let found = paths(&file);
         assert_eq!(found.len(), 5, "{file}");
         for (path, start) in found.iter().zip([
@@ -328,16 +393,16 @@ mod tests {
     #[test]
     fn arcs_are_true_arcs_that_turn_the_right_way() {
         let clockwise = Path::from(40.0, 0.0).arc(Turn::Clockwise, (80.0, 20.0), (80.0, 0.0));
-        let file = draw(clockwise, None);
+        let file = draw(clockwise);
         assert_eq!(paths(&file)[0].matches(" 0 0 1 ").count(), 2, "{file}");
         let full = Path::from(40.0, 0.0).arc(Turn::Counterclockwise, (40.0, 0.0), (80.0, 0.0));
-        let file = draw(full, None);
+        let file = draw(full);
         assert_eq!(paths(&file)[0].matches(" 0 0 0 ").count(), 2, "{file}");
     }
 
     #[test]
     fn nothing_to_draw_is_an_empty_sheet() {
-        let file = draw(Path::from(0.0, 0.0), None);
+        let file = draw(Path::from(0.0, 0.0));
         assert!(paths(&file).is_empty() && file.contains(">\u{2212}50<") && !file.contains("NaN"), "{file}");
         assert!(file.ends_with("</svg>\n"));
     }

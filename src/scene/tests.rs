@@ -1,8 +1,10 @@
 //! Tests of the scene, and hand-built paths for those of its parts.
 
-use crate::control::setup::Stock;
+use crate::control::setup::{Setup, Stock};
 use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
+use crate::scene::work::Work;
+use crate::shop::Shop;
 use crate::text::source::Span;
 
 use super::Scene;
@@ -107,7 +109,9 @@ const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0
 fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
     let motions = path.motions();
     let outline = Outline::of(&motions);
-    let bounds = Scene::new(&motions, &outline, stock).bounds();
+    let setup = Setup { stock, ..Setup::default() };
+    let work = stock.and_then(|_| Work::of(&Shop::done(&motions, &setup), &motions, None));
+    let bounds = Scene::new(&motions, &outline, work.as_ref()).bounds();
     let expected = Bounds::around(point(low.0, low.1), point(high.0, high.1));
     assert!(bounds.min.is_same(expected.min) && bounds.max.is_same(expected.max), "{bounds:?} {expected:?}");
 }
@@ -116,7 +120,7 @@ fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64
 fn the_box_worth_looking_at() {
     let turning = || Path::from(200.0, 200.0).rapid(64.0, 2.0).feed(50.0, -30.0).rapid(200.0, 200.0);
     check_bounds(turning(), None, ((0.0, -30.0), (64.0, 2.0)));
-    check_bounds(turning(), Some(STOCK), ((0.0, -79.0), (64.0, 2.0)));
+    check_bounds(turning(), Some(STOCK), ((-60.0, -79.0), (64.0, 2.0)));
     let nothing_cuts = Path::from(200.0, 200.0).rapid(64.0, 2.0).rapid(100.0, -20.0);
     check_bounds(nothing_cuts, None, ((0.0, -20.0), (100.0, 2.0)));
     check_bounds(Path::from(0.0, 0.0), None, ((0.0, -50.0), (40.0, 10.0)));

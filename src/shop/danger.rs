@@ -118,6 +118,11 @@ impl Watch {
         }
     }
 
+    /// What stands around the work: the chuck, the tailstock.
+    pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
+        [&self.jaws, &self.tailstock].into_iter().flatten()
+    }
+
     /// Looks at the next motion, before its material is off.
     pub fn look(&mut self, index: usize, motion: &Motion, fitting: &Fitting, part: &mut Part) {
         if self.findings.len() >= MOST || motion.kind == MotionKind::Dwell || motion.process.uncertain {
@@ -133,7 +138,7 @@ impl Watch {
         if motion.rotary.is_some() || tool.shape.action == Action::Live {
             return;
         }
-        self.obstacles(index, motion, tool);
+        self.hit_obstacles(index, motion, tool);
         if self.stock.is_none() {
             return;
         }
@@ -160,7 +165,7 @@ impl Watch {
         }
     }
 
-    fn obstacles(&mut self, index: usize, motion: &Motion, tool: &Fitted) {
+    fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &Fitted) {
         let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
             let outlines = [Some(&tool.shape.core), tool.shape.body.as_ref()];

@@ -14,10 +14,11 @@ pub mod timing;
 pub mod tool;
 
 use crate::control::setup::{Machine, Setup};
+use crate::limits::Limits;
 use crate::motion::Motions;
 use danger::{Finding, Watch};
 use fitting::Fitting;
-use part::{MOST_MOTIONS, Part};
+use part::Part;
 use region::Region;
 
 /// A program at the machine.
@@ -27,15 +28,28 @@ pub struct Shop {
     part: Option<Part>,
     watch: Watch,
     machine: Machine,
+    limits: Limits,
+    full: Option<Full>,
+}
+
+/// A bound that ends the taking off of material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Full {
+    /// The program has more motions than this.
+    Motions(usize),
+    /// What is left has more corners than this.
+    Corners(usize),
 }
 
 impl Shop {
     /// Fits out a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
+        let limits = setup.limits;
         let fitting = Fitting::new(motions, setup);
         let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
-        Self { fitting, part, watch, machine: setup.machine }
+        let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
+        Self { fitting, part, watch, machine: setup.machine, limits, full }
     }
 
     /// A program with all its material off.
@@ -45,21 +59,37 @@ impl Shop {
         shop
     }
 
-    /// Takes the material of at most so many motions off; true once all are done, or more than can be.
+    /// Takes the material of at most so many motions off; true once all are done, or a bound is met.
     pub fn advance(&mut self, motions: &Motions, count: usize) -> bool {
         let Some(part) = &mut self.part else { return true };
-        let end = motions.len().min(MOST_MOTIONS);
-        for index in part.done()..end.min(part.done().saturating_add(count)) {
+        for _ in 0..count {
+            let index = part.done();
+            if self.full.is_some() || index >= motions.len() {
+                return true;
+            }
             let motion = motions.get(index);
             self.watch.look(index, &motion, &self.fitting, part);
             part.step(&motion, self.fitting.tool(&motion));
+            if part.corners() > self.limits.part_corners {
+                self.full = Some(Full::Corners(self.limits.part_corners));
+            }
         }
-        part.done() >= end
+        self.full.is_some() || part.done() >= motions.len()
+    }
+
+    /// The bound that was met.
+    pub fn full(&self) -> Option<Full> {
+        self.full
     }
 
     /// What runs into what, as far as motions are done.
     pub fn findings(&self) -> &[Finding] {
         &self.watch.findings
+    }
+
+    /// What stands around the work: the chuck, the tailstock.
+    pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
+        self.watch.obstacles()
     }
 
     /// Tools and blank.
@@ -72,14 +102,14 @@ impl Shop {
         &self.machine
     }
 
-    /// What is left of the blank after all motions that were done; nothing where there is no blank.
+    /// What is left of the blank after all motions that were done; nothing where there is no blank, or a bound was met.
     pub fn finished(&self) -> Option<Region> {
-        Some(self.part.as_ref()?.finished())
+        Some(self.part.as_ref().filter(|_| self.full.is_none())?.finished())
     }
 
     /// What is left when so many motions are done, and of the next one the fraction `share`.
     pub fn part_at(&self, motions: &Motions, count: usize, share: f64) -> Option<Region> {
-        Some(self.part.as_ref()?.at(motions, &self.fitting, count, share))
+        Some(self.part.as_ref().filter(|_| self.full.is_none())?.at(motions, &self.fitting, count, share))
     }
 
     /// The blank.

@@ -21,8 +21,8 @@ const MOST_WAITING: usize = 1500;
 /// Motions from one kept state to the next, at least.
 const STRIDE: usize = 32;
 
-/// Most motions whose material is taken off.
-pub const MOST_MOTIONS: usize = 100_000;
+/// Most corners of all states that are kept; beyond, every other one is dropped.
+const MOST_KEPT: usize = 1_000_000;
 
 /// The work under way.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +36,10 @@ pub struct Part {
     corners: usize,
     /// States on the way: so many motions were done.
     kept: Vec<(usize, Region)>,
+    /// Corners of all of them.
+    kept_corners: usize,
+    /// Motions from one to the next, at least.
+    stride: usize,
 }
 
 impl Part {
@@ -44,7 +48,7 @@ impl Part {
         let (low, high) = (stock.bore / 2.0, stock.diameter / 2.0);
         let corners = [(low, stock.back()), (low, stock.face), (high, stock.face), (high, stock.back())];
         let blank = Region::inside(&corners.map(|(x, z)| Point::new(x, z)));
-        Self { now: blank.clone(), blank, ..Self::default() }
+        Self { now: blank.clone(), blank, stride: STRIDE, ..Self::default() }
     }
 
     /// The blank.
@@ -66,10 +70,30 @@ impl Part {
         if self.corners > MOST_WAITING {
             self.settle();
         }
-        if self.done >= self.kept.last().map_or(0, |last| last.0) + STRIDE && !self.waiting.is_empty() {
+        if self.done >= self.kept.last().map_or(0, |last| last.0) + self.stride && !self.waiting.is_empty() {
             self.settle();
-            self.kept.push((self.done, self.now.clone()));
+            self.keep();
         }
+    }
+
+    /// Keeps the state as it is now.
+    fn keep(&mut self) {
+        self.kept_corners += self.now.corners();
+        self.kept.push((self.done, self.now.clone()));
+        if self.kept_corners > MOST_KEPT {
+            let mut odd = false;
+            self.kept.retain(|_| {
+                odd = !odd;
+                odd
+            });
+            self.kept_corners = self.kept.iter().map(|state| state.1.corners()).sum();
+            self.stride *= 2;
+        }
+    }
+
+    /// Corners of what is left.
+    pub fn corners(&self) -> usize {
+        self.now.corners()
     }
 
     /// The work as it is now.

@@ -25,7 +25,7 @@ export interface DrawingEvents {
 }
 
 const PALETTE: readonly (keyof Palette)[] = [
-  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
+  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'part', 'partEdge', 'danger', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
 ];
 
 export class Drawing {

@@ -20,6 +20,9 @@ const LINES_PER_LOOK = 20_000;
 const LOOK_LIMIT = 100_000;
 /** Longer texts are written out without colours. */
 const COLOUR_LIMIT = 200_000;
+/** Motions whose material is taken off in one go, and how long a report waits for the part. */
+const MOTIONS_PER_SLICE = 20;
+const WAIT_FOR_PART_MS = 8;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
@@ -41,6 +44,8 @@ let reported = false;
 let drawWanted = false;
 /** A picture of very many strokes is under way. */
 let drawing = false;
+/** Material is being taken off the blank. */
+let machining = false;
 
 /** Messages that came before the interpreter was loaded. */
 const early: (Command | Question)[] = [];
@@ -216,6 +221,7 @@ function lookOn(playground: Playground): void {
 function wantRun(): void {
   const now = performance.now();
   run = { startedAt: now, lastProgressAt: now };
+  machining = false;
   reported = false;
   queueSlice();
 }
@@ -236,8 +242,9 @@ function slice(): void {
   if (core === undefined) return;
   if (run !== undefined) advance(core, run);
   else if (drawing) draw(core);
+  else if (machining) machine(core);
   else lookOn(core);
-  if (run !== undefined || drawing || looking !== undefined) queueSlice();
+  if (run !== undefined || drawing || machining || looking !== undefined) queueSlice();
 }
 
 function advance(playground: Playground, current: Run): void {
@@ -254,6 +261,20 @@ function advance(playground: Playground, current: Run): void {
 function end(playground: Playground): void {
   run = undefined;
   lookOn(playground);
+  machining = true;
+  machine(playground);
+  // What takes longer than a blink is told of when it is there.
+  if (machining) report(playground);
+}
+
+/** Takes some more material off; the part, and what runs into what, are there when all of it is. */
+function machine(playground: Playground): void {
+  const enough = performance.now() + WAIT_FOR_PART_MS;
+  while (machining && performance.now() < enough) machining = !playground.machine(MOTIONS_PER_SLICE);
+  if (machining) {
+    queueSlice();
+    return;
+  }
   report(playground);
   wantDraw();
 }
@@ -334,6 +355,7 @@ function guarded(step: () => void): void {
     core = undefined;
     run = undefined;
     drawing = false;
+    machining = false;
     send({ kind: 'crashed', reason: describe(error) });
   }
 }

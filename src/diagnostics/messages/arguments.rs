@@ -147,6 +147,8 @@ impl Message {
             | Self::TooManyRepeats { most }
             | Self::TooManyRounds { most }
             | Self::TooManyMacroSteps { most }
+            | Self::PartTooManyMotions { most }
+            | Self::PartTooManyCorners { most }
             | Self::TooMuchRepeated { most } => vec![("most", Count(*most as i64))],
             Self::TextTooLong { bytes, most } => {
                 vec![("bytes", Count(*bytes as i64)), ("most", Count(*most as i64))]

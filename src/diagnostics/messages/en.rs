@@ -330,6 +330,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Lengths are in millimetres, angles in degrees. What is wrong counts as not given.",
         NoteWord => "`{word}` is nothing a setup comment can say.\n\
             Here can stand: {expected}",
+        PartTooManyMotions => "The program has more than {most} motions: the path is shown, but not the part, and no collision is looked for.\n\
+            `limits.partMotions` of the setup sets the bound.",
+        PartTooManyCorners => "The part has more than {most} corners: the path is shown, but not the part, and collisions are found up to there.\n\
+            `limits.partCorners` of the setup sets the bound.",
         ToolNotListed => "The setup names tools, but not {tool}.\n\
             A tool is guessed for the picture; no collision of its holder is found. Add {tool} to the setup.",
         RapidThroughStock => "The rapid runs into the work at X{x} Z{z}.\n\

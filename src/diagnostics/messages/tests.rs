@@ -229,6 +229,8 @@ fn samples() -> Vec<Message> {
         Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::Below(1.0) },
         Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::AtMost(1.0) },
         Message::NoteWord { word: "X1".into(), expected: "G71" },
+        Message::PartTooManyMotions { most: 5 },
+        Message::PartTooManyCorners { most: 5 },
         Message::ToolNotListed { tool: "X1".into() },
         Message::RapidThroughStock { x: 1.5, z: 1.5 },
         Message::DoglegThroughStock { x: 1.5, z: 1.5 },

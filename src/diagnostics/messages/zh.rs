@@ -330,6 +330,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             长度单位为毫米，角度单位为度。错误的值按未给出处理。",
         NoteWord => "设置注释中不能写 `{word}`。\n\
             这里可以写：{expected}",
+        PartTooManyMotions => "程序的刀具运动超过 {most} 段：只显示轨迹，不计算零件，也不检查碰撞。\n\
+            上限由设置中的 `limits.partMotions` 决定。",
+        PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
+            上限由设置中的 `limits.partCorners` 决定。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\
             图形中的刀具是推测的，不检查刀杆碰撞。请在设置中加上 {tool}。",
         RapidThroughStock => "快速移动在 X{x} Z{z} 处撞到工件。\n\

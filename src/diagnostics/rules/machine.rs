@@ -6,11 +6,20 @@
 use crate::diagnostics::{Diagnostic, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
+use crate::shop::{Full, Shop};
+use crate::text::source::Span;
 
-/// The messages of all findings.
-pub fn diagnostics(findings: &[Finding], motions: &Motions) -> Vec<Diagnostic> {
+/// The messages of all findings, and of a bound that was met.
+pub fn diagnostics(shop: &Shop, motions: &Motions) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
-    for finding in findings {
+    told.extend(shop.full().map(|full| {
+        let message = match full {
+            Full::Motions(most) => Message::PartTooManyMotions { most },
+            Full::Corners(most) => Message::PartTooManyCorners { most },
+        };
+        Diagnostic::new(message, Span::new(0, 0))
+    }));
+    for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
         if !told.iter().rev().take(20).any(same) {

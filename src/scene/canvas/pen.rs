@@ -167,6 +167,49 @@ impl Pen {
         Ok(())
     }
 
+    /// Strokes a ring of a radius and a width, CSS pixels.
+    pub fn ring(&self, colour: &str, at: Pixel, radius: f64, width: f64) -> Result<(), JsValue> {
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width);
+        self.dash(Dash::Solid, 1.0)?;
+        self.context.begin_path();
+        self.context.arc(at.x, at.y, radius, 0.0, std::f64::consts::TAU)?;
+        self.context.stroke();
+        Ok(())
+    }
+
+    /// Strokes straight lines of a width, CSS pixels.
+    pub fn lines(&self, colour: &str, width: f64, lines: impl Iterator<Item = [Pixel; 2]>) {
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width);
+        let _ = self.dash(Dash::Solid, 1.0);
+        self.context.begin_path();
+        for [from, to] in lines {
+            self.context.move_to(from.x, from.y);
+            self.context.line_to(to.x, to.y);
+        }
+        self.context.stroke();
+    }
+
+    /// Strokes the outlines of polygons, corners and width in CSS pixels.
+    pub fn outlines(
+        &self,
+        colour: &str,
+        polygons: &[Vec<Pixel>],
+        width: f64,
+        dash: Dash,
+    ) -> Result<(), JsValue> {
+        self.context.set_stroke_style_str(colour);
+        self.context.set_line_width(width);
+        self.dash(dash, 1.0)?;
+        self.context.begin_path();
+        for corners in polygons {
+            self.trace(corners);
+        }
+        self.context.stroke();
+        Ok(())
+    }
+
     /// Draws upright and level lines that fill whole device pixels, about one CSS pixel wide.
     pub fn hairlines(
         &self,

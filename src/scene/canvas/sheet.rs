@@ -1,17 +1,20 @@
-//! The sheet the strokes are drawn on: paper, grid, stock, centre line and rulers; and how strokes look.
+//! The sheet the strokes are drawn on: paper, grid, the work, centre line and rulers; and how strokes look.
 //!
 //! In: a scene and a view. Out: pixels. Line weights are those of a technical drawing: cuts heavy, the rest thin.
 
 use wasm_bindgen::JsValue;
 
 use super::super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::super::hatch::hatch;
 use super::super::ink::Ink;
 use super::super::palette::Palette;
 use super::super::ruler::{Axis, Tick, TickWeight, ticks};
 use super::super::view::View;
+use super::super::work::Outlines;
 use super::super::{Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
+use crate::shop::fitting::Known;
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
@@ -61,24 +64,45 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let level =
         across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
     pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
-    stock(pen, scene, view)?;
+    work(pen, scene, view)?;
     center_line(pen, view)?;
     pen.unclip();
     Ok(())
 }
 
-fn stock(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
-    let Some(stock) = scene.stock() else { return Ok(()) };
-    let palette = &view.palette;
-    for (half, opacity) in stock.halves().into_iter().zip([1.0, 0.45]) {
-        let corners = half.map(|corner| held(view.camera(), corner));
-        pen.opacity(opacity);
-        pen.block(&palette.stock, corners[0], corners[2]);
-        let edges = (0..stock.edges()).map(|index| (corners[index], corners[(index + 1) % 4]));
-        pen.hairlines(view, &palette.stock_edge, Dash::Solid, edges)?;
+/// The blank, what is left of it, and what stands around it: above the axis, and below.
+fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
+    let Some(work) = scene.work() else { return Ok(()) };
+    let (camera, palette) = (view.camera(), &view.palette);
+    pen.page(view)?;
+    for side in [1.0, -1.0] {
+        let seen = |outlines: &Outlines| -> Vec<Vec<Pixel>> {
+            let place = |at: &Point| held(camera, Point::new(side * at.x, at.z));
+            outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
+        };
+        let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
+        pen.opacity(1.0);
+        pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
+        pen.outlines(&palette.stock_edge, &blank, 1.0, blank_dash(work.known))?;
+        pen.fill(&palette.part, part.iter().map(Vec::as_slice));
+        pen.opacity(0.35);
+        let lines = hatch(&part, camera.to_screen(Point::default()), camera.size());
+        pen.lines(&palette.part_edge, 1.0, lines.into_iter());
+        pen.opacity(0.25);
+        pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
+        pen.opacity(1.0);
+        pen.outlines(&palette.part_edge, &part, 1.5, Dash::Solid)?;
+        pen.outlines(&palette.axis, &obstacles, 1.0, Dash::Solid)?;
     }
-    pen.opacity(1.0);
     Ok(())
+}
+
+/// A blank that is only guessed has a broken outline.
+fn blank_dash(known: Known) -> Dash {
+    match known {
+        Known::Given => Dash::Solid,
+        Known::Guessed => Dash::Broken(7.0, 4.0),
+    }
 }
 
 fn center_line(pen: &Pen, view: &View) -> Result<(), JsValue> {
@@ -127,7 +151,7 @@ fn name(pen: &Pen, axis: Axis, align: &str, at: Pixel, palette: &Palette) -> Res
 }
 
 /// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.
-fn held(camera: &Camera, point: Point) -> Pixel {
+pub fn held(camera: &Camera, point: Point) -> Pixel {
     let (at, size) = (camera.to_screen(point), camera.size());
     Pixel::new(within(at.x, -10.0, size.width + 10.0), within(at.y, -10.0, size.height + 10.0))
 }

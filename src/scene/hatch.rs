@@ -1,0 +1,85 @@
+//! Hatching: the lines that say "cut through material" in a section.
+//!
+//! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much of the outline is in view.
+
+use super::camera::{Pixel, Size};
+
+/// From one line to the next, CSS pixels along an axis.
+const SPACING: f64 = 9.0;
+
+/// No more lines than this in one picture.
+const MOST: usize = 20_000;
+
+/// Lines inside of outlines, from the lower left to the upper right. `zero` is a place on a line, so that the lines stay with
+/// what they fill when the picture is moved; nothing is drawn far outside of a picture of `size`.
+pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]> {
+    // On each line x + y is the same, and x − y says where on it a place is.
+    let across = |at: Pixel| (at.x + at.y - zero.x - zero.y) / SPACING;
+    let seen = [Pixel::default(), Pixel::new(size.width, size.height)].map(across);
+    let mut crossings: Vec<(i64, f64)> = Vec::new();
+    for outline in outlines {
+        let next = outline.iter().cycle().skip(1);
+        for (&a, &b) in outline.iter().zip(next) {
+            let (from, to) = (across(a), across(b));
+            let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
+            let mut line = low.ceil();
+            // An end that lies on a line belongs to the edge that begins below it.
+            while line < high && crossings.len() < 2 * MOST {
+                let share = (line - from) / (to - from);
+                crossings.push((line as i64, (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y))));
+                line += 1.0;
+            }
+        }
+    }
+    crossings.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let place = |(line, along): (i64, f64)| {
+        let sum = line as f64 * SPACING + zero.x + zero.y;
+        Pixel::new((sum + along) / 2.0, (sum - along) / 2.0)
+    };
+    let mut lines = Vec::with_capacity(crossings.len() / 2);
+    let mut rest = &crossings[..];
+    while let [first, second, ..] = rest {
+        if first.0 == second.0 {
+            lines.push([place(*first), place(*second)]);
+            rest = &rest[2..];
+        } else {
+            rest = &rest[1..];
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: Size = Size { width: 200.0, height: 200.0 };
+
+    fn square(from: f64, to: f64) -> Vec<Pixel> {
+        [(from, from), (to, from), (to, to), (from, to)].map(|(x, y)| Pixel::new(x, y)).to_vec()
+    }
+
+    #[test]
+    fn lines_end_at_the_outline_and_leave_holes_out() {
+        let lines = hatch(&[square(10.0, 100.0)], Pixel::default(), SIZE);
+        assert_eq!(lines.len(), 20);
+        for [a, b] in &lines {
+            assert!((a.x + a.y - b.x - b.y).abs() < 1e-9);
+            for at in [a, b] {
+                let on = |value: f64| (value - 10.0).abs() < 1e-9 || (value - 100.0).abs() < 1e-9;
+                assert!(on(at.x) || on(at.y), "{at:?}");
+            }
+        }
+        let with_hole = hatch(&[square(10.0, 100.0), square(40.0, 70.0)], Pixel::default(), SIZE);
+        assert!(with_hole.len() > lines.len());
+        let inside = |at: Pixel| at.x > 41.0 && at.x < 69.0 && at.y > 41.0 && at.y < 69.0;
+        let middle = |[a, b]: [Pixel; 2]| Pixel::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0);
+        assert!(!with_hole.into_iter().any(|line| inside(middle(line))));
+    }
+
+    #[test]
+    fn far_away_nothing_is_drawn() {
+        assert!(hatch(&[square(-1e9, 1e9)], Pixel::default(), SIZE).len() < 100);
+        assert!(hatch(&[square(1e6, 2e6)], Pixel::default(), SIZE).is_empty());
+    }
+}
