@@ -14,7 +14,7 @@ use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
 use super::ruler::{Axis, Tick, TickWeight, ticks};
-use super::work::Outlines;
+use super::work::{Outlines, edges};
 use super::{Scene, Stroke, StrokeShape, StrokeStyle};
 
 /// How the file is to look.
@@ -106,30 +106,27 @@ impl Drawing {
                 let place = |at: &Point| camera.to_screen(Point::new(side * at.x, at.z));
                 outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
             };
-            let (blank, part) = (seen(&work.blank, &self.camera), seen(&work.part, &self.camera));
-            let obstacles = seen(&work.obstacles, &self.camera);
-            self.outlines(&format!("blank{guessed}"), &blank);
-            self.outlines("part", &part);
-            let zero = self.camera.to_screen(Point::default());
-            let lines = hatch(&part, zero, self.camera.size());
-            if !lines.is_empty() {
-                let d: String = lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect();
-                self.line(&format!(r#"<path class="hatch" d="{d}"/>"#));
+            let camera = &self.camera;
+            let (part, zero) = (seen(&work.part, camera), camera.to_screen(Point::default()));
+            let hatching = hatch(&part, zero, camera.size());
+            let lines = |outlines: &Outlines| polylines(&seen(outlines, camera), "");
+            let shapes = [
+                ("blank", polylines(&seen(&work.blank, camera), "Z")),
+                ("part", polylines(&part, "Z")),
+                ("hatch", hatching.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()),
+                ("obstacle", polylines(&seen(&work.obstacles, camera), "Z")),
+            ];
+            let edges = [
+                (["blank-edge", guessed].concat(), lines(&edges(&work.blank))),
+                ("part-edge".to_owned(), lines(&edges(&work.part))),
+            ];
+            for (class, d) in shapes.iter().filter(|(_, d)| !d.is_empty()) {
+                self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
             }
-            self.outlines("obstacle", &obstacles);
+            for (class, d) in edges.iter().filter(|(_, d)| !d.is_empty()) {
+                self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
+            }
         }
-    }
-
-    fn outlines(&mut self, class: &str, outlines: &[Vec<Pixel>]) {
-        if outlines.is_empty() {
-            return;
-        }
-        let outline = |corners: &Vec<Pixel>| {
-            let places: Vec<String> = corners.iter().map(|corner| pixel(*corner)).collect();
-            format!("M{}Z", places.join("L"))
-        };
-        let d: String = outlines.iter().map(outline).collect();
-        self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
     }
 
     /// Crosses where something runs into something.
@@ -287,9 +284,10 @@ const SHAPES: &str = "\
 .lathe g path.dwell { stroke-width: 6; stroke-linecap: round }
 .lathe .center { stroke-dasharray: 16 4 2 4 }
 .lathe .programmed { stroke-dasharray: 2 3 }
-.lathe .blank.guessed { stroke-dasharray: 7 4 }
-.lathe .part { stroke-width: 1.5; stroke-linejoin: round }
-.lathe .hatch { fill: none; opacity: 0.35 }
+.lathe .blank-edge, .lathe .part-edge, .lathe .hatch { fill: none }
+.lathe .blank-edge.guessed { stroke-dasharray: 7 4 }
+.lathe .part-edge { stroke-width: 1.5; stroke-linejoin: round }
+.lathe .hatch { opacity: 0.35 }
 .lathe .obstacle { fill-opacity: 0.25 }
 .lathe .danger { fill: none; stroke-width: 2.5 }
 .lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
@@ -322,9 +320,10 @@ fn colours(palette: &Palette) -> String {
 .lathe .grid {{ stroke: {grid} }}
 .lathe .ruler, .lathe .center, .lathe .programmed {{ stroke: {axis} }}
 .lathe text {{ fill: {text} }}
-.lathe .blank {{ fill: {stock}; stroke: {stock_edge} }}
-.lathe .part {{ fill: {part}; stroke: {part_edge} }}
-.lathe .hatch {{ stroke: {part_edge} }}
+.lathe .blank {{ fill: {stock} }}
+.lathe .blank-edge {{ stroke: {stock_edge} }}
+.lathe .part {{ fill: {part} }}
+.lathe .hatch, .lathe .part-edge {{ stroke: {part_edge} }}
 .lathe .obstacle {{ fill: {axis}; stroke: {axis} }}
 .lathe .danger {{ stroke: {danger} }}
 .lathe g .rapid {{ stroke: {rapid} }}
@@ -339,6 +338,19 @@ fn colours(palette: &Palette) -> String {
 /// Whether a stroke begins another path element than the one before.
 fn is_other_path(before: &Stroke, stroke: &Stroke) -> bool {
     before.line != stroke.line || before.uncertain != stroke.uncertain
+}
+
+/// Lines through corners, one after the other; each ends with `end`.
+fn polylines(lines: &[Vec<Pixel>], end: &str) -> String {
+    let mut d = String::new();
+    for corners in lines {
+        for (index, corner) in corners.iter().enumerate() {
+            d.push(if index == 0 { 'M' } else { 'L' });
+            d.push_str(&pixel(*corner));
+        }
+        d.push_str(end);
+    }
+    d
 }
 
 fn pixel(pixel: Pixel) -> String {

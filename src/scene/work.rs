@@ -5,8 +5,8 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Point, SAME};
 use crate::motion::Motions;
 use crate::shop::Shop;
 use crate::shop::fitting::Known;
@@ -81,7 +81,12 @@ impl Work {
             known,
             obstacles: shop.obstacles().flat_map(outlines).collect(),
             tool,
-            dangers: shop.findings().iter().map(|finding| finding.at).collect(),
+            dangers: shop
+                .findings()
+                .iter()
+                .filter(|found| found.danger.has_place())
+                .map(|found| found.at)
+                .collect(),
             bounds: Bounds {
                 min: Point::new(stock.bore / 2.0, stock.back()),
                 max: Point::new(stock.diameter / 2.0, stock.face),
@@ -98,6 +103,32 @@ impl Work {
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
+}
+
+/// The lines all around outlines.
+pub fn closed(outlines: &Outlines) -> Vec<Vec<Point>> {
+    outlines.iter().map(|outline| outline.iter().chain(outline.first()).copied().collect()).collect()
+}
+
+/// The lines along the edges of outlines: those on the spindle axis are no edges of the work, and would fill the gaps of the
+/// centre line.
+pub fn edges(outlines: &Outlines) -> Vec<Vec<Point>> {
+    let mut lines: Vec<Vec<Point>> = Vec::new();
+    for outline in outlines {
+        let on_axis = |point: &Point| point.x.abs() <= SAME;
+        // From a corner on the axis on, so that no line is broken at its first corner.
+        let first = outline.iter().position(on_axis).unwrap_or(0);
+        let corners = outline.iter().cycle().skip(first).take(outline.len() + 1);
+        let mut line: Vec<Point> = Vec::new();
+        for &corner in corners {
+            if line.last().is_some_and(|last| on_axis(last) && on_axis(&corner)) {
+                lines.extend(Some(std::mem::take(&mut line)).filter(|line| line.len() > 1));
+            }
+            line.push(corner);
+        }
+        lines.extend(Some(line).filter(|line| line.len() > 1));
+    }
+    lines
 }
 
 fn outlines(region: &Region) -> Outlines {

@@ -62,6 +62,13 @@ pub enum Danger {
     },
 }
 
+impl Danger {
+    /// Whether there is a place of the picture to mark.
+    pub fn has_place(&self) -> bool {
+        !matches!(self, Self::ToolNotListed { .. })
+    }
+}
+
 /// An axis of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {

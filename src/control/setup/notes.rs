@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)
-//! (TOOL T0101 TURNING INSERT=CNMG120408 KR=95)
-//! (TOOL T0303 GROOVING WIDTH=3 REACH=12)
+//! (TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)
+//! (TOOL T0303 TYPE=GROOVING WIDTH=3 REACH=12)
 //! (TAILSTOCK Z=2 D=20)
 //! (MACHINE RAPIDX=8000 RAPIDZ=12000 MAXSPEED=4000 TURRET=FRONT)
 //! (START X=200 Z=200)
@@ -180,7 +180,7 @@ impl Notes {
         let key =
             if number.len() <= 2 { format!("T{number:0>2}{number:0>2}") } else { format!("T{number:0>4}") };
         let mut tool = Tool::default();
-        let expected = "TURNING, BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL, OUTSIDE, INSIDE, FACE, INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=";
+        let expected = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=";
         self.fill(rest, expected, |word| {
             let number = word.number();
             match (word.key.as_str(), number) {
@@ -197,12 +197,14 @@ impl Notes {
                 ("REACH", Some(_)) => tool.reach = number,
                 ("SHANK", Some(_)) => tool.shank = number,
                 ("ANGLE", Some(_)) => tool.angle = number,
-                ("OUTSIDE", None) => tool.side = Some(Side::Outside),
-                ("INSIDE", None) => tool.side = Some(Side::Inside),
-                ("FACE", None) => tool.side = Some(Side::Face),
-                (name, None) if word.value.is_empty() => {
-                    tool.kind =
-                        Some(ToolKind::ALL.into_iter().find(|kind| kind.name().eq_ignore_ascii_case(name))?);
+                ("TYPE", None) => {
+                    let is_named = |kind: &ToolKind| kind.name().eq_ignore_ascii_case(word.value);
+                    tool.kind = Some(ToolKind::ALL.into_iter().find(is_named)?);
+                }
+                ("SIDE", None) => {
+                    tool.side = Some(
+                        Side::ALL.into_iter().find(|side| side.name().eq_ignore_ascii_case(word.value))?,
+                    );
                 }
                 _ => return None,
             }
@@ -287,8 +289,8 @@ mod tests {
     #[test]
     fn notes_are_read() {
         let notes = Notes::read(
-            b"%\nO1 (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n(tool t0101 turning insert=CNMG120408 kr=95)\n\
-              (TOOL T3 GROOVING INSIDE WIDTH=3 R=.2)\n(TAILSTOCK Z=2 D=20)\n\
+            b"%\nO1 (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n(tool t0101 type=turning insert=CNMG120408 kr=95)\n\
+              (TOOL T3 TYPE=GROOVING SIDE=INSIDE WIDTH=3 R=.2)\n(TAILSTOCK Z=2 D=20)\n\
               (MACHINE RAPIDX=8000 ZMIN=-300 TURRET=FRONT)\n(START X=150 Z=20)\nG0 X1\n",
         );
         assert_eq!(notes.faults, []);

@@ -72,6 +72,20 @@ pub enum Side {
     Face,
 }
 
+impl Side {
+    /// All sides.
+    pub const ALL: [Side; 3] = [Self::Outside, Self::Inside, Self::Face];
+
+    /// Its name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Outside => "outside",
+            Self::Inside => "inside",
+            Self::Face => "face",
+        }
+    }
+}
+
 impl ToolKind {
     /// All kinds.
     pub const ALL: [ToolKind; 7] =

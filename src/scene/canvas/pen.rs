@@ -191,11 +191,11 @@ impl Pen {
         self.context.stroke();
     }
 
-    /// Strokes the outlines of polygons, corners and width in CSS pixels.
-    pub fn outlines(
+    /// Strokes lines through corners, these and the width in CSS pixels.
+    pub fn polylines(
         &self,
         colour: &str,
-        polygons: &[Vec<Pixel>],
+        lines: &[Vec<Pixel>],
         width: f64,
         dash: Dash,
     ) -> Result<(), JsValue> {
@@ -203,8 +203,11 @@ impl Pen {
         self.context.set_line_width(width);
         self.dash(dash, 1.0)?;
         self.context.begin_path();
-        for corners in polygons {
-            self.trace(corners);
+        for corner in lines.iter().flat_map(|line| line.iter().enumerate()) {
+            match corner {
+                (0, at) => self.context.move_to(at.x, at.y),
+                (_, at) => self.context.line_to(at.x, at.y),
+            }
         }
         self.context.stroke();
         Ok(())

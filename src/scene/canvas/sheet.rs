@@ -10,7 +10,7 @@ use super::super::ink::Ink;
 use super::super::palette::Palette;
 use super::super::ruler::{Axis, Tick, TickWeight, ticks};
 use super::super::view::View;
-use super::super::work::Outlines;
+use super::super::work::{Outlines, closed, edges};
 use super::super::{Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
@@ -81,9 +81,10 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
             outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
         };
         let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
+        let edges = [&work.blank, &work.part].map(|outlines| seen(&edges(outlines)));
         pen.opacity(1.0);
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
-        pen.outlines(&palette.stock_edge, &blank, 1.0, blank_dash(work.known))?;
+        pen.polylines(&palette.stock_edge, &edges[0], 1.0, blank_dash(work.known))?;
         pen.fill(&palette.part, part.iter().map(Vec::as_slice));
         pen.opacity(0.35);
         let lines = hatch(&part, camera.to_screen(Point::default()), camera.size());
@@ -91,8 +92,8 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         pen.opacity(1.0);
-        pen.outlines(&palette.part_edge, &part, 1.5, Dash::Solid)?;
-        pen.outlines(&palette.axis, &obstacles, 1.0, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &edges[1], 1.5, Dash::Solid)?;
+        pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
     }
     Ok(())
 }
