@@ -14,7 +14,7 @@ use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
-use crate::diagnostics::{Diagnostic, Message, rules};
+use crate::diagnostics::{Diagnostic, Message, rules, sort_by_place};
 use crate::motion::Motions;
 use crate::shop::{Shop, danger};
 use crate::text::block::Block;
@@ -45,7 +45,7 @@ impl Analysis {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
             self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions));
-            self.diagnostics.sort_by_key(|told| (told.span.start, told.span.end));
+            sort_by_place(&mut self.diagnostics);
         }
     }
 }
@@ -423,7 +423,7 @@ impl Run {
     fn finish(&mut self) {
         self.interpreter.close();
         self.sorted = self.interpreter.diagnostics().to_vec();
-        self.sorted.sort_by_key(|diagnostic| diagnostic.span.start);
+        sort_by_place(&mut self.sorted);
         self.finished = true;
     }
 }

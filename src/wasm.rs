@@ -15,7 +15,7 @@ use web_sys::OffscreenCanvas;
 use crate::api::{self, Places, Summary};
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
-use crate::diagnostics::rules;
+use crate::diagnostics::{rules, sort_by_place};
 use crate::geometry::Point;
 use crate::motion::Chunk;
 use crate::run::{Run, TextEdit};
@@ -210,7 +210,7 @@ impl Playground {
         let findings =
             self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions()));
         let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
-        all.sort_by_key(|told| (told.span.start, told.span.end));
+        sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, self.language));
         to_js(&rows.collect::<Vec<_>>())
     }

@@ -53,6 +53,11 @@ impl Diagnostic {
     }
 }
 
+/// Puts messages in the order of their places; those at one place stay in theirs.
+pub fn sort_by_place(diagnostics: &mut [Diagnostic]) {
+    diagnostics.sort_by_key(|told| told.span.start);
+}
+
 /// A repair: edits that together cure the fault. Its title is the help of its message.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {

@@ -2,6 +2,8 @@
 //!
 //! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much of the outline is in view.
 
+use std::collections::BTreeMap;
+
 use super::camera::{Pixel, Size};
 
 /// From one line to the next, CSS pixels along an axis.
@@ -16,7 +18,9 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
     // On each line x + y is the same, and x − y says where on it a place is.
     let across = |at: Pixel| (at.x + at.y - zero.x - zero.y) / SPACING;
     let seen = [Pixel::default(), Pixel::new(size.width, size.height)].map(across);
-    let mut crossings: Vec<(i64, f64)> = Vec::new();
+    // Of each line, in order, where it crosses outlines: a few places.
+    let mut crossings: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+    let mut count = 0;
     for outline in outlines {
         let next = outline.iter().cycle().skip(1);
         for (&a, &b) in outline.iter().zip(next) {
@@ -24,29 +28,24 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
             let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
             let mut line = low.ceil();
             // An end that lies on a line belongs to the edge that begins below it.
-            while line < high && crossings.len() < 2 * MOST {
+            while line < high && count < 2 * MOST {
                 let share = (line - from) / (to - from);
-                crossings.push((line as i64, (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y))));
-                line += 1.0;
+                let along = (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y));
+                let own = crossings.entry(line as i64).or_default();
+                own.insert(own.partition_point(|other| *other < along), along);
+                (line, count) = (line + 1.0, count + 1);
             }
         }
     }
-    crossings.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let place = |(line, along): (i64, f64)| {
+    let place = |line: i64, along: f64| {
         let sum = line as f64 * SPACING + zero.x + zero.y;
         Pixel::new((sum + along) / 2.0, (sum - along) / 2.0)
     };
-    let mut lines = Vec::with_capacity(crossings.len() / 2);
-    let mut rest = &crossings[..];
-    while let [first, second, ..] = rest {
-        if first.0 == second.0 {
-            lines.push([place(*first), place(*second)]);
-            rest = &rest[2..];
-        } else {
-            rest = &rest[1..];
-        }
-    }
-    lines
+    let of_line = |(line, places): (i64, Vec<f64>)| {
+        let pairs = places.chunks_exact(2).map(|pair| [place(line, pair[0]), place(line, pair[1])]);
+        pairs.collect::<Vec<_>>()
+    };
+    crossings.into_iter().flat_map(of_line).collect()
 }
 
 #[cfg(test)]

@@ -20,8 +20,12 @@ pub struct Outline {
 impl Outline {
     /// The smallest convex outline around some points.
     pub fn around(points: impl IntoIterator<Item = Point>) -> Self {
-        let mut sorted: Vec<Point> = points.into_iter().collect();
-        sorted.sort_unstable_by(|a, b| a.z.total_cmp(&b.z).then(a.x.total_cmp(&b.x)));
+        // A few dozen points: put in one by one, which is less code in the page than a sort.
+        let mut sorted: Vec<Point> = Vec::new();
+        for point in points {
+            let is_before = |other: &Point| (other.z, other.x) < (point.z, point.x);
+            sorted.insert(sorted.partition_point(is_before), point);
+        }
         sorted.dedup_by(|a, b| a.is_same(*b));
         // Andrew's two chains: below from left to right, above back.
         let mut points: Vec<Point> = Vec::with_capacity(sorted.len() + 1);
