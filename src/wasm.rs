@@ -422,6 +422,7 @@ impl Playground {
 
     /// Forgets what was picked out of the motions, which are others now.
     fn forget(&mut self) {
+        (self.shop, self.work, self.moment) = (None, None, None);
         self.measured = false;
         self.view.playhead = None;
         self.view.hover = None;

@@ -277,3 +277,20 @@ fn numbers_as_doubles(value: &Value) -> Value {
         other => other.clone(),
     }
 }
+
+/// The part is that of the text as it is now.
+#[wasm_bindgen_test]
+fn a_change_of_the_text_makes_another_part() {
+    let mut playground = Playground::new();
+    playground.set_setup(r#"{"stock": {"diameter": 60, "length": 50}}"#).expect("setup");
+    let part = |playground: &mut Playground| {
+        while !playground.advance(100) {}
+        while !playground.machine(1) {}
+        js_sys::JSON::stringify(&playground.part().expect("a part")).map(String::from).expect("JSON")
+    };
+    playground.set_text("G0 X50 Z2\nG1 Z-20 F1\n".into());
+    let first = part(&mut playground);
+    playground.edit(4, 6, "40");
+    let second = part(&mut playground);
+    assert!(first.contains("[0,50]") && second.contains("[0,40]"), "{first} {second}");
+}
