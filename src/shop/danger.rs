@@ -224,12 +224,15 @@ impl Watch {
             self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
         }
         if let Some(body) = &tool.shape.body {
+            let body = body.shrunk(0.01);
             // What the edge takes off in the same motion is not in the way of the holder.
-            let mut left = part.now().clone();
-            left.cut(&cut(motion, tool));
-            if let Some(at) = hit(&left, &body.shrunk(0.01), motion) {
-                self.tell(index, at, Danger::HolderInStock);
-                return;
+            if hit(part.now(), &body, motion).is_some() {
+                let mut left = part.now().clone();
+                left.cut(&cut(motion, tool));
+                if let Some(at) = hit(&left, &body, motion) {
+                    self.tell(index, at, Danger::HolderInStock);
+                    return;
+                }
             }
         }
         if let Some(danger) = too_steep(motion, tool, part) {
@@ -270,10 +273,11 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
         return None;
     }
     let way = motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc));
-    let swept = outline.along(&way).find(|swept| region.meets(swept))?;
-    let common = region.in_common(&[swept]);
     let from = motion.from;
-    common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+    outline.along(&way).filter(|swept| region.meets(swept)).find_map(|swept| {
+        let common = region.in_common(&[swept]);
+        common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+    })
 }
 
 /// Whether an outline comes near the box of the blank.

@@ -67,7 +67,8 @@ impl Part {
         self.waiting.extend(cut(motion, tool));
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
-        if self.corners > MOST_WAITING {
+        // Passes of a thread have flanks in common: in one go they would cut each other into thousands of pieces.
+        if self.corners > MOST_WAITING || self.waiting.len() > before + 1 {
             self.settle();
         }
         if self.done >= self.kept.last().map_or(0, |last| last.0) + self.stride && !self.waiting.is_empty() {
