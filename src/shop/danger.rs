@@ -5,7 +5,7 @@
 //! tip counts, and nothing is found in a blank that nobody has named. Must not know messages.
 
 use super::fitting::{Fitted, Fitting, Known};
-use super::part::{Part, cut};
+use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::sweep::{Outline, chords};
 use super::tool::Action;
@@ -228,7 +228,7 @@ impl Watch {
             // What the edge takes off in the same motion is not in the way of the holder.
             if hit(part.now(), &body, motion).is_some() {
                 let mut left = part.now().clone();
-                left.cut(&cut(motion, tool));
+                left.cut(&cut(motion, Turned::default(), tool));
                 if let Some(at) = hit(&left, &body, motion) {
                     self.tell(index, at, Danger::HolderInStock);
                     return;
@@ -261,7 +261,7 @@ fn too_steep(motion: &Motion, tool: &Fitted, part: &mut Part) -> Option<Danger> 
         return None;
     }
     // What lies behind the tip, above the slope, and is taken off.
-    let behind = part.now().in_common(&cut(motion, tool));
+    let behind = part.now().in_common(&cut(motion, Turned::default(), tool));
     let above = behind.area_beside(motion.from, motion.to);
     let worth = above > BESIDE * motion.length();
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })

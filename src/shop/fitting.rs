@@ -3,8 +3,10 @@
 //! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is a guess.
 
 use super::guess::{Guesses, Use};
-use super::tool::Shape;
-use crate::control::setup::{Setup, Stock, Tool};
+use super::sweep::Outline;
+use super::tool::{LONG, Shape};
+use crate::control::setup::{Setup, Stock, Tool, ToolKind};
+use crate::geometry::Point;
 use crate::motion::{Motion, Motions};
 
 /// Whether somebody has said so.
@@ -25,6 +27,8 @@ pub struct Fitted {
     pub tool: Tool,
     /// Its shape.
     pub shape: Shape,
+    /// What of the work it takes off on its way.
+    pub takes: Outline,
     /// Whether somebody has named it.
     pub known: Known,
 }
@@ -96,14 +100,23 @@ impl Fitting {
 
 impl Fitted {
     fn given(station: u16, tool: &Tool) -> Self {
-        Self { station, shape: Shape::of(tool), tool: tool.clone(), known: Known::Given }
+        let shape = Shape::of(tool);
+        Self { station, takes: shape.edge.clone(), shape, tool: tool.clone(), known: Known::Given }
     }
 
     fn guessed(station: u16, tool: &Tool) -> Self {
         let mut shape = Shape::of(tool);
         shape.core = shape.edge.scaled(TIP).shrunk(0.01);
         shape.body = None;
-        Self { station, shape, tool: tool.clone(), known: Known::Guessed }
+        // How long its edge is, nobody knows: nothing is left standing over it.
+        let over = match tool.kind {
+            Some(ToolKind::Turning) => LONG,
+            Some(ToolKind::Boring) => -LONG,
+            _ => 0.0,
+        };
+        let edge = shape.edge.points().iter();
+        let takes = Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]));
+        Self { station, shape, takes, tool: tool.clone(), known: Known::Guessed }
     }
 }
 

@@ -31,7 +31,7 @@ const THREAD: f64 = 60.0;
 const DRILL_POINT: f64 = 118.0;
 
 /// Longer than anything it could be held against, mm.
-const LONG: f64 = 400.0;
+pub const LONG: f64 = 400.0;
 
 /// Side of the square shank of a turning tool, mm.
 const SHANK: f64 = 25.0;
