@@ -23,6 +23,9 @@ const DRILLED: f64 = 15.0;
 /// Width of a blade of which nothing is said, mm.
 const BLADE: f64 = 3.0;
 
+/// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
+const LARGEST: f64 = 5000.0;
+
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Use {
@@ -352,5 +355,7 @@ fn stock(outside: Extents, inside: Extents, bore: f64) -> Option<Stock> {
     let diameter = 2.0 * radius;
     let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
     let length = (1.2 * (face - all.low.min(0.0))).max(radius);
-    Some(Stock { diameter, bore, face, length: (length / 5.0).ceil() * 5.0, grip: None })
+    let length = (length / 5.0).ceil() * 5.0;
+    let fits = diameter <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
+    fits.then_some(Stock { diameter, bore, face, length, grip: None })
 }

@@ -153,3 +153,8 @@ fn which_way_a_tool_looks() {
     check("T0101\nG00 X40 Z1\nG01 Z-10 F0.2\nX30 Z-20\nZ-30\nX42", "⌀42.0, 0 to -40.0: T01 turning D 93");
     check("T0101\nG00 X42 Z0\nG01 X-1 F0.2\nG00 Z2", "⌀42.0, 0 to -25.0: T01 turning C 95");
 }
+
+#[test]
+fn a_slip_makes_no_giant() {
+    check("T0101\nG00 X40 Z2\nG01 Z-10 F0.2\nX40000.", "nothing: T01 turning C 95");
+}
