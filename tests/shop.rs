@@ -144,3 +144,20 @@ fn the_tailstock_stands_in_front_of_the_face() {
     check_danger_with(tailstock, "T0101\nG00 X40 Z5", &[]);
     check_danger_with(tailstock, "T0101\nG00 X6 Z5", &[("IntoTailstock", 2)]);
 }
+
+/// Real programs change tools behind a bare G28, which moves nothing here, and are cut with inserts that nobody has named.
+#[test]
+fn what_nobody_knows_is_no_danger() {
+    let changed = "T0101\nG00 X62 Z2\nG01 X58 F1\nZ-20\nG00 X62\nZ2\nX10\nT0404\nG00 X64 Z-30\nX62";
+    check_danger(changed, &[]);
+    check_danger("T0101\nG00 X62 Z2\nG01 Z1 F1\nT0404\nG00 X40 Z-30", &[("RapidThroughStock", 5)]);
+    let stock = Setup::from_json(&format!("{{{STOCK}}}")).expect("a setup");
+    let findings = |program: &str| {
+        let analysis = analyze(program.as_bytes(), &stock);
+        Shop::done(&analysis.motions, &stock).findings().len()
+    };
+    // What a guessed insert leaves at its trailing edge.
+    assert_eq!(findings("G00 X64 Z-2\nG01 X28 F1\nG00 X64\nZ-5\nG01 X28\nG00 Z2"), 0);
+    assert_eq!(findings("G00 X64 Z2\nG00 X59.5\nG00 Z-5"), 0);
+    assert_eq!(findings("G00 X64 Z2\nG00 X57\nG00 Z-5"), 1);
+}

@@ -87,6 +87,9 @@ const PAST_CENTER: f64 = 0.5;
 /// Material that an edge takes off beside the way of the tip and that is worth a word, mm² for each mm of way.
 const BESIDE: f64 = 0.05;
 
+/// Nearer to the blank than this, mm, no tool is changed.
+const CLEAR: f64 = 10.0;
+
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
 
@@ -103,6 +106,10 @@ pub struct Watch {
     stock: Option<Stock>,
     travel: Travel,
     missed: Vec<u16>,
+    /// Station of the tool of the last motion.
+    station: Option<u16>,
+    /// Axes whose place is not known, X and Z: the tool was changed at the work, and they have not moved since.
+    unknown: [bool; 2],
     /// All that was found.
     pub findings: Vec<Finding>,
 }
@@ -121,6 +128,8 @@ impl Watch {
             stock,
             travel: setup.machine.travel,
             missed: Vec::new(),
+            station: None,
+            unknown: [false; 2],
             findings: Vec::new(),
         }
     }
@@ -137,11 +146,20 @@ impl Watch {
         }
         let tool = fitting.tool(motion);
         let station = motion.process.tool.0;
+        if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
+            self.unknown = [true; 2];
+        }
+        let comes_from_elsewhere = self.unknown != [false; 2];
+        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
+        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
         if motion.kind.cuts() && fitting.misses(station) && !self.missed.contains(&station) {
             self.missed.push(station);
             self.tell(index, motion.from, Danger::ToolNotListed { station });
         }
         self.travel(index, motion);
+        if self.unknown != [false; 2] {
+            return;
+        }
         if motion.rotary.is_some() || tool.shape.action == Action::Live {
             return;
         }
@@ -150,9 +168,18 @@ impl Watch {
             return;
         }
         match motion.kind {
+            // A tool is not changed in the work: where it comes from is not known, only where it arrives.
+            MotionKind::Rapid if comes_from_elsewhere => {
+                self.rapid(index, &Motion { from: motion.to, ..*motion }, tool, part);
+            }
             MotionKind::Rapid => self.rapid(index, motion, tool, part),
             _ => self.cut(index, motion, tool, part),
         }
+    }
+
+    /// Whether a place is in the blank or near it.
+    fn is_at_work(&self, at: Point) -> bool {
+        self.stock.is_some_and(|stock| at.x < stock.diameter / 2.0 + CLEAR && at.z < stock.face + CLEAR)
     }
 
     fn tell(&mut self, motion: usize, at: Point, danger: Danger) {

@@ -33,8 +33,11 @@ pub struct Fitted {
     pub known: Known,
 }
 
-/// How large the part of a guessed tool is that is held against the work: nothing is known of the rest.
+/// How large the part of a guessed tool is that is held against the work, as a share of it: nothing is known of the rest.
 const TIP: f64 = 0.02;
+
+/// How deep the tip of a guessed tool must be in the work to be told of, mm: what its true edges leave is not known to less.
+const DEPTH: f64 = 0.5;
 
 /// Tools and blank.
 #[derive(Clone, Debug)]
@@ -106,7 +109,11 @@ impl Fitted {
 
     fn guessed(station: u16, tool: &Tool) -> Self {
         let mut shape = Shape::of(tool);
-        shape.core = shape.edge.scaled(TIP).shrunk(0.01);
+        // Where in a threading tool its point is, is not known either.
+        shape.core = match tool.kind {
+            Some(ToolKind::Threading) => Outline::default(),
+            _ => shape.edge.shrunk(DEPTH).near_tip(TIP),
+        };
         shape.body = None;
         // How long its edge is, nobody knows: nothing is left standing over it.
         let over = match tool.kind {

@@ -86,11 +86,11 @@ impl Region {
                 || extents.max.z <= min.z;
             !apart && runs_through(outline, a, b)
         };
-        let middle = Point::new(
-            f64::midpoint(extents.min.x, extents.max.x),
-            f64::midpoint(extents.min.z, extents.max.z),
-        );
-        self.edges().any(crosses) || (runs_through(outline, middle, first) && self.holds(middle))
+        // Of a convex outline the mean of its corners lies inside.
+        let count = outline.len() as f64;
+        let (x, z) = outline.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.x, sum.1 + point.z));
+        let middle = Point::new(x / count, z / count);
+        self.edges().any(crosses) || self.holds(middle)
     }
 
     /// Its pieces.
