@@ -87,6 +87,10 @@ const PAST_CENTER: f64 = 0.5;
 /// Material that an edge takes off beside the way of the tip and that is worth a word, mm² for each mm of way.
 const BESIDE: f64 = 0.05;
 
+/// Material that may be in the way of a tool without a word, mm². An entering angle of 95° leaves a wedge of 5° at a shoulder:
+/// where the tool leaves at rapid, as many programs have it, it scrapes that off.
+const SCRAPED: f64 = 0.25;
+
 /// Nearer to the blank than this, mm, no tool is changed.
 const CLEAR: f64 = 10.0;
 
@@ -303,6 +307,9 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
     let from = motion.from;
     outline.along(&way).filter(|swept| region.meets(swept)).find_map(|swept| {
         let common = region.in_common(&[swept]);
+        if common.area() < SCRAPED {
+            return None;
+        }
         common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
     })
 }
