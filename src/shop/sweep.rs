@@ -54,11 +54,14 @@ impl Outline {
         self.points.iter().map(|point| moved(*point, tip)).collect()
     }
 
-    /// All it passes over while the tip goes straight: the parts of the edge that look ahead stand at the end, the others
+    /// All it passes over while the tip goes straight; nothing of nothing: the parts of the edge that look ahead stand at the end, the others
     /// at the start.
     pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
         let count = self.points.len();
+        if count == 0 {
+            return Vec::new();
+        }
         let looks_ahead = |index: usize| {
             let (a, b) = (self.points[index % count], self.points[(index + 1) % count]);
             // The normal to the right of the edge, which points outwards, against the direction.
