@@ -15,6 +15,7 @@ pub mod control;
 pub mod cycles;
 pub mod diagnostics;
 pub mod expand;
+pub mod export;
 pub mod geometry;
 pub mod limits;
 pub mod motion;

@@ -233,3 +233,26 @@ fn bytes_of_any_kind_are_read() {
         assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"));
     }
 }
+
+#[test]
+fn export_writes_files_for_other_programs() {
+    let program = b"O0007 (PIN)\n(STOCK D=30 LENGTH=40)\nG0 X31 Z0 T0101 M3 S800\nG1 X-1 F0.2\nG0 X20 Z1\nG1 Z-20\nX31\nM30";
+    let export = |format: &str, more: &[&str]| {
+        let output = run(&[&["export", format, "-"], more].concat(), program);
+        assert_eq!(output.status.code(), Some(0), "{format}");
+        output.stdout
+    };
+    let text = |format: &str, more: &[&str]| String::from_utf8(export(format, more)).expect("UTF-8");
+    assert!(text("svg", &[]).starts_with("<svg "));
+    assert_eq!(text("svg", &[]), String::from_utf8(run(&["svg", "-"], program).stdout).unwrap());
+    assert_eq!(text("csv", &[]).lines().count(), 1 + rows(&run(&["motions", "-"], program)).len());
+    assert!(text("card", &["--lang", "ru"]).contains("<h1>Карта программы <b>O0007</b></h1>"));
+    assert!(text("card", &[]).contains("⌀30, length 40 mm"));
+    assert!(text("dxf", &[]).starts_with("  0\r\nSECTION\r\n  2\r\nHEADER\r\n"));
+    assert!(export("stl", &[]).len() > 84 + 50 * 100);
+    assert_eq!(export("program", &[]), run(&["expand", "-"], program).stdout);
+    assert_eq!(run(&["export", "png", "-"], program).status.code(), Some(2));
+    let nothing = run(&["export", "stl", "-"], b"M30");
+    assert_eq!(nothing.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&nothing.stderr).contains("no blank"));
+}

@@ -3,6 +3,7 @@
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
 mod encoding;
+mod export;
 mod summary;
 mod terminal;
 
@@ -19,9 +20,7 @@ use crate::control::dialect::{CodeList, Control, GSystem};
 use crate::control::setup::Setup;
 use crate::diagnostics::messages::Language;
 use crate::run::{Analysis, Run};
-use crate::scene::outline::Outline;
-use crate::scene::work::Work;
-use crate::scene::{self, Scene};
+use crate::scene::svg::Ground;
 use crate::shop::Shop;
 use crate::text::source::LineIndex;
 
@@ -96,6 +95,22 @@ enum Command {
         /// A table, or one JSON object a line.
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
+    },
+    /// Write a file for people or other programs: table, program card, profile, solid.
+    Export {
+        /// What to write.
+        #[arg(value_enum)]
+        format: export::FileFormat,
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+        /// Language of the card.
+        #[arg(long, value_enum, default_value = "en")]
+        lang: LanguageName,
+        /// Where to write it; standard output when left out.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
     },
     /// Draw the toolpath as SVG.
     Svg {
@@ -206,14 +221,14 @@ fn run(command: Command) -> Result<ExitCode, String> {
             print(|out| summary::write(out, &program.analysis, format))?;
             Ok(status(&program.analysis))
         }
+        Command::Export { format, file, with, lang, output } => {
+            let program = program_run(&file, &with, |run| format.begin(run))?;
+            save(output.as_deref(), &export::file(&program, format, language(lang))?)?;
+            Ok(status(&program.analysis))
+        }
         Command::Svg { file, with, output } => {
             let program = program(&file, &with)?;
-            let outline = Outline::of(&program.analysis.motions);
-            let motions = &program.analysis.motions;
-            let work = Work::of(&Shop::done(motions, &program.analysis.setup), motions, None);
-            let scene = Scene::new(motions, &outline, work.as_ref());
-            let svg = scene::svg::svg(&scene, &scene::svg::SvgOptions::default());
-            save(output.as_deref(), svg.as_bytes())?;
+            save(output.as_deref(), export::drawing(&program, Ground::AsSystem).as_bytes())?;
             Ok(status(&program.analysis))
         }
     }

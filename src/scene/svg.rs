@@ -24,11 +24,23 @@ pub struct SvgOptions {
     pub width: f64,
     /// Height, CSS pixels; as the picture needs where nothing is said.
     pub height: Option<f64>,
+    /// Its colours.
+    pub ground: Ground,
+}
+
+/// What a picture is drawn on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ground {
+    /// Light or dark, as the reader's system has it.
+    #[default]
+    AsSystem,
+    /// White paper.
+    Paper,
 }
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self { width: 960.0, height: None }
+        Self { width: 960.0, height: None, ground: Ground::default() }
     }
 }
 
@@ -42,7 +54,7 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
     let height = options.height.map_or_else(chosen, |height| height.max(80.0));
     let mut drawing = Drawing { text: String::new(), camera: Camera::fit(bounds, Size { width, height }) };
-    drawing.all(scene);
+    drawing.all(scene, options.ground);
     drawing.text
 }
 
@@ -53,7 +65,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn all(&mut self, scene: &Scene) {
+    fn all(&mut self, scene: &Scene, ground: Ground) {
         let Size { width, height } = self.camera.size();
         let [w, h] = [width, height].map(number);
         self.line(&format!(
@@ -62,7 +74,9 @@ impl Drawing {
         self.line("<style>");
         self.line(SHAPES);
         self.line(&colours(&Palette::light()));
-        self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(&Palette::dark())));
+        if ground == Ground::AsSystem {
+            self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(&Palette::dark())));
+        }
         self.line("</style>");
         self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));

@@ -1,0 +1,547 @@
+//! The program card: a page to print, with the blank, the tools, and every block beside what it does.
+//!
+//! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are written, not as
+//! they run: a block that runs often is described by its first time.
+
+mod words;
+
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
+
+use crate::control::codes::{self, Function};
+use crate::control::dialect::CodeList;
+use crate::control::setup::{Setup, Stock};
+use crate::diagnostics::messages::{Language, describe_motion, number};
+use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
+use crate::shop::fitting::{Fitted, Fitting, Known};
+use crate::shop::tally::{Tally, tally};
+use crate::shop::timing::Total;
+use crate::text::block::{Block, BlockKind, Value, Word};
+use crate::text::parser::Parser;
+use crate::text::source::Span;
+use words::{Words, one_of, tool_kind, words};
+
+/// Blocks on a card, at most: about a hundred pages.
+const MOST_BLOCKS: usize = 4000;
+
+/// A drawing of more motions than this is left out by who makes a card: it would be all ink.
+pub const MOST_DRAWN: usize = 20_000;
+
+/// Motions of a block that are put into words one by one; more are counted.
+const MOST_TOLD: usize = 4;
+
+/// Speeds and feeds named of one tool, at most.
+const MOST_RATES: usize = 4;
+
+/// What a card is made of.
+pub struct Card<'a> {
+    /// The program.
+    pub text: &'a [u8],
+    /// Its motions.
+    pub motions: &'a Motions,
+    /// The setup it was run under.
+    pub setup: &'a Setup,
+    /// The G codes it is written in.
+    pub codes: CodeList,
+    /// The drawing on white paper, as SVG.
+    pub drawing: Option<&'a str>,
+}
+
+/// A row of the table of blocks.
+#[derive(Debug, Default, PartialEq)]
+struct Row {
+    sequence: String,
+    text: String,
+    does: String,
+    remark: String,
+    time: String,
+}
+
+impl Card<'_> {
+    /// The card as HTML.
+    pub fn html(&self, language: Language) -> String {
+        let w = words(language);
+        let (rows, more) = self.rows(language);
+        let number = self.program_number();
+        let title = [w.card, number.as_str()].join(" ");
+        let mut page = Page { html: String::new() };
+        let _ = write!(
+            page.html,
+            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n",
+            language.tag(),
+            escaped(title.trim()),
+        );
+        let _ = writeln!(
+            page.html,
+            "<header><h1>{} <b>{}</b></h1><p class=\"sign\"><span>{}</span><span>{}</span></p></header>",
+            escaped(w.card),
+            escaped(&number),
+            w.name,
+            w.date,
+        );
+        self.facts(&mut page, w);
+        if let Some(drawing) = self.drawing {
+            let _ = writeln!(page.html, "<figure>{drawing}</figure>");
+        }
+        self.tools(&mut page, language);
+        page.heading(w.program);
+        page.begin_table("blocks", &["N", w.block, w.does, w.remark, &format!("{}, {}", w.time, w.seconds)]);
+        for row in &rows {
+            let block = format!("<code>{}</code>", escaped(&row.text));
+            page.row([
+                &escaped(&row.sequence),
+                &block,
+                &escaped(&row.does),
+                &escaped(&row.remark),
+                &row.time,
+            ]);
+        }
+        page.end_table();
+        if more > 0 {
+            page.paragraph(&w.more_blocks.replace("{}", &more.to_string()));
+        }
+        page.html.push_str("</body>\n</html>\n");
+        page.html
+    }
+
+    /// The O number that is run: the chosen one, or the first of the text.
+    fn program_number(&self) -> String {
+        let first = || blocks(self.text).find_map(|block| block.program);
+        let number = self.setup.program.or_else(|| first().map(|program| program.0));
+        number.map(|number| format!("O{number:04}")).unwrap_or_default()
+    }
+
+    fn facts(&self, page: &mut Page, w: &Words) {
+        let mut facts = vec![(w.control, self.codes.name().to_owned())];
+        let fitting = Fitting::new(self.motions, self.setup);
+        if let Some((stock, known)) = fitting.stock() {
+            facts.push((w.blank, blank(&stock, known, w)));
+        }
+        let (_, all) = tally(self.motions, &self.setup.machine);
+        facts.push((w.time, clock(&all.time)));
+        page.html.push_str("<dl>");
+        for (name, value) in facts {
+            let _ = write!(page.html, "<div><dt>{name}</dt><dd>{}</dd></div>", escaped(&value));
+        }
+        page.html.push_str("</dl>\n");
+    }
+
+    fn tools(&self, page: &mut Page, language: Language) {
+        let w = words(language);
+        let fitting = Fitting::new(self.motions, self.setup);
+        let (tools, all) = tally(self.motions, &self.setup.machine);
+        if tools.is_empty() {
+            return;
+        }
+        page.heading(w.tools);
+        page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
+        for own in &tools {
+            // The first cut tells what a tool is for; what never cuts (an offset called off) is no tool of the card.
+            let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
+            let mut cuts = self.motions.iter().filter(of_tool).peekable();
+            let Some(motion) = cuts.peek() else { continue };
+            let tool = fitting.tool(motion);
+            let [kind, nose, tip] = about(tool, w, language).map(|text| escaped(&text));
+            let rates = escaped(&rates(cuts, w));
+            page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
+        }
+        page.row([w.total, "", "", "", "", &clock(&all.time)]);
+        page.end_table();
+        let Tally { time, .. } = &all;
+        let unknown = time.unknown_cuts + time.unknown_rapids;
+        if unknown > 0 {
+            page.paragraph(&w.not_in_time.replace("{}", &unknown.to_string()));
+        }
+    }
+
+    /// The rows of all blocks, and how many more there are.
+    fn rows(&self, language: Language) -> (Vec<Row>, usize) {
+        let told = Told::new(self, language);
+        let mut rows = Vec::new();
+        let mut more = 0;
+        for block in blocks(self.text) {
+            let has_remark = !block.comments.is_empty();
+            if block.kind == BlockKind::Percent
+                || (block.is_empty() && block.sequence.is_none() && !has_remark)
+            {
+                continue;
+            }
+            if rows.len() < MOST_BLOCKS {
+                rows.push(told.row(&block));
+            } else {
+                more += 1;
+            }
+        }
+        (rows, more)
+    }
+}
+
+/// Puts blocks into words.
+struct Told<'a> {
+    card: &'a Card<'a>,
+    language: Language,
+    /// What each code does, and which of the codes that do the same it is.
+    functions: HashMap<String, (Function, usize)>,
+    /// The motions of the block that begins at a byte.
+    motions: BTreeMap<u32, Vec<usize>>,
+}
+
+impl<'a> Told<'a> {
+    fn new(card: &'a Card<'a>, language: Language) -> Self {
+        let mut functions = HashMap::new();
+        for row in codes::rows() {
+            let list = CodeList::ALL.iter().position(|&list| list == card.codes).unwrap_or(0);
+            for (index, code) in row.codes[list].split(' ').enumerate() {
+                functions.insert(code.to_owned(), (row.function, index));
+            }
+        }
+        let mut motions: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        for index in 0..card.motions.len() {
+            motions.entry(card.motions.span(index).start).or_default().push(index);
+        }
+        Self { card, language, functions, motions }
+    }
+
+    fn row(&self, block: &Block) -> Row {
+        let text = self.card.text;
+        let own: Vec<Motion> = self
+            .motions
+            .range(block.span.start..block.span.end.max(block.span.start + 1))
+            .flat_map(|(_, motions)| motions.iter().map(|&index| self.card.motions.get(index)))
+            .collect();
+        let mut does = self.codes(block, &own);
+        does.extend(self.moves(&own));
+        let mut time = Total::default();
+        for motion in &own {
+            time.add(motion, &self.card.setup.machine);
+        }
+        let (sequence, written) = as_written(text, block);
+        let remarks = block.comments.iter().map(|comment| remark(text, *comment));
+        Row {
+            sequence,
+            text: written,
+            does: does.join("; "),
+            remark: remarks.collect::<Vec<_>>().join("; "),
+            time: if time.known > 0.0 { format!("{:.1}", time.known) } else { String::new() },
+        }
+    }
+
+    /// What its codes do; those of plain moves are told with the move.
+    fn codes(&self, block: &Block, own: &[Motion]) -> Vec<String> {
+        let mut told: Vec<String> = Vec::new();
+        if block.kind == BlockKind::Macro {
+            let written = as_written(self.card.text, block).1.to_ascii_uppercase();
+            let function =
+                match written.trim_start_matches(|c: char| c == '/' || c.is_ascii_digit()).chars().next() {
+                    Some('I') => Function::If,
+                    Some('G') => Function::Goto,
+                    Some('W' | 'D' | 'E') => Function::While,
+                    _ => Function::Variables,
+                };
+            told.push(function.describe(self.language).to_owned());
+        }
+        for word in &block.words {
+            let Some((function, index)) = spelled(word).and_then(|code| self.functions.get(&code).copied())
+            else {
+                if let Some(tool) = self.tool(word) {
+                    told.push(tool);
+                }
+                continue;
+            };
+            let by_move = matches!(
+                function,
+                Function::Rapid
+                    | Function::Line
+                    | Function::ArcClockwise
+                    | Function::ArcCounterclockwise
+                    | Function::Dwell
+            );
+            if by_move && own.iter().any(|motion| motion.cycle.is_none()) {
+                continue;
+            }
+            told.push(
+                one_of(function, index, self.language)
+                    .unwrap_or_else(|| function.describe(self.language).replace('`', "")),
+            );
+        }
+        told.dedup();
+        told
+    }
+
+    /// `T0101`: which tool comes in.
+    fn tool(&self, word: &Word) -> Option<String> {
+        let number = word_number(word).filter(|_| word.address == b'T')?.integer()?;
+        let w = words(self.language);
+        let (station, offset) = if number < 100 { (number, number) } else { (number / 100, number % 100) };
+        Some(format!("{} {station}, {} {offset}", w.tool.to_lowercase(), w.offset))
+    }
+
+    fn moves(&self, own: &[Motion]) -> Vec<String> {
+        let w = words(self.language);
+        let count = |template: &str, count: u64| template.replace("{}", &count.to_string());
+        let passes = own.iter().filter_map(|motion| motion.cycle).map(|step| step.pass);
+        let (low, high) = (passes.clone().filter(|&pass| pass > 0).min(), passes.max().unwrap_or(0));
+        let told = |motion: &Motion| describe_motion(motion, None, self.language);
+        match low {
+            Some(low) if low < high => vec![count(w.passes, u64::from(high - low) + 1)],
+            Some(_) => {
+                // One pass of a cycle that stays on: the cut says it all.
+                let cut = own.iter().find(|motion| motion.cycle.is_some_and(|step| step.step == Step::Cut));
+                cut.or(own.first()).map(told).into_iter().collect()
+            }
+            None if own.len() > MOST_TOLD => vec![count(w.moves, own.len() as u64)],
+            None => own.iter().map(told).collect(),
+        }
+    }
+}
+
+/// A file in the making.
+struct Page {
+    html: String,
+}
+
+impl Page {
+    fn heading(&mut self, text: &str) {
+        let _ = writeln!(self.html, "<h2>{}</h2>", escaped(text));
+    }
+
+    fn paragraph(&mut self, text: &str) {
+        let _ = writeln!(self.html, "<p>{}</p>", escaped(text));
+    }
+
+    fn begin_table(&mut self, class: &str, heads: &[&str]) {
+        let cells: String =
+            heads.iter().map(|head| format!("<th scope=\"col\">{}</th>", escaped(head))).collect();
+        let _ = writeln!(self.html, "<table class=\"{class}\">\n<thead><tr>{cells}</tr></thead>\n<tbody>");
+    }
+
+    /// Cells are HTML already.
+    fn row<const N: usize>(&mut self, cells: [&str; N]) {
+        let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
+        let _ = writeln!(self.html, "<tr>{cells}</tr>");
+    }
+
+    fn end_table(&mut self) {
+        self.html.push_str("</tbody>\n</table>\n");
+    }
+}
+
+/// The blocks of a text, one after the other.
+fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
+    let mut parser = Parser::new(text);
+    std::iter::from_fn(move || {
+        let mut block = Block::default();
+        parser.next_block(&mut block).then_some(block)
+    })
+}
+
+/// A G or M word as the table of codes spells it: `G01`, `G12.1`.
+fn spelled(word: &Word) -> Option<String> {
+    let number = word_number(word)?;
+    match (word.address, word.comma) {
+        (b'G', false) => {
+            let tenths = number.tenths()?;
+            let decimal = if tenths % 10 > 0 { format!(".{}", tenths % 10) } else { String::new() };
+            Some(format!("G{:02}{decimal}", tenths / 10))
+        }
+        (b'M', false) => Some(format!("M{:02}", number.integer()?)),
+        (b'C' | b'R' | b'A', true) => Some(format!(",{}", char::from(word.address))),
+        _ => None,
+    }
+}
+
+fn word_number(word: &Word) -> Option<crate::text::lexer::Number> {
+    match word.value {
+        Value::Number { number, .. } => Some(number),
+        Value::Expression => None,
+    }
+}
+
+/// The sequence number of a block as it is written, and the rest of it without comments and the blanks around.
+fn as_written(text: &[u8], block: &Block) -> (String, String) {
+    let mut bytes = block.span.of(text).to_vec();
+    for comment in &block.comments {
+        let from = comment.start.saturating_sub(block.span.start) as usize;
+        let to = (comment.end.saturating_sub(block.span.start) as usize).min(bytes.len());
+        bytes[from.min(to)..to].fill(b' ');
+    }
+    let written = String::from_utf8_lossy(&bytes);
+    let written = written.trim().trim_end_matches(';');
+    let rest = match written.strip_prefix(['N', 'n']).filter(|_| block.sequence.is_some()) {
+        Some(rest) => rest.trim_start_matches(|c: char| c.is_ascii_digit()),
+        None => written,
+    };
+    let sequence = &written[..written.len() - rest.len()];
+    (sequence.to_owned(), rest.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+fn remark(text: &[u8], comment: Span) -> String {
+    comment.quote(text).trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace()).to_owned()
+}
+
+fn blank(stock: &Stock, known: Known, w: &Words) -> String {
+    let mut text = format!("⌀{}, {} {} mm", number(stock.diameter), w.length, number(stock.length));
+    if stock.bore > 0.0 {
+        let _ = write!(text, ", {} ⌀{}", w.bore, number(stock.bore));
+    }
+    if stock.face != 0.0 {
+        let _ = write!(text, ", {}{}", w.face, number(stock.face));
+    }
+    if known == Known::Guessed {
+        let _ = write!(text, " ({})", w.guessed);
+    }
+    text
+}
+
+/// Kind, nose radius and tip of a tool.
+fn about(fitted: &Fitted, w: &Words, language: Language) -> [String; 3] {
+    let tool = &fitted.tool;
+    let mut kind =
+        tool.kind.map(|kind| tool_kind(kind, tool.side.unwrap_or_default(), language)).unwrap_or_default();
+    let more = [
+        tool.insert.clone().filter(|_| fitted.known == Known::Given),
+        tool.width.map(|width| format!("{} mm", number(width))),
+        tool.diameter.map(|diameter| format!("⌀{}", number(diameter))),
+    ];
+    for more in more.into_iter().flatten() {
+        kind = [kind, more].join(" ").trim().to_owned();
+    }
+    if fitted.known == Known::Guessed {
+        return [format!("{kind} ({})", w.guessed), "–".into(), "–".into()];
+    }
+    let nose = tool.nose();
+    let nose = if nose > 0.0 { format!("{} mm", number(nose)) } else { "–".into() };
+    [kind, nose, tool.tip_direction().to_string()]
+}
+
+/// The speeds and feeds of cuts, each once.
+fn rates(cuts: impl Iterator<Item = Motion>, w: &Words) -> String {
+    let mut found: Vec<String> = Vec::new();
+    for motion in cuts {
+        let speed = match motion.process.speed {
+            SpindleSpeed::Constant(0.0) => None,
+            SpindleSpeed::Constant(speed) => Some(format!("{} {}", number(speed), w.per_minute)),
+            SpindleSpeed::Surface { speed } => Some(format!("{} {}", number(speed), w.surface)),
+        };
+        let feed = match (motion.lead, motion.process.feed) {
+            (Some(lead), _) => Some(format!("{} {}", number(lead), w.feed_per_turn)),
+            (None, Feed::Unset) => None,
+            (None, Feed::PerTurn(feed)) => Some(format!("{} {}", number(feed), w.feed_per_turn)),
+            (None, Feed::PerMinute(feed)) => Some(format!("{} {}", number(feed), w.feed_per_minute)),
+        };
+        let rate = [speed, feed].into_iter().flatten().collect::<Vec<_>>().join(", ");
+        if !rate.is_empty() && !found.contains(&rate) {
+            found.push(rate);
+        }
+        if found.len() > MOST_RATES {
+            found[MOST_RATES] = "…".into();
+            break;
+        }
+    }
+    if found.is_empty() { "–".into() } else { found.join("; ") }
+}
+
+fn tool_name((station, offset): (u16, u16)) -> String {
+    if station == 0 { "–".into() } else { format!("T{station:02}{offset:02}") }
+}
+
+/// Minutes and seconds; a dash where nothing is known.
+fn clock(time: &Total) -> String {
+    if time.known <= 0.0 {
+        return "–".into();
+    }
+    let seconds = time.known.round();
+    format!("{}:{:02}", (seconds / 60.0).floor(), seconds % 60.0)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+const STYLE: &str = "
+:root { color-scheme: only light; font: 10.5pt/1.4 'Noto Sans', 'PingFang SC', 'Microsoft YaHei', system-ui, sans-serif; color: #000; background: #fff; }
+@page { size: A4; margin: 14mm 12mm; }
+body { max-width: 186mm; margin: 8mm auto; padding: 0 4mm; }
+@media print { body { max-width: none; margin: 0; padding: 0; } }
+header { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline; gap: 0 2em; border-bottom: 1.5pt solid #000; }
+h1 { margin: 0 0 0.25em; font-size: 17pt; font-weight: 400; }
+h2 { margin: 1.1em 0 0.35em; font-size: 11.5pt; break-after: avoid; }
+.sign span { display: inline-block; min-width: 14em; margin-inline-start: 1.5em; border-bottom: 0.5pt solid #000; }
+.sign span:last-child { min-width: 9em; }
+dl { display: flex; flex-wrap: wrap; gap: 0.2em 2.2em; margin: 0.7em 0; }
+dt { font-size: 8.5pt; color: #444; }
+dd { margin: 0; font-weight: 600; }
+figure { margin: 0.8em 0; break-inside: avoid; }
+figure svg { display: block; width: 100%; height: auto; max-height: 105mm; }
+table { width: 100%; border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: 0.22em 0.5em; border: 0.5pt solid #777; text-align: start; vertical-align: top; }
+th { background: #eee; font-size: 8.5pt; font-weight: 600; print-color-adjust: exact; }
+thead { display: table-header-group; }
+tr { break-inside: avoid; }
+code { font: 600 9.5pt ui-monospace, Consolas, 'DejaVu Sans Mono', monospace; }
+.blocks td:first-child { white-space: nowrap; color: #444; }
+.blocks td:nth-child(2) { min-width: 13em; }
+.blocks td:nth-child(4) { min-width: 6em; }
+.blocks :is(td, th):last-child, .tools :is(td, th):last-child { text-align: end; white-space: nowrap; }
+.tools tr:last-child { font-weight: 600; }
+p { margin: 0.5em 0; font-size: 9pt; }
+";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+
+    fn html(text: &str, language: Language) -> String {
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let (motions, setup, codes) = (&analysis.motions, &analysis.setup, analysis.codes);
+        Card { text: text.as_bytes(), motions, setup, codes, drawing: None }.html(language)
+    }
+
+    const PROGRAM: &str = "%\nO0012 (PIN <A>)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nN10 G50 S2000\n\
+        N20 G0 X42 Z2 T0101 M3 S800 M8 (START)\nN30 G71 U2 R1\nN40 G71 P50 Q70 U0.4 W0.1 F0.25\nN50 G0 X20\n\
+        N60 G1 Z-15 F0.1\nN70 X42\nN80 G70 P50 Q70\nN90 M09\nN100 M30\n%\n";
+
+    #[test]
+    fn a_row_for_each_block() {
+        let page = html(PROGRAM, Language::English);
+        for wanted in [
+            "<h1>Program card <b>O0012</b></h1>",
+            "PIN &lt;A&gt;",
+            "<td>N20</td><td><code>G0 X42 Z2 T0101 M3 S800 M8</code></td><td>tool 1, offset 1; spindle forward; coolant on; ",
+            "<td>START</td>",
+            "rough turning",
+            " passes",
+            "coolant off",
+            "program end",
+            "<td>T0101</td><td>turning CNMG120408</td><td>0.8 mm</td><td>3</td><td>800 rpm, 0.25 mm/rev; 800 rpm, 0.1 mm/rev</td>",
+        ] {
+            assert!(page.contains(wanted), "{wanted} in\n{page}");
+        }
+        assert_eq!(page.matches("<tr>").count(), page.matches("</tr>").count());
+    }
+
+    #[test]
+    fn every_language() {
+        assert!(html(PROGRAM, Language::Chinese).contains("主轴正转"));
+        assert!(html(PROGRAM, Language::Russian).contains("шпиндель вперёд"));
+    }
+
+    #[test]
+    fn any_text_makes_a_card() {
+        for text in [
+            "",
+            "%",
+            "(",
+            ")(",
+            "O",
+            "N",
+            "N5 (",
+            "G1 X#1",
+            "/2 IF [1 EQ 1] GOTO 5",
+            "\u{feff}; G01 X\u{ff11}",
+        ] {
+            assert!(html(text, Language::English).ends_with("</html>\n"), "{text}");
+        }
+    }
+}

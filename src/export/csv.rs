@@ -1,0 +1,97 @@
+//! All motions as a table for a spreadsheet: comma-separated values (RFC 4180).
+//!
+//! In: the rows of `motions`. Out: the same rows, one line each, under a line with the names of the columns. What a motion
+//! does not have is empty.
+
+use std::fmt::Write;
+
+use crate::api;
+use crate::control::setup::Machine;
+use crate::motion::Motions;
+
+/// The columns, named as in the rows of `motions`; what stands inside of another there has its name before it.
+pub const COLUMNS: [&str; 22] = [
+    "line",
+    "kind",
+    "tool",
+    "x",
+    "z",
+    "c",
+    "center_x",
+    "center_z",
+    "center_c",
+    "r",
+    "dir",
+    "lead",
+    "seconds",
+    "feed",
+    "rpm",
+    "cycle",
+    "pass",
+    "step",
+    "mode",
+    "machine_x",
+    "machine_c",
+    "uncertain",
+];
+
+/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm a minute.
+pub fn csv(motions: &Motions, machine: &Machine) -> String {
+    let mut text = COLUMNS.join(",");
+    text.push_str("\r\n");
+    for row in api::motions(motions, machine) {
+        write_row(&mut text, &row);
+    }
+    text
+}
+
+fn write_row(text: &mut String, row: &api::Motion) {
+    let number = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    let word = |value: Option<&str>| value.unwrap_or_default().to_owned();
+    let center = row.center.as_ref();
+    let cells: [String; COLUMNS.len()] = [
+        row.line.to_string(),
+        row.kind.to_owned(),
+        word(row.tool.as_deref()),
+        row.to.x.to_string(),
+        row.to.z.to_string(),
+        number(row.to.c),
+        number(center.map(|center| center.x)),
+        number(center.map(|center| center.z)),
+        number(center.and_then(|center| center.c)),
+        number(row.r),
+        word(row.dir),
+        number(row.lead),
+        number(row.seconds),
+        number(row.feed),
+        number(row.rpm),
+        word(row.cycle),
+        row.pass.map(|pass| pass.to_string()).unwrap_or_default(),
+        word(row.step),
+        word(row.mode),
+        number(row.machine.map(|place| place.x)),
+        number(row.machine.map(|place| place.c)),
+        word(row.uncertain.then_some("uncertain")),
+    ];
+    // No cell holds a comma, a quote or a line end.
+    let _ = write!(text, "{}\r\n", cells.join(","));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::control::setup::Setup;
+
+    #[test]
+    fn a_line_for_each_motion() {
+        let analysis = analyze(b"G0 X20 Z2 T0101\nG1 Z-5 F0.2 M3 S1000\nG2 X30 Z-10 R5", &Setup::default());
+        let text = csv(&analysis.motions, &analysis.setup.machine);
+        let lines: Vec<&str> = text.split_terminator("\r\n").collect();
+        assert_eq!(lines.len(), 4);
+        assert_eq!(lines[0], COLUMNS.join(","));
+        assert!(lines.iter().all(|line| line.split(',').count() == COLUMNS.len()), "{text}");
+        assert_eq!(lines[2], "2,feed,T0101,20,-5,,,,,,,,2.1,200,1000,,,,,,,");
+        assert!(lines[3].starts_with("3,arc,T0101,30,-10,,30,-5,,5,cw,"), "{text}");
+    }
+}

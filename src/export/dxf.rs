@@ -1,0 +1,141 @@
+//! The profile of the part for drawing programs: DXF of AutoCAD release 12, as text, in mm.
+//!
+//! In: the half-section. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on the layer `CENTER`. X of the
+//! drawing is Z of the lathe, Y the radius.
+
+use std::fmt::{Display, Write};
+
+use super::profile::{self, Segment};
+use crate::geometry::bounds::{Bounds, join};
+use crate::geometry::{Arc, Point, Turn};
+use crate::shop::region::Region;
+
+/// How far the centre line reaches out of the part, as drawings have it, mm.
+const CENTER_LINE_OVER: f64 = 3.0;
+
+/// The half-section above the spindle axis as a drawing; nothing where nothing is left of the blank.
+pub fn dxf(region: &Region) -> Option<String> {
+    let chains = profile::outlines(region);
+    let bounds = chains.iter().flatten().fold(None, |bounds, segment| join(bounds, Some(around(segment))))?;
+    let (left, right) = (bounds.min.z - CENTER_LINE_OVER, bounds.max.z + CENTER_LINE_OVER);
+    let mut file = File { text: String::new() };
+    file.head(Point::new(0.0, left), Point::new(bounds.max.x, right));
+    file.tables();
+    file.pair(0, "SECTION");
+    file.pair(2, "ENTITIES");
+    for segment in chains.iter().flatten() {
+        match segment {
+            Segment::Line(from, to) => file.line("PROFILE", *from, *to),
+            Segment::Arc(arc) => file.arc("PROFILE", arc),
+        }
+    }
+    file.line("CENTER", Point::new(0.0, left), Point::new(0.0, right));
+    file.pair(0, "ENDSEC");
+    file.pair(0, "EOF");
+    Some(file.text)
+}
+
+fn around(segment: &Segment) -> Bounds {
+    match segment {
+        Segment::Line(from, to) => Bounds::around(*from, *to),
+        Segment::Arc(arc) => Bounds::of_arc(arc),
+    }
+}
+
+/// A file in the making: pairs of a group code and a value, each on a line of its own.
+struct File {
+    text: String,
+}
+
+impl File {
+    fn pair(&mut self, code: u16, value: impl Display) {
+        let _ = write!(self.text, "{code:>3}\r\n{value}\r\n");
+    }
+
+    /// A length in mm, or an angle in degrees: to a nanometre.
+    fn number(&mut self, code: u16, value: f64) {
+        let rounded = (value * 1e6).round() / 1e6 + 0.0;
+        self.pair(code, format_args!("{rounded:.6}"));
+    }
+
+    /// A place; its codes are `code` and ten more.
+    fn point(&mut self, code: u16, at: Point) {
+        self.number(code, at.z);
+        self.number(code + 10, at.x);
+        self.number(code + 20, 0.0);
+    }
+
+    fn head(&mut self, low: Point, high: Point) {
+        self.pair(0, "SECTION");
+        self.pair(2, "HEADER");
+        self.pair(9, "$ACADVER");
+        self.pair(1, "AC1009");
+        for (name, at) in [("$EXTMIN", low), ("$EXTMAX", high)] {
+            self.pair(9, name);
+            self.point(10, at);
+        }
+        self.pair(0, "ENDSEC");
+    }
+
+    fn tables(&mut self) {
+        self.pair(0, "SECTION");
+        self.pair(2, "TABLES");
+        self.table("LTYPE", 2);
+        self.line_type("CONTINUOUS", "Solid line", &[]);
+        self.line_type("CENTER", "____ _ ____ _ ____", &[6.0, -1.0, 1.0, -1.0]);
+        self.pair(0, "ENDTAB");
+        self.table("LAYER", 3);
+        for (name, colour, line_type) in
+            [("0", 7, "CONTINUOUS"), ("PROFILE", 7, "CONTINUOUS"), ("CENTER", 1, "CENTER")]
+        {
+            self.pair(0, "LAYER");
+            self.pair(2, name);
+            self.pair(70, 0);
+            self.pair(62, colour);
+            self.pair(6, line_type);
+        }
+        self.pair(0, "ENDTAB");
+        self.pair(0, "ENDSEC");
+    }
+
+    fn table(&mut self, name: &str, rows: usize) {
+        self.pair(0, "TABLE");
+        self.pair(2, name);
+        self.pair(70, rows);
+    }
+
+    /// Dashes in mm, gaps negative.
+    fn line_type(&mut self, name: &str, looks: &str, dashes: &[f64]) {
+        self.pair(0, "LTYPE");
+        self.pair(2, name);
+        self.pair(70, 0);
+        self.pair(3, looks);
+        self.pair(72, 65);
+        self.pair(73, dashes.len());
+        self.number(40, dashes.iter().map(|dash| dash.abs()).sum());
+        for dash in dashes {
+            self.number(49, *dash);
+        }
+    }
+
+    fn line(&mut self, layer: &str, from: Point, to: Point) {
+        self.pair(0, "LINE");
+        self.pair(8, layer);
+        self.point(10, from);
+        self.point(11, to);
+    }
+
+    /// Arcs of a DXF file always turn counter-clockwise.
+    fn arc(&mut self, layer: &str, arc: &Arc) {
+        let (from, to) = match arc.turn {
+            Turn::Counterclockwise => (arc.start_angle(), arc.end_angle()),
+            Turn::Clockwise => (arc.end_angle(), arc.start_angle()),
+        };
+        self.pair(0, "ARC");
+        self.pair(8, layer);
+        self.point(10, arc.center);
+        self.number(40, arc.radius());
+        self.number(50, from.to_degrees().rem_euclid(360.0));
+        self.number(51, to.to_degrees().rem_euclid(360.0));
+    }
+}

@@ -1,0 +1,11 @@
+//! What leaves the playground as a file: tables, the program card, the part for other programs.
+//!
+//! In: motions, the program's text, what is left of the blank. Out: texts and bytes, the same on the page and on the
+//! command line. Each exporter only puts into words what earlier stages have worked out. (The drawing is `scene::svg`, the
+//! program written out `expand`.)
+
+pub mod card;
+pub mod csv;
+pub mod dxf;
+pub mod profile;
+pub mod stl;

@@ -1,0 +1,307 @@
+//! The outline of the part as lines and true arcs.
+//!
+//! In: the half-section, whose arcs are cut into chords. Out: closed chains of [`Segment`]s; neighbouring edges that lie on
+//! one circle are one arc again. Must not know what the outline is for.
+
+use std::f64::consts::PI;
+
+use crate::geometry::{Arc, Point, SAME, Turn};
+use crate::shop::region::Region;
+use crate::shop::sweep::CHORD;
+
+/// How far an arc may be from the corners and from the middles of the edges it stands for, mm.
+pub const FIT: f64 = 2.0 * CHORD;
+
+/// Edges that make an arc, at least: any three corners lie on a circle.
+const LEAST_EDGES: usize = 3;
+
+/// An arc that ends at a corner a little beside the circle may not fit, and a longer one again: so many corners are passed.
+const MOST_MISSED: usize = 2;
+
+/// Corners nearer to the line through their neighbours are none, mm.
+const STRAIGHT: f64 = CHORD / 8.0;
+
+/// Nose and way of a tool are both cut into chords, so that their arc may turn back a little at a corner, radians.
+const WOBBLE: f64 = 0.02;
+
+/// An arc rises so much above its chord, mm, or it is a straight line: three chords of an arc rise nine times as much as one.
+const LEAST_HEIGHT: f64 = 3.0 * FIT;
+
+/// Steps in which an arc is brought to where its corners are as far outside as inside.
+const BALANCINGS: usize = 3;
+
+/// An arc turns by less than this, radians: a full circle has no ends to tell which way it runs.
+const WIDEST: f64 = 1.9 * PI;
+
+/// Radii are rounded to as few of these steps as fit, mm.
+const ROUND: [f64; 4] = [0.5, 0.1, 0.01, 0.001];
+
+/// A piece of an outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment {
+    /// A straight edge.
+    Line(Point, Point),
+    /// A true arc.
+    Arc(Arc),
+}
+
+/// The closed outlines of an area, those of holes among them, the material on the left. What lies on the spindle axis is
+/// no edge of a turned part, and left out.
+pub fn outlines(region: &Region) -> Vec<Vec<Segment>> {
+    let chains = region.outlines().map(|outline| segments(&outline.collect::<Vec<_>>()));
+    chains.map(|chain| chain.into_iter().filter(|segment| !on_axis(segment)).collect()).collect()
+}
+
+fn on_axis(segment: &Segment) -> bool {
+    matches!(segment, Segment::Line(a, b) if a.x.abs() <= SAME && b.x.abs() <= SAME)
+}
+
+/// A closed outline as lines and arcs.
+fn segments(outline: &[Point]) -> Vec<Segment> {
+    let mut points = from_sharpest_corner(outline);
+    points.dedup_by(|a, b| a.is_same(*b));
+    if points.len() < 3 {
+        return Vec::new();
+    }
+    points.push(points[0]);
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at + 1 < points.len() {
+        let (edges, segment) = next_segment(&points[at..]);
+        found.push(segment);
+        at += edges;
+    }
+    found
+}
+
+/// No arc runs across the sharpest corner: the chain begins there.
+fn from_sharpest_corner(outline: &[Point]) -> Vec<Point> {
+    let count = outline.len();
+    let sharpness = |&index: &usize| {
+        let at = |step: usize| outline[(index + count + step - 1) % count];
+        turned(at(0), at(1), at(2)).abs()
+    };
+    let first = (0..count).max_by(|a, b| sharpness(a).total_cmp(&sharpness(b))).unwrap_or(0);
+    outline.iter().cycle().skip(first).take(count).copied().collect()
+}
+
+/// The longest arc from the first point on; else the longest straight line.
+fn next_segment(points: &[Point]) -> (usize, Segment) {
+    let mut best = None;
+    let mut missed = 0;
+    for edges in LEAST_EDGES..points.len() {
+        match arc_through(&points[..=edges]) {
+            Some(arc) => (best, missed) = (Some((edges, Segment::Arc(arc))), 0),
+            None => missed += 1,
+        }
+        if missed > MOST_MISSED {
+            break;
+        }
+    }
+    best.unwrap_or_else(|| {
+        let straight = |&edges: &usize| {
+            let (from, to) = (points[0], points[edges]);
+            points[1..edges].iter().all(|&point| distance_from_line(point, from, to) <= STRAIGHT)
+        };
+        let edges = (2..points.len()).take_while(straight).last().unwrap_or(1);
+        (edges, Segment::Line(points[0], points[edges]))
+    })
+}
+
+/// The arc from the first point to the last that all others lie on, if there is one.
+fn arc_through(points: &[Point]) -> Option<Arc> {
+    let (start, end) = (points[0], points[points.len() - 1]);
+    let inner = &points[1..points.len() - 1];
+    // The edges turn the same way, and not round and round.
+    let turns: Vec<f64> = points.windows(3).map(|three| turned(three[0], three[1], three[2])).collect();
+    let whole: f64 = turns.iter().sum();
+    let same_way = turns.iter().all(|turn| turn * whole.signum() > -WOBBLE);
+    if !same_way || whole.abs() > WIDEST || start.is_same(end) {
+        return None;
+    }
+    // From every place on an arc its ends are seen under the same angle; far from the ends it is known best.
+    let (cross, dot) = inner.iter().fold((0.0, 0.0), |(cross, dot), point| {
+        let (a, b) = (from_to(*point, start), from_to(*point, end));
+        (cross + a.1 * b.0 - a.0 * b.1, dot + a.0 * b.0 + a.1 * b.1)
+    });
+    let seen = f64::atan2(cross, dot);
+    // Half the angle of the arc, with the sign of its turn: positive counter-clockwise.
+    let half = if seen < 0.0 { seen + PI } else { seen - PI };
+    if half.signum() != whole.signum() {
+        return None;
+    }
+    let chord = start.distance(end);
+    let mut height = chord / 2.0 * (half / 2.0).tan();
+    for _ in 0..BALANCINGS {
+        let arc = arc_of(start, end, 2.0 * (2.0 * height / chord).atan())?;
+        let (least, most) = deviations(&arc, points);
+        height += height.signum() * (least + most) / 2.0;
+    }
+    if height.abs() < LEAST_HEIGHT {
+        return None;
+    }
+    let half = 2.0 * (2.0 * height / chord).atan();
+    let radius = chord / (2.0 * half.sin().abs());
+    let rounded = ROUND.iter().filter_map(|step| {
+        let radius = (radius / step).round() * step;
+        let quarter = (chord / (2.0 * radius)).asin();
+        let size = if half.abs() > PI / 2.0 { PI - quarter } else { quarter };
+        arc_of(start, end, half.signum() * size)
+    });
+    let fits = |arc: &Arc| {
+        let (least, most) = deviations(arc, points);
+        least >= -FIT && most <= FIT
+    };
+    rounded.chain(arc_of(start, end, half)).find(fits)
+}
+
+/// The arc between two points that turns by twice `half`, radians, positive counter-clockwise.
+fn arc_of(start: Point, end: Point, half: f64) -> Option<Arc> {
+    let chord = start.distance(end);
+    let beside = chord / 2.0 / half.tan();
+    if !beside.is_finite() || chord <= SAME {
+        return None;
+    }
+    let turn = if half > 0.0 { Turn::Counterclockwise } else { Turn::Clockwise };
+    // The centre is left of the chord where a counter-clockwise arc is less than a half circle.
+    let (dx, dz) = ((end.x - start.x) / chord, (end.z - start.z) / chord);
+    let middle = Point::new((start.x + end.x) / 2.0, (start.z + end.z) / 2.0);
+    Some(Arc { start, end, center: Point::new(middle.x + beside * dz, middle.z - beside * dx), turn })
+}
+
+/// How far corners and middles of edges are outside of the circle of an arc, mm: the least (inside, where negative) and the
+/// most.
+fn deviations(arc: &Arc, points: &[Point]) -> (f64, f64) {
+    let radius = arc.radius();
+    let middles = points
+        .windows(2)
+        .map(|edge| Point::new((edge[0].x + edge[1].x) / 2.0, (edge[0].z + edge[1].z) / 2.0));
+    points
+        .iter()
+        .copied()
+        .chain(middles)
+        .map(|point| point.distance(arc.center) - radius)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), deviation| {
+            (least.min(deviation), most.max(deviation))
+        })
+}
+
+/// By which angle the way turns at the second of three points, radians, positive to the left.
+fn turned(a: Point, b: Point, c: Point) -> f64 {
+    let (before, after) = (from_to(a, b), from_to(b, c));
+    f64::atan2(before.1 * after.0 - before.0 * after.1, before.0 * after.0 + before.1 * after.1)
+}
+
+fn distance_from_line(point: Point, from: Point, to: Point) -> f64 {
+    let (way, own) = (from_to(from, to), from_to(from, point));
+    (way.1 * own.0 - way.0 * own.1).abs() / from.distance(to).max(SAME)
+}
+
+/// From one point to another: X, Z.
+fn from_to(a: Point, b: Point) -> (f64, f64) {
+    (b.x - a.x, b.z - a.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shop::sweep::chords;
+
+    fn chain(pieces: &[Segment]) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::new();
+        for piece in pieces {
+            match piece {
+                Segment::Line(a, b) => points.extend([*a, *b]),
+                Segment::Arc(arc) => points.extend(chords(arc)),
+            }
+        }
+        points.dedup_by(|a, b| a.is_same(*b));
+        points.pop();
+        points
+    }
+
+    fn at(x: f64, z: f64) -> Point {
+        Point::new(x, z)
+    }
+
+    fn arc(start: Point, end: Point, center: Point, turn: Turn) -> Segment {
+        Segment::Arc(Arc { start, end, center, turn })
+    }
+
+    /// A shaft with a round end, a groove with a round bottom, and a radius at its shoulder, tangents on both sides.
+    fn shaft() -> Vec<Segment> {
+        vec![
+            arc(at(0.0, 0.0), at(10.0, -10.0), at(0.0, -10.0), Turn::Counterclockwise),
+            Segment::Line(at(10.0, -10.0), at(10.0, -20.0)),
+            arc(at(10.0, -20.0), at(10.0, -26.0), at(10.0, -23.0), Turn::Clockwise),
+            Segment::Line(at(10.0, -26.0), at(10.0, -35.0)),
+            arc(at(10.0, -35.0), at(15.0, -40.0), at(15.0, -35.0), Turn::Clockwise),
+            arc(at(15.0, -40.0), at(19.5, -44.5), at(15.0, -44.5), Turn::Counterclockwise),
+            Segment::Line(at(19.5, -44.5), at(19.5, -60.0)),
+            Segment::Line(at(19.5, -60.0), at(0.0, -60.0)),
+            Segment::Line(at(0.0, -60.0), at(0.0, 0.0)),
+        ]
+    }
+
+    #[test]
+    fn arcs_come_back_as_they_were() {
+        let wanted = shaft();
+        let mut outline = chain(&wanted);
+        for _ in 0..3 {
+            // Wherever the outline begins.
+            outline.rotate_left(17);
+            let found = segments(&outline);
+            assert_eq!(found.len(), wanted.len(), "{found:#?}");
+            for wanted in &wanted {
+                let same = |found: &&Segment| match (found, wanted) {
+                    (Segment::Line(a, b), Segment::Line(c, d)) => a.is_same(*c) && b.is_same(*d),
+                    (Segment::Arc(a), Segment::Arc(b)) => {
+                        a.turn == b.turn
+                            && a.start.is_same(b.start)
+                            && a.end.is_same(b.end)
+                            && a.center.distance(b.center) < 1e-4
+                    }
+                    _ => false,
+                };
+                assert!(found.iter().any(|one| same(&one)), "{wanted:?} in {found:#?}");
+            }
+        }
+    }
+
+    #[test]
+    fn corners_are_no_arcs() {
+        // Eight corners on a circle, and three chamfers.
+        let octagon: Vec<Point> = (0..8)
+            .map(|corner| {
+                let (sin, cos) = (f64::from(corner) * PI / 4.0).sin_cos();
+                at(10.0 + 4.0 * sin, 4.0 * cos)
+            })
+            .collect();
+        let found = segments(&octagon);
+        assert_eq!(found.len(), 8);
+        assert!(found.iter().all(|segment| matches!(segment, Segment::Line(..))));
+    }
+
+    #[test]
+    fn a_round_hole_is_arcs_only() {
+        let circle: Vec<Point> = (0..360)
+            .map(|degree| {
+                let (sin, cos) = f64::from(degree).to_radians().sin_cos();
+                at(20.0 + 2.0 * sin, 2.0 * cos)
+            })
+            .collect();
+        let found = segments(&circle);
+        assert!(found.len() <= 3, "{found:?}");
+        for segment in found {
+            let Segment::Arc(arc) = segment else { panic!("{segment:?}") };
+            assert!((arc.radius() - 2.0).abs() < 1e-6 && arc.turn == Turn::Counterclockwise);
+        }
+    }
+
+    #[test]
+    fn corners_on_a_line_are_none() {
+        let outline =
+            [at(0.0, 0.0), at(5.0, 0.0), at(5.0, -3.0), at(5.0001, -6.0), at(5.0, -9.0), at(0.0, -9.0)];
+        assert_eq!(segments(&outline).len(), 4);
+    }
+}

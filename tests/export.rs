@@ -1,0 +1,224 @@
+//! Files for other programs, read back: every part of the gallery as a drawing and as a solid.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::export::{dxf, stl};
+use gcode_playground::geometry::Point;
+use gcode_playground::shop::Shop;
+use gcode_playground::shop::region::Region;
+
+#[allow(dead_code, reason = "the fixtures are shared with tests that look at more of them")]
+mod fixtures;
+
+/// What is left of each program's blank.
+static PARTS: LazyLock<Vec<(String, Region)>> = LazyLock::new(parts);
+
+fn parts() -> Vec<(String, Region)> {
+    let programs = fixtures::all();
+    let parts = programs.into_iter().filter_map(|program| {
+        let setup = Setup::from_json(&program.setup).expect("setup");
+        let analysis = analyze(program.text.as_bytes(), &setup);
+        let part = Shop::done(&analysis.motions, &analysis.setup).finished()?;
+        (!part.is_empty()).then_some((program.id, part))
+    });
+    let parts: Vec<_> = parts.collect();
+    assert!(parts.len() > 25, "{}", parts.len());
+    parts
+}
+
+/// An entity of a DXF file: its kind, its layer, and its numbers by group code.
+struct Entity {
+    kind: String,
+    layer: String,
+    numbers: HashMap<i32, f64>,
+}
+
+impl Entity {
+    fn at(&self, code: i32) -> Point {
+        assert_eq!(self.numbers[&(code + 20)], 0.0, "a flat drawing");
+        Point::new(self.numbers[&(code + 10)], self.numbers[&code])
+    }
+
+    /// Where an arc or a line begins and ends.
+    fn ends(&self) -> [Point; 2] {
+        if self.kind == "LINE" {
+            return [self.at(10), self.at(11)];
+        }
+        let (center, radius) = (self.at(10), self.numbers[&40]);
+        [50, 51].map(|code| {
+            let (sin, cos) = self.numbers[&code].to_radians().sin_cos();
+            Point::new(center.x + radius * sin, center.z + radius * cos)
+        })
+    }
+
+    /// Area between an arc and its chord, mm².
+    fn bulge(&self) -> f64 {
+        if self.kind == "LINE" {
+            return 0.0;
+        }
+        let sweep = (self.numbers[&51] - self.numbers[&50]).rem_euclid(360.0).to_radians();
+        self.numbers[&40].powi(2) * (sweep - sweep.sin()) / 2.0
+    }
+}
+
+/// Reads the entities of a DXF file: pairs of lines, a group code and a value.
+fn read(text: &str) -> Vec<Entity> {
+    let lines: Vec<&str> = text.split_terminator("\r\n").collect();
+    assert_eq!(lines.len() % 2, 0);
+    let pairs =
+        lines.chunks_exact(2).map(|pair| (pair[0].trim().parse::<i32>().expect("group code"), pair[1]));
+    let mut section = String::new();
+    let mut entities: Vec<Entity> = Vec::new();
+    let mut layers = Vec::new();
+    let mut before = (0, "");
+    for (code, value) in pairs {
+        match (code, before) {
+            (2, (0, "SECTION")) => section = value.to_owned(),
+            (2, (0, "LAYER")) => layers.push(value.to_owned()),
+            (0, _) if section == "ENTITIES" && !matches!(value, "ENDSEC" | "EOF") => {
+                entities.push(Entity { kind: value.into(), layer: String::new(), numbers: HashMap::new() });
+            }
+            (8, _) => entities.last_mut().expect("entity").layer = value.into(),
+            (10..=59, _) if section == "ENTITIES" => {
+                entities.last_mut().expect("entity").numbers.insert(code, value.parse().expect("number"));
+            }
+            _ => {}
+        }
+        before = (code, value);
+    }
+    assert_eq!(before, (0, "EOF"));
+    assert!(entities.iter().all(|entity| layers.contains(&entity.layer)));
+    entities
+}
+
+#[test]
+fn a_drawing_has_the_area_of_the_part_and_closes() {
+    for (id, part) in PARTS.iter() {
+        let entities = read(&dxf::dxf(part).expect(id));
+        let profile: Vec<&Entity> = entities.iter().filter(|entity| entity.layer == "PROFILE").collect();
+        assert_eq!(entities.iter().filter(|entity| entity.layer == "CENTER").count(), 1, "{id}");
+        // Every end is one of two, but for those on the axis.
+        let mut ends: HashMap<(i64, i64), u32> = HashMap::new();
+        let key = |at: Point| ((at.x * 1e3).round() as i64, (at.z * 1e3).round() as i64);
+        for at in profile.iter().flat_map(|entity| entity.ends()).filter(|at| at.x > 1e-3) {
+            *ends.entry(key(at)).or_default() += 1;
+        }
+        let near = |at: &(i64, i64)| -> u32 {
+            let around = (-1..=1).flat_map(|x| (-1..=1).map(move |z| (x, z)));
+            around.filter_map(|(x, z)| ends.get(&(at.0 + x, at.1 + z))).sum()
+        };
+        assert!(ends.keys().all(|at| near(at) % 2 == 0), "{id}: an end hangs loose");
+        // Area over the axis: below chains that run to -Z, less what is below those that run back. An arc's direction in
+        // the file says nothing of that; the side of the material does.
+        let length: f64 = part.edges().map(|(a, b)| a.distance(b)).sum();
+        let mut area = 0.0;
+        for entity in &profile {
+            let [a, b] = entity.ends();
+            // The file turns all arcs counter-clockwise; a clockwise one runs the other way round the material.
+            let middle = Point::new((a.x + b.x) / 2.0, (a.z + b.z) / 2.0);
+            let (dx, dz) = ((b.x - a.x) / a.distance(b), (b.z - a.z) / a.distance(b));
+            let on_arc = match entity.kind.as_str() {
+                "LINE" => middle,
+                _ => {
+                    let sweep = (entity.numbers[&51] - entity.numbers[&50]).rem_euclid(360.0);
+                    let (sin, cos) = (entity.numbers[&50] + sweep / 2.0).to_radians().sin_cos();
+                    let (center, radius) = (entity.at(10), entity.numbers[&40]);
+                    Point::new(center.x + radius * sin, center.z + radius * cos)
+                }
+            };
+            let left = if entity.kind == "LINE" {
+                (dz, -dx)
+            } else {
+                let center = entity.at(10);
+                let inwards = on_arc.distance(center);
+                ((center.x - on_arc.x) / inwards, (center.z - on_arc.z) / inwards)
+            };
+            let beside = |side: f64| Point::new(on_arc.x + side * left.0, on_arc.z + side * left.1);
+            let direction = match (part.holds(beside(0.006)), part.holds(beside(-0.006))) {
+                (true, false) => 1.0,
+                (false, true) => -1.0,
+                // A sliver: it has next to no area.
+                _ => 0.0,
+            };
+            let under = (a.z * b.x - b.z * a.x) / 2.0 + entity.bulge();
+            area += direction * under;
+        }
+        assert!((area - part.area()).abs() <= 0.005 * length, "{id}: {area} for {}", part.area());
+    }
+}
+
+#[test]
+fn arcs_of_the_programs_are_true_arcs_again() {
+    for (program, radii) in [
+        ("hand-01-g71-taper-arc-chamfer", &[6.0][..]),
+        // A nose of 0.4 mm leaves its own radius in a corner.
+        ("hand-11-g42-profile", &[0.4, 5.0]),
+        ("s003-g71", &[5.5, 7.5]),
+    ] {
+        let (_, part) = PARTS.iter().find(|(id, _)| id == program).expect("program");
+        let entities = read(&dxf::dxf(part).expect("part"));
+        let arcs = entities.iter().filter(|entity| entity.kind == "ARC");
+        let mut found: Vec<f64> = arcs.map(|entity| (entity.numbers[&40] * 1e4).round() / 1e4).collect();
+        found.sort_by(f64::total_cmp);
+        assert_eq!(found, radii, "{program}");
+        assert!(entities.len() < 20, "{program}: {}", entities.len());
+    }
+}
+
+#[test]
+fn a_solid_is_closed_and_has_the_volume_of_pappus() {
+    for (id, part) in PARTS.iter() {
+        let file = stl::stl(part).expect(id);
+        let count = u32::from_le_bytes(file[80..84].try_into().unwrap()) as usize;
+        assert_eq!(file.len(), 84 + 50 * count, "{id}");
+        assert!(!file.starts_with(b"solid"));
+        let place = |at: usize| -> [f32; 3] {
+            std::array::from_fn(|axis| {
+                f32::from_le_bytes(file[at + 4 * axis..at + 4 * axis + 4].try_into().unwrap())
+            })
+        };
+        // Each edge is run through once either way, and no place of a triangle is another one's.
+        let mut edges: HashMap<[[u32; 3]; 2], i32> = HashMap::new();
+        let mut volume = 0.0;
+        for triangle in 0..count {
+            let corners = [1, 2, 3].map(|corner| place(84 + 50 * triangle + 12 * corner));
+            let bits = corners.map(|corner| corner.map(|value| (value + 0.0).to_bits()));
+            for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+                assert_ne!(bits[from], bits[to], "{id}: a triangle without area");
+                *edges.entry([bits[from], bits[to]]).or_default() += 1;
+            }
+            let [a, b, c] = corners.map(|corner| corner.map(f64::from));
+            volume += (a[0] * (b[1] * c[2] - b[2] * c[1])
+                + a[1] * (b[2] * c[0] - b[0] * c[2])
+                + a[2] * (b[0] * c[1] - b[1] * c[0]))
+                / 6.0;
+        }
+        for ([from, to], times) in &edges {
+            assert_eq!((*times, edges.get(&[*to, *from])), (1, Some(&1)), "{id}");
+        }
+        // Pappus: the area times the way of its centroid; flats take a little of it.
+        let moment: f64 = part.edges().map(|(a, b)| (a.z * b.x - b.z * a.x) * (a.x + b.x) / 6.0).sum();
+        let round = TAU * moment;
+        assert!(volume < round && volume > 0.995 * round, "{id}: {volume} for {round}");
+    }
+}
+
+#[test]
+fn flats_follow_the_size_of_the_part() {
+    let ring = |radius: f64| {
+        Region::inside(&[
+            Point::new(radius - 0.5, 0.0),
+            Point::new(radius, 0.0),
+            Point::new(radius, 1.0),
+            Point::new(radius - 0.5, 1.0),
+        ])
+    };
+    let flats = |radius: f64| stl::triangles(&ring(radius)).len() / 8;
+    assert_eq!(flats(2.0), (PI / (1.0 - stl::FLATNESS / 2.0).acos()).ceil() as usize);
+    assert_eq!((flats(1.0), flats(1000.0)), (24, 360));
+}
