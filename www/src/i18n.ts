@@ -4,6 +4,8 @@
 // forms its own plurals. `Strings` is exhaustive: a missing translation is a type error.
 // Must not know: the messages about a program; those come translated from the interpreter.
 
+import { setupTexts, type SetupTexts } from './setup-texts';
+
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
 
@@ -96,6 +98,7 @@ export interface Strings {
   readonly helpTitle: string;
   readonly shortcuts: readonly (readonly [keys: string, what: string])[];
   readonly close: string;
+  readonly setup: SetupTexts;
   // the page around the element
   readonly page: {
     readonly title: string;
@@ -217,6 +220,7 @@ const en: Strings = {
     ['Click on a stroke', 'select the block that made it'],
   ],
   close: 'Close',
+  setup: setupTexts.en,
   page: {
     title: 'G-code playground',
     example: 'Example',
@@ -327,6 +331,7 @@ const zh: Strings = {
     ['单击线条', '选中生成它的程序段'],
   ],
   close: '关闭',
+  setup: setupTexts.zh,
   page: {
     title: 'G 代码演练场',
     example: '示例',
@@ -438,6 +443,7 @@ const ru: Strings = {
     ['Щелчок по линии', 'выделить её кадр'],
   ],
   close: 'Закрыть',
+  setup: setupTexts.ru,
   page: {
     title: 'Песочница G-кода',
     example: 'Пример',
