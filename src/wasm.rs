@@ -178,6 +178,8 @@ impl Playground {
         let shop = self.shop.get_or_insert_with(|| Shop::new(self.run.motions(), self.run.setup()));
         let done = shop.advance(self.run.motions(), motions as usize);
         if done && self.work.is_none() {
+            // The outline may still be that of the program before.
+            self.measure();
             self.show_work();
         }
         done

@@ -578,7 +578,8 @@ export class GcodePlayground extends HTMLElement {
     const { setup, blockSkip, program } = this;
     this.#before = { length, setup, blockSkip, program };
     this.blockSkip = this.program = null;
-    this.#changeSetup(neutralSetup(setup));
+    // Where there is an attribute for the control, it stays by itself.
+    this.#changeSetup(this.control === null ? neutralSetup(setup) : null);
   }
 
   /** An emptied editor begins another program; undo brings back the one before, and how it was run. */

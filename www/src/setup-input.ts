@@ -54,7 +54,7 @@ export class SetupInput {
     const said = assumed === '' ? '' : this.#texts.placeholder(assumed);
     if (this.#none !== undefined) this.#none.textContent = said === '' ? this.#texts.nothing : said;
     else (this.#input as HTMLInputElement).placeholder = said;
-    this.#input.classList.toggle('empty', this.text === '');
+    this.#input.classList.toggle('unsaid', this.text === '');
     this.element.hidden = shown === 'hidden';
     this.#slip.hidden = slip === undefined;
     this.#slip.textContent = slip ?? '';
