@@ -245,6 +245,8 @@ export class GcodePlayground extends HTMLElement {
     else {
       const { name, encoding } = opened.file;
       this.#beginAnother(editor.length);
+      // The switches were set for another program, too; who empties the editor still sees them.
+      this.blockSkip = this.program = null;
       this.#take(editor, opened.program, opened.file);
       if (opened.binary) this.#notice.show(texts.openedBinary(name));
       else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
@@ -573,11 +575,10 @@ export class GcodePlayground extends HTMLElement {
     this.#fire('gcode-setup', { setup });
   }
 
-  /** Setup and switches were made for another program; only the control stays. */
+  /** The setup was made for another program; only the control stays. */
   #beginAnother(length: number): void {
     const { setup, blockSkip, program } = this;
     this.#before = { length, setup, blockSkip, program };
-    this.blockSkip = this.program = null;
     // Where there is an attribute for the control, it stays by itself.
     this.#changeSetup(this.control === null ? neutralSetup(setup) : null);
   }
