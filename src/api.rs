@@ -3,6 +3,8 @@
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
+pub mod setup;
+
 use serde::Serialize;
 
 use crate::control::codes;
@@ -534,13 +536,15 @@ impl Places<'_> {
         (self.lines.utf16_offset(self.text, span.start), self.lines.utf16_offset(self.text, span.end))
     }
 
+    /// Text in place of a stretch.
+    fn edit(&self, span: Span, text: String) -> Edit {
+        let (start, end) = self.corners(span);
+        let (from, to) = self.offsets(span);
+        Edit { line: start.0, column: start.1, end_line: end.0, end_column: end.1, from, to, text }
+    }
+
     fn fix(&self, fix: &diagnostics::Fix, language: Language) -> Fix {
-        let edits = fix.edits.iter().map(|edit| {
-            let (start, end) = self.corners(edit.span);
-            let (from, to) = self.offsets(edit.span);
-            let text = edit.text.clone();
-            Edit { line: start.0, column: start.1, end_line: end.0, end_column: end.1, from, to, text }
-        });
+        let edits = fix.edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));
         Fix { title: fix.title.fix_title(language), safe: fix.safe, edits: edits.collect() }
     }
 

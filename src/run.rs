@@ -151,7 +151,7 @@ impl Run {
             return run;
         }
         for told in run.notes.diagnostics(faults, &run.text) {
-            run.interpreter.tell(told);
+            run.interpreter.tell_of_setup(told);
         }
         if let Some((system, evidence)) = run.origin.system {
             run.interpreter.set_system(system);
@@ -168,6 +168,16 @@ impl Run {
             }
         }
         run
+    }
+
+    /// The setup as it was given, with what comments of the program say; what is wrong in it is still there.
+    pub fn as_given(&self) -> Setup {
+        self.notes.applied_to(self.given.clone())
+    }
+
+    /// What comments of the program say of the setup.
+    pub fn notes(&self) -> &Notes {
+        &self.notes
     }
 
     /// The same run, which keeps the blocks it carries out.
@@ -330,7 +340,7 @@ impl Run {
             self.interpreter.keep_trace();
         }
         for told in kept {
-            self.interpreter.tell(told);
+            self.interpreter.tell_of_setup(told);
         }
         self.begun = false;
         self.marks.clear();

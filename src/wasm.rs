@@ -5,6 +5,7 @@
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
 mod files;
+mod setup;
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -178,6 +179,8 @@ impl Playground {
         let shop = self.shop.get_or_insert_with(|| Shop::new(self.run.motions(), self.run.setup()));
         let done = shop.advance(self.run.motions(), motions as usize);
         if done && self.work.is_none() {
+            // The outline may still be that of the program before.
+            self.measure();
             self.show_work();
         }
         done

@@ -3,11 +3,14 @@
 //! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
 //! Lengths here are as people write them: X values are diameters, mm.
 
+pub mod draft;
 pub mod faults;
+pub mod fields;
 pub mod machine;
 pub mod notes;
 pub mod stock;
 pub mod tool;
+pub mod written;
 
 use std::collections::BTreeMap;
 
@@ -47,8 +50,16 @@ impl Setup {
     /// Reads a setup from JSON. The error says what is wrong and where, and names an unknown key or a limit
     /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
-        let setup: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
+        let setup: Self = serde_json::from_str(json).map_err(|error| {
+            match key_before(json, error.line(), error.column()) {
+                Some(key) => format!("{key}: {error}"),
+                None => error.to_string(),
+            }
+        })?;
         setup.limits.check()?;
+        if let Some(name) = setup.tools.keys().find(|name| notes::tool_name(name).is_none()) {
+            return Err(format!("tools.{name}: a tool is named by T and four digits, such as T0101"));
+        }
         Ok(setup)
     }
 
@@ -56,6 +67,16 @@ impl Setup {
     pub fn start(&self) -> Position {
         self.initial.unwrap_or(Position { x: 200.0, z: 200.0 })
     }
+}
+
+/// The last key of a JSON text before a place (line and column from 1), in quotes: what an error is about.
+fn key_before(json: &str, line: usize, column: usize) -> Option<&str> {
+    let start: usize = json.split_inclusive('\n').take(line.checked_sub(1)?).map(str::len).sum();
+    let end = (start + column).min(json.len());
+    let before = json.get(..end)?;
+    let colon = before.rfind(':')?;
+    let name = before[..colon].trim_end().strip_suffix('"')?;
+    Some(&before[name.rfind('"')?..=name.len()])
 }
 
 /// A place as people write it.

@@ -378,6 +378,8 @@ pub enum Message {
     PartTooManyMotions { most: usize },
     /// The outline of the part has too many corners.
     PartTooManyCorners { most: usize },
+    /// Somebody has stopped the taking off of material.
+    PartStopped { done: usize, all: usize },
     /// The setup names tools, but not this one.
     ToolNotListed { tool: String },
     /// A rapid goes through the work.
@@ -438,6 +440,7 @@ impl Message {
             | Self::TextTooLong { .. }
             | Self::PartTooManyMotions { .. }
             | Self::PartTooManyCorners { .. }
+            | Self::PartStopped { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
@@ -636,6 +639,7 @@ impl Message {
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
+            Self::PartStopped { .. } => ("I-PART-STOPPED", "part-stopped", Info, None),
             Self::PartTooManyCorners { .. } => ("I-PART-CORNERS", "part-too-many-corners", Info, None),
             Self::ToolNotListed { .. } => ("W-TOOL-NOT-LISTED", "tool-not-in-setup", Warning, None),
             Self::RapidThroughStock { .. } => ("W-START-IN-STOCK", "rapid-through-stock", Error, None),

@@ -3,6 +3,7 @@
 //! In: the motions and the setup. Out: [`Shop`], with the work at any moment and the findings. Comes after the control and
 //! before the picture; must not know the text of the program.
 
+pub mod assumed;
 pub mod danger;
 pub mod fitting;
 pub mod guess;
@@ -30,6 +31,8 @@ pub struct Shop {
     machine: Machine,
     limits: Limits,
     full: Option<Full>,
+    /// How many motions the program has.
+    motions: usize,
 }
 
 /// A bound that ends the taking off of material.
@@ -39,6 +42,13 @@ pub enum Full {
     Motions(usize),
     /// What is left has more corners than this.
     Corners(usize),
+    /// Somebody has stopped it after so many of all motions.
+    Stopped {
+        /// Motions whose material is off.
+        done: usize,
+        /// All motions.
+        all: usize,
+    },
 }
 
 impl Shop {
@@ -49,7 +59,7 @@ impl Shop {
         let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
         let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
-        Self { fitting, part, watch, machine: setup.machine, limits, full }
+        Self { fitting, part, watch, machine: setup.machine, limits, full, motions: motions.len() }
     }
 
     /// A program with all its material off.
@@ -75,6 +85,18 @@ impl Shop {
             }
         }
         self.full.is_some() || part.done() >= motions.len()
+    }
+
+    /// Takes no more material off.
+    pub fn stop(&mut self) {
+        let done = self.part.as_ref().map_or(0, Part::done);
+        self.full.get_or_insert(Full::Stopped { done, all: self.motions });
+    }
+
+    /// Share of the motions whose material is off, 0 to 1.
+    pub fn progress(&self, motions: &Motions) -> f64 {
+        let done = self.part.as_ref().map_or(0, Part::done);
+        if motions.is_empty() { 1.0 } else { done as f64 / motions.len() as f64 }
     }
 
     /// The bound that was met.

@@ -10,28 +10,28 @@ use crate::control::setup::{Side, Tool, ToolKind};
 use crate::geometry::Point;
 
 /// Edge of an insert of which nothing is said, mm.
-const EDGE: f64 = 12.0;
+pub(super) const EDGE: f64 = 12.0;
 
 /// Entering angle of a turning or boring tool of which nothing is said, degrees.
-const ENTERING: f64 = 95.0;
+pub(super) const ENTERING: f64 = 95.0;
 
 /// The same for a square insert or a blunter one, at most.
 const SQUARE_ENTERING: f64 = 75.0;
 
 /// Insert of which nothing is said: a rhombus of 80°, degrees.
-const POINT: f64 = 80.0;
+pub(super) const POINT: f64 = 80.0;
 
 /// Width of a blade of which nothing is said, mm.
-const BLADE: f64 = 3.0;
+pub(super) const BLADE: f64 = 3.0;
 
 /// Diameter of a drill of which nothing is said, mm.
-const DRILL: f64 = 10.0;
+pub(super) const DRILL: f64 = 10.0;
 
 /// Thread angle of which nothing is said, degrees.
-const THREAD: f64 = 60.0;
+pub(super) const THREAD: f64 = 60.0;
 
 /// Angle of a drill's point of which nothing is said, degrees.
-const DRILL_POINT: f64 = 118.0;
+pub(super) const DRILL_POINT: f64 = 118.0;
 
 /// Longer than anything it could be held against, mm.
 pub const LONG: f64 = 400.0;

@@ -29,7 +29,8 @@ const MARGIN_LINES = 60;
 const HIGHLIGHT_LIMIT = 200_000;
 
 export interface EditorEvents {
-  changed(): void;
+  /** `undone`: by undo, which brings back what was there before. */
+  changed(how: 'edited' | 'undone'): void;
   cursorMoved(): void;
   viewMoved(): void;
   fileChanged(): void;
@@ -199,6 +200,16 @@ export class Editor {
     applyFix(this.#view, fix);
   }
 
+  /** Changes of the reader's that undo takes back in one. */
+  change(edits: Fix['edits']): void {
+    if (edits.length === 0) return;
+    this.#view.dispatch({
+      changes: edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
+      annotations: isolateHistory.of('full'),
+      userEvent: 'input.setup',
+    });
+  }
+
   nextProblem(direction: 'next' | 'previous'): void {
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
@@ -231,7 +242,8 @@ export class Editor {
     }
     if (!programmatic) {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
-      if (update.docChanged) this.#events.changed();
+      const undone = update.transactions.some((transaction) => transaction.isUserEvent('undo'));
+      if (update.docChanged) this.#events.changed(undone ? 'undone' : 'edited');
       else if (update.selectionSet) this.#events.cursorMoved();
     }
     if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();

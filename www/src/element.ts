@@ -20,11 +20,11 @@
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
-//   gcode-switch  detail {blockSkip, program}
+//   gcode-switch  detail {blockSkip, program}      gcode-setup  detail {setup}: the attribute follows the form
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// playback play readout doing status notice written-out codes solid export-menu help.
+// setup playback play readout doing status notice written-out codes solid export-menu help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -44,16 +44,19 @@ import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import type { FileFormat, Report, SetupAnswer, SetupPlace, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import { SetupBar } from './setup-bar';
+import { SetupDialog } from './setup-form';
 import { SolidDialog } from './solid';
-import { initialProgram, mergedSetup, switchesSet } from './start';
+import { initialProgram, mergedSetup, neutralSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
 import { Switches } from './switches';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
+import setupStyles from './setup.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles].map((text) => {
+const sheets = [colours, styles, setupStyles].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;
@@ -87,6 +90,10 @@ export class GcodePlayground extends HTMLElement {
   #notice!: Notice;
   #fileBar!: FileBar;
   #switches!: Switches;
+  #setupBar!: SetupBar;
+  #setupForm!: SetupDialog;
+  /** How the program before this one was run, for undo. */
+  #before: { readonly length: number; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null } | undefined;
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
   #codes!: CodesDialog;
@@ -95,6 +102,8 @@ export class GcodePlayground extends HTMLElement {
   #sending: ReturnType<typeof setTimeout> | undefined;
   #opening: Promise<unknown> | undefined;
   #cursorKnown = false;
+  /** UTF-16 units of the program before the last change. */
+  #lengthBefore = 0;
   #hovered: number | undefined;
   #running: number | undefined;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
@@ -241,7 +250,8 @@ export class GcodePlayground extends HTMLElement {
     else if (opened.kind === 'unreadable') this.#notice.show(texts.fileUnreadable(opened.name));
     else {
       const { name, encoding } = opened.file;
-      // The switches were set for another program.
+      this.#beginAnother(editor.length);
+      // The switches were set for another program, too; who empties the editor still sees them.
       this.blockSkip = this.program = null;
       this.#take(editor, opened.program, opened.file);
       if (opened.binary) this.#notice.show(texts.openedBinary(name));
@@ -264,6 +274,7 @@ export class GcodePlayground extends HTMLElement {
 
   #take(editor: Editor, program: ProgramText, file: ProgramFile | undefined): void {
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final');
+    this.#lengthBefore = editor.length;
     this.#cursorKnown = false;
     this.#line?.client.send({ kind: 'fit' });
     this.#sendText();
@@ -277,9 +288,9 @@ export class GcodePlayground extends HTMLElement {
     const language = this.language;
     const texts = (this.#strings = strings(language));
     const editor = (this.#editor = new Editor(root, language, {
-      changed: () => {
+      changed: (how) => {
         this.#cursorKnown = true;
-        this.#textEdited();
+        this.#textEdited(how);
       },
       cursorMoved: () => {
         this.#cursorKnown = true;
@@ -320,6 +331,12 @@ export class GcodePlayground extends HTMLElement {
       skipped: (levels) => this.#turn(() => (this.blockSkip = levels.join(','))),
       chosen: (program) => this.#turn(() => (this.program = String(program))),
     });
+    this.#setupBar = new SetupBar(texts, () => void this.#openSetup());
+    this.#setupForm = new SetupDialog(texts, {
+      read: async (entries) => this.#line?.client.ask('read-setup', { ...entries, json: this.setup ?? '{}' }),
+      another: async (word) => this.#line?.client.ask('another-tool', { word }),
+      kept: (answer, place) => this.#keepSetup(answer, place),
+    });
     this.#codes = new CodesDialog(texts);
     this.#help = new Help(texts, () => void this.#showCodes());
     this.#writtenOut = new WrittenOutDialog(root, texts, {
@@ -334,11 +351,12 @@ export class GcodePlayground extends HTMLElement {
       'div',
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
-      make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
+      make('div', { className: 'shown' }, this.#drawing.element, this.#setupBar.element, this.#playback.element),
       make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
       this.#codes.element,
+      this.#setupForm.element,
       this.#exports.element,
       this.#solid.element,
     );
@@ -350,10 +368,11 @@ export class GcodePlayground extends HTMLElement {
     this.addEventListener('keydown', (event) => this.#key(event), { capture: true });
     const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
     editor.setText(programText(text), file, 'final');
+    this.#lengthBefore = editor.length;
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#writtenOut.open || this.#codes.open) return;
+    if (this.#writtenOut.open || this.#codes.open || this.#setupForm.open) return;
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
@@ -396,7 +415,7 @@ export class GcodePlayground extends HTMLElement {
         if (event.report.revision === this.#editor?.revision) this.#showReport(event.report);
         break;
       case 'progress':
-        if (event.revision === this.#editor?.revision) this.#status.progress = event.done;
+        if (event.revision === this.#editor?.revision) this.#status.progress(event.work, event.done);
         break;
       case 'switches':
         this.#switches.inText = event.inText;
@@ -432,7 +451,8 @@ export class GcodePlayground extends HTMLElement {
   }
 
   /** What is typed quickly goes together. */
-  #textEdited(): void {
+  #textEdited(how: 'edited' | 'undone' = 'edited'): void {
+    this.#followSetup(how);
     clearTimeout(this.#sending);
     this.#sending = setTimeout(() => {
       this.#sendText();
@@ -563,6 +583,53 @@ export class GcodePlayground extends HTMLElement {
     this.#changed();
   }
 
+  // ---- the setup ----------------------------------------------------------------------------------
+
+  async #openSetup(): Promise<void> {
+    // What was typed a moment ago counts too.
+    if (this.#sending !== undefined) {
+      this.#sendText();
+      this.#changed();
+    }
+    const form = await this.#line?.client.ask('setup-form', undefined);
+    if (form !== undefined) this.#setupForm.show(form);
+  }
+
+  #keepSetup({ setup, edits }: SetupAnswer, place: SetupPlace): void {
+    this.#editor?.change(edits);
+    const texts = this.#strings.setup.kept;
+    this.#changeSetup(setup === '' ? null : setup);
+    this.#notice.show(place === 'program' ? texts.program : texts.page, 'program-setup');
+  }
+
+  #changeSetup(setup: string | null): void {
+    if (this.setup === setup) return;
+    this.setup = setup;
+    this.#fire('gcode-setup', { setup });
+  }
+
+  /** The setup was made for another program; only the control stays. */
+  #beginAnother(length: number): void {
+    const { setup, blockSkip, program } = this;
+    this.#before = { length, setup, blockSkip, program };
+    // Where there is an attribute for the control, it stays by itself.
+    this.#changeSetup(this.control === null ? neutralSetup(setup) : null);
+  }
+
+  /** An emptied editor begins another program; undo brings back the one before, and how it was run. */
+  #followSetup(how: 'edited' | 'undone'): void {
+    const length = this.length;
+    if (length === 0 && how === 'edited') this.#beginAnother(this.#lengthBefore);
+    else if (how === 'undone' && this.#before?.length === length) {
+      const { setup, blockSkip, program } = this.#before;
+      this.#before = undefined;
+      this.blockSkip = blockSkip;
+      this.program = program;
+      this.#changeSetup(setup);
+    }
+    this.#lengthBefore = length;
+  }
+
   #turn(turn: () => void): void {
     turn();
     this.#fire('gcode-switch', { blockSkip: this.blockSkip, program: this.program });
@@ -571,14 +638,18 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, pathLength } = report;
+    const { summary, diagnostics, pathLength, fitted, stage } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
+    this.#setupBar.fitted = fitted;
     this.#writtenOut.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;
     this.#askSection();
     this.#problems.diagnostics = diagnostics;
-    this.#playback.length = pathLength;
-    this.#showTool(undefined);
+    // The path was there before, and the reader may be playing it.
+    if (stage !== 'part') {
+      this.#playback.length = pathLength;
+      this.#showTool(undefined);
+    }
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
     this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
   }
@@ -603,7 +674,10 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut, this.#codes, this.#exports, this.#solid]) {
+    for (const shown of [
+      this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
+      this.#writtenOut, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid,
+    ]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;

@@ -5,6 +5,7 @@
 // Must not know: the messages about a program; those come translated from the interpreter.
 
 import type { FileFormat } from './protocol';
+import { setupTexts, type SetupTexts } from './setup-texts';
 
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -112,6 +113,7 @@ export interface Strings {
   readonly helpTitle: string;
   readonly shortcuts: readonly (readonly [keys: string, what: string])[];
   readonly close: string;
+  readonly setup: SetupTexts;
   // the page around the element
   readonly page: {
     readonly title: string;
@@ -248,6 +250,7 @@ const en: Strings = {
     ['Click on a stroke', 'select the block that made it'],
   ],
   close: 'Close',
+  setup: setupTexts.en,
   page: {
     title: 'G-code playground',
     example: 'Example',
@@ -373,6 +376,7 @@ const zh: Strings = {
     ['单击线条', '选中生成它的程序段'],
   ],
   close: '关闭',
+  setup: setupTexts.zh,
   page: {
     title: 'G 代码演练场',
     example: '示例',
@@ -499,6 +503,7 @@ const ru: Strings = {
     ['Щелчок по линии', 'выделить её кадр'],
   ],
   close: 'Закрыть',
+  setup: setupTexts.ru,
   page: {
     title: 'Песочница G-кода',
     example: 'Пример',

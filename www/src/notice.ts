@@ -6,7 +6,7 @@
 import { make, name } from './dom';
 import type { Strings } from './i18n';
 
-export type Topic = 'file' | 'program' | 'setup' | 'core';
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core';
 
 export class Notice {
   readonly element = make('div', { className: 'notice', part: 'notice', role: 'alert', hidden: true });

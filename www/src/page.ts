@@ -87,6 +87,9 @@ function load(chosen: Example | undefined): void {
 
 function restore(kept: KeptProgram): void {
   load(exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  // A file that was kept before setups were is no example.
+  if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
+  else if (kept.file !== undefined) playground.setup = null;
   playground.control = controlSelect.value = kept.control;
   playground.blockSkip = kept.blockSkip ?? null;
   playground.program = kept.program ?? null;
@@ -138,6 +141,7 @@ function listen(): void {
     keepSoon();
   });
   playground.addEventListener('gcode-switch', keepSoon);
+  playground.addEventListener('gcode-setup', keepSoon);
   window.addEventListener('pagehide', keepNow);
 }
 
@@ -162,12 +166,12 @@ function keepNow(): void {
   keeping = undefined;
   known = text;
   const id = example?.id ?? '';
-  const { file, blockSkip, program } = playground;
-  const asItCame = file === undefined && blockSkip === null && program === null;
+  const { file, setup, blockSkip, program } = playground;
+  const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
   else {
     keepProgram({
-      text: playground.opened.text, example: id, control: controlSelect.value,
+      text: playground.opened.text, example: id, control: controlSelect.value, setup: setup ?? '',
       ...(file === undefined ? {} : { file }),
       ...(blockSkip === null ? {} : { blockSkip }),
       ...(program === null ? {} : { program }),

@@ -4,11 +4,14 @@
 // up come events. The interpreter's own types are taken from its generated package, never written again.
 // Must not know: how either side does its work.
 
-import type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary } from '../pkg/gcode_playground.js';
+import type {
+  Codes, Diagnostic, Fitted, Palette, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary,
+} from '../pkg/gcode_playground.js';
 import type { SwitchesInText } from './switches-in-text';
 
 export type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary };
-export type { CodeRow, Fix } from '../pkg/gcode_playground.js';
+export type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
+export type { CodeRow, Edit, Fix, SetupField, SetupState } from '../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
 export interface Size {
@@ -79,6 +82,17 @@ export interface Questions {
   export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
+  'setup-form': { ask: undefined; answer: SetupForm };
+  'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
+  'read-setup': { ask: SetupTyped; answer: SetupAnswer };
+}
+
+/** The texts in the fields of the setup form; `json` is the setup of the page as it is. */
+export interface SetupTyped {
+  readonly keys: readonly string[];
+  readonly texts: readonly string[];
+  readonly keep: SetupPlace;
+  readonly json: string;
 }
 
 export type QuestionKind = keyof Questions;
@@ -90,6 +104,9 @@ export interface Question<K extends QuestionKind = QuestionKind> {
   readonly ask: Questions[K]['ask'];
 }
 
+/** What takes a noticeable time: the program is run, then the material taken off. */
+export type Work = 'run' | 'part';
+
 /** What one finished run has found. */
 export interface Report {
   readonly revision: number;
@@ -97,6 +114,9 @@ export interface Report {
   readonly diagnostics: readonly Diagnostic[];
   /** mm */
   readonly pathLength: number;
+  readonly fitted: Fitted;
+  /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before. */
+  readonly stage: 'whole' | 'path' | 'part';
 }
 
 export type WorkerEvent =
@@ -104,7 +124,7 @@ export type WorkerEvent =
   | { readonly kind: 'load-failed'; readonly reason: string }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
-  | { readonly kind: 'progress'; readonly revision: number; readonly done: number }
+  | { readonly kind: 'progress'; readonly revision: number; readonly work: Work; readonly done: number }
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'setup-rejected'; readonly reason: string }
   | { readonly kind: 'setup-accepted' }

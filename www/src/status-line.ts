@@ -5,11 +5,11 @@
 
 import { make } from './dom';
 import type { Strings } from './i18n';
-import type { Summary } from './protocol';
+import type { Summary, Work } from './protocol';
 
 type Shown =
   | { readonly kind: 'loading' }
-  | { readonly kind: 'running'; readonly done: number }
+  | { readonly kind: 'running'; readonly work: Work; readonly done: number }
   | { readonly kind: 'failed' }
   | { readonly kind: 'summary'; readonly summary: Summary };
 
@@ -35,8 +35,9 @@ export class StatusLine {
     this.#show({ kind: 'summary', summary });
   }
 
-  set progress(done: number) {
-    this.#show({ kind: 'running', done });
+  /** How far a long work is, from 0 to 1. */
+  progress(work: Work, done: number): void {
+    this.#show({ kind: 'running', work, done });
   }
 
   /** The run gave nothing; the notice says why. */
@@ -62,8 +63,10 @@ export class StatusLine {
     switch (this.#shown.kind) {
       case 'loading':
         return [strings.loading];
-      case 'running':
-        return [strings.running(Math.floor(this.#shown.done * 100))];
+      case 'running': {
+        const percent = Math.floor(this.#shown.done * 100);
+        return [this.#shown.work === 'part' ? strings.setup.part(percent) : strings.running(percent)];
+      }
       case 'failed':
         return ['—'];
       case 'summary': {

@@ -10,6 +10,8 @@ export interface KeptProgram {
   readonly example: string;
   readonly control: string;
   readonly file?: { readonly name: string; readonly encoding: string };
+  /** The setup as the element's attribute; empty when it has none. */
+  readonly setup?: string;
   /** The switches, as the element's attributes. */
   readonly blockSkip?: string;
   readonly program?: string;
@@ -27,10 +29,11 @@ export function keptProgram(): KeptProgram | undefined {
   const kept = read(PROGRAM);
   const fields = ['text', 'example', 'control'] as const;
   if (!fields.every((field) => typeof kept[field] === 'string')) return undefined;
-  const { text, example, control, file, blockSkip, program } = kept as unknown as KeptProgram;
+  const { text, example, control, file, setup, blockSkip, program } = kept as unknown as KeptProgram;
   return {
     text, example, control,
     ...(typeof file?.name === 'string' && typeof file.encoding === 'string' ? { file } : {}),
+    ...(typeof setup === 'string' ? { setup } : {}),
     ...(typeof blockSkip === 'string' ? { blockSkip } : {}),
     ...(typeof program === 'string' ? { program } : {}),
   };

@@ -46,7 +46,9 @@ let drawWanted = false;
 /** A picture of very many strokes is under way. */
 let drawing = false;
 /** Material is being taken off the blank. */
-let machining = false;
+let machining: Run | undefined;
+/** The path has been reported before the part was there. */
+let pathReported = false;
 
 /** Messages that came before the interpreter was loaded. */
 const early: (Command | Question)[] = [];
@@ -177,6 +179,14 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       return fileOf(playground, (question.ask as Questions['export']['ask']).format);
     case 'section':
       return playground.section();
+    case 'setup-form':
+      return playground.setupForm();
+    case 'another-tool':
+      return playground.anotherTool((question.ask as Questions['another-tool']['ask']).word);
+    case 'read-setup': {
+      const { keys, texts, keep, json } = question.ask as Questions['read-setup']['ask'];
+      return playground.readSetupForm([...keys], [...texts], keep, json);
+    }
   }
 }
 
@@ -234,12 +244,17 @@ function lookOn(playground: Playground): void {
 function wantRun(): void {
   const now = performance.now();
   run = { startedAt: now, lastProgressAt: now };
-  machining = false;
+  machining = undefined;
+  pathReported = false;
   reported = false;
   queueSlice();
 }
 
 function stop(playground: Playground): void {
+  if (machining !== undefined) {
+    playground.stopMachining();
+    machine(playground, machining);
+  }
   if (run === undefined) return;
   playground.stop(Math.round((performance.now() - run.startedAt) / 100) / 10);
   end(playground);
@@ -255,9 +270,9 @@ function slice(): void {
   if (core === undefined) return;
   if (run !== undefined) advance(core, run);
   else if (drawing) draw(core);
-  else if (machining) machine(core);
+  else if (machining !== undefined) machine(core, machining);
   else lookOn(core);
-  if (run !== undefined || drawing || machining || looking !== undefined) queueSlice();
+  if (run !== undefined || drawing || machining !== undefined || looking !== undefined) queueSlice();
 }
 
 function advance(playground: Playground, current: Run): void {
@@ -267,32 +282,43 @@ function advance(playground: Playground, current: Run): void {
   else if (now - current.startedAt > RUN_LIMIT_MS) stop(playground);
   else if (now - current.startedAt > PROGRESS_AFTER_MS && now - current.lastProgressAt > PROGRESS_EVERY_MS) {
     current.lastProgressAt = now;
-    send({ kind: 'progress', revision, done: playground.progress() });
+    send({ kind: 'progress', revision, work: 'run', done: playground.progress() });
   }
 }
 
 function end(playground: Playground): void {
   run = undefined;
   lookOn(playground);
-  machining = true;
-  machine(playground);
+  const now = performance.now();
+  machining = { startedAt: now, lastProgressAt: now };
+  machine(playground, machining);
   // What takes longer than a blink is told of when it is there.
-  if (machining) report(playground);
+  if (machining !== undefined) report(playground);
 }
 
 /** Takes some more material off; the part, and what runs into what, are there when all of it is. */
-function machine(playground: Playground): void {
+function machine(playground: Playground, current: Run): void {
   const enough = performance.now() + WAIT_FOR_PART_MS;
-  while (machining && performance.now() < enough) machining = !playground.machine(MOTIONS_PER_SLICE);
-  if (machining) {
+  let done = false;
+  while (!done && performance.now() < enough) done = playground.machine(MOTIONS_PER_SLICE);
+  if (!done) {
+    const now = performance.now();
+    if (now - current.startedAt > PROGRESS_AFTER_MS && now - current.lastProgressAt > PROGRESS_EVERY_MS) {
+      current.lastProgressAt = now;
+      send({ kind: 'progress', revision, work: 'part', done: playground.machiningProgress() });
+    }
     queueSlice();
     return;
   }
+  machining = undefined;
   report(playground);
   wantDraw();
 }
 
 function report(playground: Playground): void {
+  const stage = machining !== undefined ? 'path' : pathReported ? 'part' : 'whole';
+  // In another language it is all told anew.
+  pathReported = stage === 'path';
   reported = true;
   send({
     kind: 'report',
@@ -301,6 +327,8 @@ function report(playground: Playground): void {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       pathLength: playground.pathLength(),
+      fitted: playground.fitting(),
+      stage,
     },
   });
 }
@@ -368,7 +396,7 @@ function guarded(step: () => void): void {
     core = undefined;
     run = undefined;
     drawing = false;
-    machining = false;
+    machining = undefined;
     send({ kind: 'crashed', reason: describe(error) });
   }
 }

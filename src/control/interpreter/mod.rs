@@ -324,7 +324,14 @@ impl Interpreter {
         self.tell_always(diagnostic);
     }
 
-    /// The same, even when no more messages are kept: why the run ends.
+    /// What is told of the setup: many faults of one kind have no other place than the beginning of the text.
+    pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() < self.setup.limits.messages {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Tells, even when no more messages are kept: why the run ends.
     pub fn tell_always(&mut self, diagnostic: Diagnostic) {
         let known = told_as(&diagnostic);
         if let Err(place) = self.told.binary_search(&known) {

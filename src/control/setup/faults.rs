@@ -88,6 +88,8 @@ impl Look {
         self.at(key("diameter"), tool.diameter, &LENGTH);
         self.at(key("reach"), tool.reach, &LENGTH);
         self.at(key("shank"), tool.shank, &LENGTH);
+        self.at(key("toolRadius"), tool.tool_radius, &RADIUS);
+        self.at(key("geometryR"), tool.geometry_r, &RADIUS);
         self.at(key("angle"), tool.angle, &[Need::Positive, Need::AtMost(180.0)]);
         if let (Some(width), Some(nose)) = (tool.width, tool.nose_radius) {
             self.at(key("noseRadius"), Some(nose), &[Need::AtMost(width / 2.0)]);
@@ -113,8 +115,17 @@ impl Setup {
         if let Some(tailstock) = self.tailstock {
             let before = look.faults.len();
             look.at("tailstock.diameter", Some(tailstock.diameter), &[Need::Positive, Need::AtMost(LONGEST)]);
+            look.at("tailstock.z", Some(tailstock.z.abs()), &[Need::AtMost(LONGEST)]);
             if look.faults.len() > before {
                 self.tailstock = None;
+            }
+        }
+        if let Some(start) = self.initial {
+            let before = look.faults.len();
+            look.at("initial.x", Some(start.x.abs()), &[Need::AtMost(LONGEST)]);
+            look.at("initial.z", Some(start.z.abs()), &[Need::AtMost(LONGEST)]);
+            if look.faults.len() > before {
+                self.initial = None;
             }
         }
         for (key, value) in [

@@ -15,7 +15,8 @@
 //! these words, but holds no `=`, is prose.
 
 use super::faults::Fault;
-use super::{Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret};
+use super::fields::{self, Field, Name};
+use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::diagnostics::{Diagnostic, Message};
 use crate::text::source::Span;
 
@@ -57,11 +58,12 @@ struct Word<'a> {
     span: Span,
 }
 
-impl Word<'_> {
-    fn number(&self) -> Option<f64> {
-        self.value.parse::<f64>().ok().filter(|value| value.is_finite())
-    }
-}
+/// What can stand in a note of a tool.
+pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETR=";
+
+/// What can stand in a note of the machine.
+pub const MACHINE_WORDS: &str =
+    "RAPIDX=, RAPIDZ=, MAXSPEED=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR";
 
 impl Notes {
     /// Reads the comments at the head of a text.
@@ -114,129 +116,61 @@ impl Notes {
             return;
         }
         let whole = Span::new(start, start + inside.len());
-        let mut stands = |key: &str| self.places.push((key.to_owned(), whole));
         match head.key.as_str() {
-            "STOCK" => stands("stock."),
-            "TAILSTOCK" => stands("tailstock."),
-            "MACHINE" => stands("machine."),
-            _ => {}
-        }
-        match head.key.as_str() {
-            "STOCK" => self.stock(rest),
+            "STOCK" => {
+                let mut stock = Stock { diameter: 0.0, bore: 0.0, face: 0.0, length: 0.0, grip: None };
+                self.fill(rest, fields::STOCK, &mut stock, "D=, BORE=, LENGTH=, FACE=, GRIP=");
+                self.stock = Some(stock);
+                self.stands("stock.", whole);
+            }
             "TOOL" => self.tool(rest, whole),
             "TAILSTOCK" => {
                 let mut tailstock = Tailstock { z: 0.0, diameter: 20.0 };
-                self.fill(rest, "Z=, D=", |word| {
-                    match (word.key.as_str(), word.number()) {
-                        ("Z", Some(z)) => tailstock.z = z,
-                        ("D", Some(diameter)) => tailstock.diameter = diameter,
-                        _ => return None,
-                    }
-                    Some(())
-                });
+                self.fill(rest, fields::TAILSTOCK, &mut tailstock, "Z=, D=");
                 self.tailstock = Some(tailstock);
+                self.stands("tailstock.", whole);
             }
-            "MACHINE" => self.machine(rest),
+            "MACHINE" => {
+                let mut machine = Machine::default();
+                self.fill(rest, fields::MACHINE, &mut machine, MACHINE_WORDS);
+                self.machine = Some(machine);
+                self.stands("machine.", whole);
+            }
             "START" => {
                 let mut position = Setup::default().start();
-                self.fill(rest, "X=, Z=", |word| {
-                    match (word.key.as_str(), word.number()) {
-                        ("X", Some(x)) => position.x = x,
-                        ("Z", Some(z)) => position.z = z,
-                        _ => return None,
-                    }
-                    Some(())
-                });
+                self.fill(rest, fields::START, &mut position, "X=, Z=");
                 self.start = Some(position);
+                self.stands("initial.", whole);
             }
             _ => {}
         }
-    }
-
-    fn stock(&mut self, words: &[Word]) {
-        let mut stock = Stock { diameter: 0.0, bore: 0.0, face: 0.0, length: 0.0, grip: None };
-        self.fill(words, "D=, BORE=, LENGTH=, FACE=, GRIP=", |word| {
-            match (word.key.as_str(), word.number()) {
-                ("D", Some(diameter)) => stock.diameter = diameter,
-                ("BORE", Some(bore)) => stock.bore = bore,
-                ("LENGTH" | "L", Some(length)) => stock.length = length,
-                ("FACE", Some(face)) => stock.face = face,
-                ("GRIP", grip @ Some(_)) => stock.grip = grip,
-                _ => return None,
-            }
-            Some(())
-        });
-        self.stock = Some(stock);
     }
 
     fn tool(&mut self, words: &[Word], whole: Span) {
         let expected = "T and four digits, such as T0101";
         let Some((name, rest)) = words.split_first() else { return };
-        let Some(number) = name.key.strip_prefix('T').filter(|digits| is_number(digits)) else {
+        let Some(key) = tool_name(&name.key) else {
             self.faults.push(NoteFault { span: name.span, expected });
             return;
         };
-        // T1 is tool 1 with offset 1.
-        let key =
-            if number.len() <= 2 { format!("T{number:0>2}{number:0>2}") } else { format!("T{number:0>4}") };
         let mut tool = Tool::default();
-        let expected = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=";
-        self.fill(rest, expected, |word| {
-            let number = word.number();
-            match (word.key.as_str(), number) {
-                ("INSERT", _) => tool.insert = Some(word.value.to_owned()),
-                ("R", Some(_)) => tool.nose_radius = number,
-                ("TIP", Some(tip)) if tip.fract() == 0.0 && (0.0..=255.0).contains(&tip) => {
-                    tool.tip = Some(tip as u8)
-                }
-                ("KR", Some(_)) => tool.entering_angle = number,
-                ("POINT", Some(_)) => tool.point_angle = number,
-                ("EDGE", Some(_)) => tool.edge_length = number,
-                ("WIDTH", Some(_)) => tool.width = number,
-                ("D", Some(_)) => tool.diameter = number,
-                ("REACH", Some(_)) => tool.reach = number,
-                ("SHANK", Some(_)) => tool.shank = number,
-                ("ANGLE", Some(_)) => tool.angle = number,
-                ("TYPE", None) => {
-                    let is_named = |kind: &ToolKind| kind.name().eq_ignore_ascii_case(word.value);
-                    tool.kind = Some(ToolKind::ALL.into_iter().find(is_named)?);
-                }
-                ("SIDE", None) => {
-                    tool.side = Some(
-                        Side::ALL.into_iter().find(|side| side.name().eq_ignore_ascii_case(word.value))?,
-                    );
-                }
-                _ => return None,
-            }
-            Some(())
-        });
-        self.places.push((format!("tools.{key}."), whole));
+        self.fill(rest, fields::TOOL, &mut tool, TOOL_WORDS);
+        self.stands(&format!("tools.{key}."), whole);
         self.tools.push((key, tool));
     }
 
-    fn machine(&mut self, words: &[Word]) {
-        let mut machine = Machine::default();
-        let expected = "RAPIDX=, RAPIDZ=, MAXSPEED=, XMIN=, XMAX=, ZMIN=, ZMAX=, TURRET=FRONT, TURRET=REAR";
-        self.fill(words, expected, |word| {
-            let Travel { x_min, x_max, z_min, z_max } = &mut machine.travel;
-            let number = word.number();
-            match (word.key.as_str(), number) {
-                ("RAPIDX", Some(_)) => machine.rapid_x = number,
-                ("RAPIDZ", Some(_)) => machine.rapid_z = number,
-                ("MAXSPEED", Some(_)) => machine.max_speed = number,
-                ("XMIN", Some(_)) => *x_min = number,
-                ("XMAX", Some(_)) => *x_max = number,
-                ("ZMIN", Some(_)) => *z_min = number,
-                ("ZMAX", Some(_)) => *z_max = number,
-                ("TURRET", None) if word.value.eq_ignore_ascii_case("front") => {
-                    machine.turret = Turret::Front
-                }
-                ("TURRET", None) if word.value.eq_ignore_ascii_case("rear") => machine.turret = Turret::Rear,
-                _ => return None,
-            }
-            Some(())
-        });
-        self.machine = Some(machine);
+    fn stands(&mut self, key: &str, span: Span) {
+        self.places.push((key.to_owned(), span));
+    }
+
+    /// Where the notes stand: what is between their parentheses.
+    pub fn spans(&self) -> impl Iterator<Item = Span> {
+        self.places.iter().map(|place| place.1)
+    }
+
+    /// Whether a note speaks of this key of a setup, such as `stock.` or `tools.T0101.`.
+    pub fn names(&self, key: &str) -> bool {
+        self.places.iter().any(|place| place.0 == key)
     }
 
     /// `[BILLET X62 Z70`: diameter and length; the face is at Z0.
@@ -247,19 +181,29 @@ impl Notes {
         }
         let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
-            self.places.push(("stock.".to_owned(), Span::new(start, start + inside.len())));
+            self.stands("stock.", Span::new(start, start + inside.len()));
             self.stock = Some(Stock { diameter, bore: 0.0, face: 0.0, length, grip: None });
         }
     }
 
-    /// Gives each word to `take`, and keeps those it does not know.
-    fn fill(&mut self, words: &[Word], expected: &'static str, mut take: impl FnMut(&Word) -> Option<()>) {
+    /// Puts each word into its field, and keeps those it does not know.
+    fn fill<T>(&mut self, words: &[Word], fields: &[Field<T>], own: &mut T, expected: &'static str) {
         for word in words {
-            if take(word).is_none() {
-                self.faults.push(NoteFault { span: word.span, expected });
+            let is_meant =
+                |field: &&Field<T>| word.key == field.word || (word.key == "L" && field.name == Name::Length);
+            let read = fields.iter().find(is_meant).map(|field| (field, field.entry.read(word.value)));
+            match read {
+                Some((field, Ok(value))) => (field.set)(own, &value),
+                _ => self.faults.push(NoteFault { span: word.span, expected }),
             }
         }
     }
+}
+
+/// A tool's name in four digits: T1 is tool 1 with offset 1. Nothing for what is no T word.
+pub fn tool_name(word: &str) -> Option<String> {
+    let digits = word.trim().strip_prefix(['T', 't']).filter(|digits| is_number(digits))?;
+    Some(if digits.len() <= 2 { format!("T{digits:0>2}{digits:0>2}") } else { format!("T{digits:0>4}") })
 }
 
 fn is_number(digits: &str) -> bool {
@@ -285,6 +229,7 @@ fn words(inside: &str, start: usize) -> Vec<Word<'_>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::control::setup::{Side, ToolKind, Turret};
 
     #[test]
     fn notes_are_read() {

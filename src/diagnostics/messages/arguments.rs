@@ -259,6 +259,9 @@ impl Message {
                 }
                 all
             }
+            Self::PartStopped { done, all } => {
+                vec![("done", Count(*done as i64)), ("all", Count(*all as i64))]
+            }
             Self::NoteWord { word, expected } => vec![("word", Text(word)), ("expected", Text(expected))],
             Self::ToolNotListed { tool } => vec![("tool", Text(tool))],
             Self::RapidThroughStock { x, z }

@@ -332,6 +332,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Here can stand: {expected}",
         PartTooManyMotions => "The program has more than {most} motions: the path is shown, but not the part, and no collision is looked for.\n\
             `limits.partMotions` of the setup sets the bound.",
+        PartStopped => "The part was stopped after {done} of {all} motions: the path is shown, but not the part.\n\
+            Change the program or its setup to begin again.",
         PartTooManyCorners => "The part has more than {most} corners: the path is shown, but not the part, and collisions are found up to there.\n\
             `limits.partCorners` of the setup sets the bound.",
         ToolNotListed => "The setup names tools, but not {tool}.\n\

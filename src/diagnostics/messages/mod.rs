@@ -4,6 +4,7 @@
 mod arguments;
 pub mod codes;
 mod en;
+pub mod labels;
 mod phrases;
 mod ru;
 #[cfg(test)]

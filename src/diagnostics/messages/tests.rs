@@ -231,6 +231,7 @@ fn samples() -> Vec<Message> {
         Message::NoteWord { word: "X1".into(), expected: "G71" },
         Message::PartTooManyMotions { most: 5 },
         Message::PartTooManyCorners { most: 5 },
+        Message::PartStopped { done: 3, all: 5 },
         Message::ToolNotListed { tool: "X1".into() },
         Message::RapidThroughStock { x: 1.5, z: 1.5 },
         Message::DoglegThroughStock { x: 1.5, z: 1.5 },

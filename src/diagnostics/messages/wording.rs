@@ -51,7 +51,7 @@ wordings! {
     CornerAxis, CornerTwice, CornerInThread, CornerWithCompensation, CyclePlane, CycleWord, CycleAxis,
     FinishStart, FinishWithoutRoughing, AngleNoPoint, CompensationOnArc, CompensationOvercut,
     CompensationNoIntersection, CompensationPlane, LeadRunsOut, CompensationIdle,
-    SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, ToolNotListed,
+    SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, ToolNotListed,
     RapidThroughStock, DoglegThroughStock, RapidAlongStock, IntoJaws, IntoTailstock, HolderInStock, SlopeTooSteep,
     BelowCenter, OverTravel,
 }
@@ -217,6 +217,7 @@ impl Wording {
             Message::SetupValue { need: Need::AtMost(_), .. } => Self::SetupAtMost,
             Message::NoteWord { .. } => Self::NoteWord,
             Message::PartTooManyMotions { .. } => Self::PartTooManyMotions,
+            Message::PartStopped { .. } => Self::PartStopped,
             Message::PartTooManyCorners { .. } => Self::PartTooManyCorners,
             Message::ToolNotListed { .. } => Self::ToolNotListed,
             Message::RapidThroughStock { .. } => Self::RapidThroughStock,

@@ -332,6 +332,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             这里可以写：{expected}",
         PartTooManyMotions => "程序的刀具运动超过 {most} 段：只显示轨迹，不计算零件，也不检查碰撞。\n\
             上限由设置中的 `limits.partMotions` 决定。",
+        PartStopped => "零件计算在第 {done} 段（共 {all} 段）后停止：只显示轨迹，不显示零件。\n\
+            修改程序或设置即可重新开始。",
         PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
             上限由设置中的 `limits.partCorners` 决定。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\

@@ -16,6 +16,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions) -> Vec<Diagnostic> {
         let message = match full {
             Full::Motions(most) => Message::PartTooManyMotions { most },
             Full::Corners(most) => Message::PartTooManyCorners { most },
+            Full::Stopped { done, all } => Message::PartStopped { done, all },
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));

@@ -1,0 +1,382 @@
+//! The rows of the setup form: what is given, what is assumed, what is wrong with what was entered.
+//!
+//! In: a setup as it was given, guesses, the entries of a form. Out: rows for a page that knows nothing of tools and stock.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+#[cfg(target_arch = "wasm32")]
+use tsify::Tsify;
+
+use super::{Edit, Places};
+use crate::control::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
+use crate::control::setup::fields::{self, Entry, Field, Value};
+use crate::control::setup::notes::{Notes, tool_name};
+use crate::control::setup::written::{self, Change};
+use crate::control::setup::{Machine, Setup, Tool, ToolKind};
+use crate::diagnostics::messages::{Language, labels};
+use crate::shop::assumed::usual;
+use crate::shop::fitting::{Fitting, Known};
+
+/// What of stock and tools nobody has named.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Fitted {
+    /// Whether the blank is given; nothing where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"given\" | \"guessed\""))]
+    pub stock: Option<&'static str>,
+    /// The tools that are put to use.
+    pub tools: Vec<FittedTool>,
+}
+
+/// A tool that is put to use.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct FittedTool {
+    /// Turret station; 0 before the first T word.
+    pub station: u16,
+    /// What kind it is, in words.
+    pub kind: String,
+    /// Whether it is given.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"given\" | \"guessed\""))]
+    pub known: &'static str,
+}
+
+/// The form as it opens.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupForm {
+    /// In the order in which they are shown.
+    pub groups: Vec<SetupGroup>,
+    /// Where the setup is kept now.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "SetupPlace"))]
+    pub place: &'static str,
+}
+
+/// Fields that belong together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupGroup {
+    /// Which.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"stock\" | \"tool\" | \"start\" | \"machine\" | \"tailstock\"")
+    )]
+    pub group: &'static str,
+    /// What it is called.
+    pub title: String,
+    /// Who says it: a comment of the program, the page, or nobody.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "SetupPlace | \"nobody\""))]
+    pub source: &'static str,
+    /// Its fields.
+    pub fields: Vec<SetupField>,
+}
+
+/// A field.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupField {
+    /// Its key in a setup: `stock.diameter`.
+    pub key: String,
+    /// What it is called.
+    pub label: String,
+    /// What it is measured in.
+    pub unit: String,
+    /// What is to be entered.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"number\" | \"text\" | \"choice\""))]
+    pub entry: &'static str,
+    /// What can be chosen.
+    pub choices: Vec<SetupChoice>,
+    /// What is given; empty where nothing is.
+    pub value: String,
+}
+
+/// Something to choose.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupChoice {
+    /// As it is entered.
+    pub value: String,
+    /// As it is read.
+    pub text: String,
+}
+
+/// What is to be shown of entries, and what is kept of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupAnswer {
+    /// One for each entry, in their order.
+    pub fields: Vec<SetupState>,
+    /// The setup of the page then, as JSON; empty where there is nothing in it.
+    pub setup: String,
+    /// What changes in the program.
+    pub edits: Vec<Edit>,
+}
+
+/// How a field stands.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SetupState {
+    /// Its key.
+    pub key: String,
+    /// What counts where it is empty; empty where nothing does.
+    pub assumed: String,
+    /// What is wrong with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub slip: Option<String>,
+    /// Whether such a tool has a use for it.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"shown\" | \"hidden\""))]
+    pub shown: &'static str,
+}
+
+/// Where a setup is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SetupPlace {
+    /// In comments of the program.
+    Program,
+    /// In the page's own setup.
+    Page,
+}
+
+impl SetupPlace {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Program => "program",
+            Self::Page => "page",
+        }
+    }
+
+    /// The place of a name; the page for any other.
+    pub fn of(name: &str) -> Self {
+        if name == "program" { Self::Program } else { Self::Page }
+    }
+}
+
+/// What a form is about.
+pub struct Subject<'a> {
+    /// The setup as the page has given it, with what the comments say.
+    pub given: &'a Setup,
+    /// The setup as the page has given it, without them.
+    pub page: &'a Setup,
+    /// The comments.
+    pub notes: &'a Notes,
+    /// The guesses for the program.
+    pub guessed: &'a Setup,
+    /// The language of labels.
+    pub language: Language,
+}
+
+impl Fitted {
+    /// The row of a fitting.
+    pub fn new(fitting: &Fitting, language: Language) -> Self {
+        let known = |known: Known| match known {
+            Known::Given => "given",
+            Known::Guessed => "guessed",
+        };
+        let tools = fitting.tools().map(|fitted| FittedTool {
+            station: fitted.station,
+            kind: labels::kind(fitted.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
+            known: known(fitted.known),
+        });
+        Self { stock: fitting.stock().map(|stock| known(stock.1)), tools: tools.collect() }
+    }
+}
+
+impl Subject<'_> {
+    /// The form as it opens.
+    pub fn form(&self) -> SetupForm {
+        let given = self.given;
+        let mut groups =
+            vec![self.group("stock", "stock.", fields::STOCK, given.stock.as_ref(), given.stock.is_some())];
+        let mut names: Vec<&String> = self.guessed.tools.keys().collect();
+        // A tool that is given stands for its station.
+        names.retain(|name| given.tools.keys().all(|own| own.get(..3) != name.get(..3)));
+        names.extend(given.tools.keys());
+        names.sort_unstable();
+        groups.extend(names.into_iter().map(|name| self.tool(name)));
+        let start = given.initial.as_ref();
+        groups.push(self.group("start", "initial.", fields::START, start, start.is_some()));
+        let is_said = given.machine != Machine::default();
+        groups.push(self.group("machine", "machine.", fields::MACHINE, Some(&given.machine), is_said));
+        let tailstock = given.tailstock.as_ref();
+        groups.push(self.group("tailstock", "tailstock.", fields::TAILSTOCK, tailstock, tailstock.is_some()));
+        let place = if self.notes.spans().next().is_some() { SetupPlace::Program } else { SetupPlace::Page };
+        SetupForm { groups, place: place.name() }
+    }
+
+    /// Fields for one more tool; nothing for what is no T word.
+    pub fn another_tool(&self, word: &str) -> Option<SetupGroup> {
+        let word = word.trim();
+        let digits = word.strip_prefix(['T', 't']).unwrap_or(word);
+        tool_name(&format!("T{digits}")).map(|name| self.tool(&name))
+    }
+
+    fn tool(&self, name: &str) -> SetupGroup {
+        let given = self.given.tools.get(name);
+        let prefix = format!("tools.{name}.");
+        let group = self.group("tool", &prefix, fields::TOOL, given, given.is_some());
+        SetupGroup { title: labels::tool(name, self.language), ..group }
+    }
+
+    fn group<T>(
+        &self,
+        group: &'static str,
+        prefix: &str,
+        fields: &'static [Field<T>],
+        own: Option<&T>,
+        is_given: bool,
+    ) -> SetupGroup {
+        let source = match (is_given, self.notes.names(prefix)) {
+            (_, true) => SetupPlace::Program.name(),
+            (true, false) => SetupPlace::Page.name(),
+            (false, false) => "nobody",
+        };
+        let rows = fields.iter().map(|field| {
+            let choices: &[&'static str] = match field.entry {
+                Entry::Choice(choices) => choices,
+                _ => &[],
+            };
+            let unit = match field.entry {
+                Entry::Number(unit) => labels::unit(unit, self.language),
+                _ => "",
+            };
+            SetupField {
+                key: format!("{prefix}{}", field.key),
+                label: labels::field(field.name, self.language).into(),
+                unit: unit.into(),
+                entry: match field.entry {
+                    Entry::Number(_) | Entry::Whole => "number",
+                    Entry::Text => "text",
+                    Entry::Choice(_) => "choice",
+                },
+                choices: choices
+                    .iter()
+                    .map(|value| SetupChoice {
+                        value: (*value).into(),
+                        text: labels::choice(field.name, value, self.language).into(),
+                    })
+                    .collect(),
+                value: own
+                    .and_then(|own| (field.get)(own))
+                    .map_or_else(String::new, |value| value.to_string()),
+            }
+        });
+        let title = labels::group(group, self.language).into();
+        SetupGroup { group, title, source, fields: rows.collect() }
+    }
+
+    /// What becomes of entries that are to be kept in a place; `json` is the page's setup as it is.
+    pub fn answer(
+        &self,
+        entries: &[Entered],
+        keep: SetupPlace,
+        json: &str,
+        text: &[u8],
+        places: &Places,
+    ) -> SetupAnswer {
+        let draft = Draft::read(entries, self.given, self.guessed);
+        let assumed = self.assumed(entries, &draft);
+        let (lines, page) = match keep {
+            SetupPlace::Program => (written::lines(&draft.setup), self.covered(&draft.setup)),
+            SetupPlace::Page => (Vec::new(), draft.setup.clone()),
+        };
+        let fields = entries.iter().map(|entry| {
+            let slip = draft.slips.iter().find(|slip| slip.0 == entry.key);
+            let shown = assumed.get(&entry.key);
+            SetupState {
+                key: entry.key.clone(),
+                assumed: shown.cloned().flatten().unwrap_or_default(),
+                slip: slip.map(|slip| labels::slip(slip.1, self.language)),
+                shown: if shown.is_some() || !entry.text.trim().is_empty() { "shown" } else { "hidden" },
+            }
+        });
+        let edits = written::changes(text, &lines);
+        SetupAnswer {
+            fields: fields.collect(),
+            setup: draft::put_into_json(json, &page),
+            edits: edits.into_iter().map(|Change { span, insert }| places.edit(span, insert)).collect(),
+        }
+    }
+
+    /// What of the page's setup the comments take the place of: it stays, so that undo in the editor brings it back.
+    fn covered(&self, written: &Setup) -> Setup {
+        let page = self.page;
+        let machine = if written.machine == Machine::default() { Machine::default() } else { page.machine };
+        let mut tools = page.tools.clone();
+        tools.retain(|name, _| written.tools.contains_key(name));
+        Setup {
+            stock: written.stock.and(page.stock),
+            tailstock: written.tailstock.and(page.tailstock),
+            initial: written.initial.and(page.initial),
+            machine,
+            tools,
+            ..Setup::default()
+        }
+    }
+
+    /// What counts where a field is empty, for all fields that are of use.
+    fn assumed(&self, entries: &[Entered], draft: &Draft) -> BTreeMap<String, Option<String>> {
+        let mut all = BTreeMap::new();
+        let language = self.language;
+        let stock = draft::stock_base(self.given, self.guessed);
+        put(&mut all, "stock.", fields::STOCK, &stock, language);
+        put(&mut all, "initial.", fields::START, &draft::start_base(), language);
+        put(&mut all, "tailstock.", fields::TAILSTOCK, &NO_TAILSTOCK, language);
+        put(&mut all, "machine.", fields::MACHINE, &Machine::default(), language);
+        for (key, usual) in [("stock.bore", "0"), ("stock.face", "0")] {
+            let place = all.entry(key.into()).or_insert(None);
+            place.get_or_insert_with(|| usual.into());
+        }
+        let rear = labels::choice(fields::Name::Turret, "rear", language);
+        all.insert("machine.turret".into(), Some(rear.into()));
+        let mut last = "";
+        for entry in entries {
+            let Some((name, _)) = entry.key.strip_prefix("tools.").and_then(|rest| rest.split_once('.'))
+            else {
+                continue;
+            };
+            if name == last {
+                continue;
+            }
+            last = name;
+            let own = draft.setup.tools.get(name).or_else(|| self.guessed.tools.get(name));
+            let tool = usual(own.unwrap_or(&Tool::default()));
+            let kind = tool.kind.unwrap_or(ToolKind::Turning);
+            let of_use = |field: &&Field<Tool>| field.is_for(kind);
+            for field in fields::TOOL.iter().filter(of_use) {
+                let value = (field.get)(&tool).map(|value| in_words(field, value, language));
+                all.insert(format!("tools.{name}.{}", field.key), value);
+            }
+        }
+        all
+    }
+}
+
+fn put<T>(
+    all: &mut BTreeMap<String, Option<String>>,
+    prefix: &str,
+    fields: &'static [Field<T>],
+    own: &T,
+    language: Language,
+) {
+    for field in fields {
+        let value = (field.get)(own).map(|value| in_words(field, value, language));
+        all.insert(format!("{prefix}{}", field.key), value);
+    }
+}
+
+/// A value as it is read: a choice by its name in a language.
+fn in_words<T>(field: &Field<T>, value: Value, language: Language) -> String {
+    match (field.entry, value) {
+        (Entry::Choice(choices), Value::Text(text)) => {
+            let own = choices.iter().find(|choice| **choice == text);
+            own.map_or(text, |own| labels::choice(field.name, own, language).into())
+        }
+        (_, Value::Number(number)) => crate::diagnostics::messages::number(number),
+        (_, value) => value.to_string(),
+    }
+}

@@ -1,0 +1,320 @@
+//! A setup as a form holds it: a text for each key, some of them wrong, most of them empty.
+//!
+//! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each entry; the setup as
+//! JSON, with all else that a JSON says kept. The rules of values are those of `faults`.
+
+use serde_json::{Map, Value as Json};
+
+use super::faults::Need;
+use super::fields::{self, Field, Name, Unread, Value};
+use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+
+/// What is written in a field of a form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// As in JSON: `stock.diameter`, `tools.T0101.width`, `machine.travel.xMin`.
+    pub key: String,
+    /// As it was typed; blank where nothing is said.
+    pub text: String,
+}
+
+/// What is wrong with an entry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Slip {
+    /// It cannot be read.
+    Unread(Unread),
+    /// It is empty, and nothing can be assumed.
+    Missing,
+    /// The value cannot be.
+    Need(Need),
+}
+
+/// What a form says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draft {
+    /// Stock, tools, tailstock, machine and start as they would be kept.
+    pub setup: Setup,
+    /// What is wrong, by key.
+    pub slips: Vec<(String, Slip)>,
+}
+
+/// Stands for a length that is not known: of what has no name in a setup, only in a form.
+const UNKNOWN: f64 = f64::INFINITY;
+
+/// A blank of which nothing is known.
+pub const NO_STOCK: Stock = Stock { diameter: UNKNOWN, bore: 0.0, face: 0.0, length: UNKNOWN, grip: None };
+
+/// A tailstock of which nothing is known but the usual quill.
+pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: 20.0 };
+
+impl Draft {
+    /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
+    /// blanks is what is usual, that of others the guess.
+    pub fn read(entries: &[Entry], given: &Setup, guessed: &Setup) -> Self {
+        let mut form = Reader { entries, slips: Vec::new() };
+        let mut setup = Setup {
+            stock: form.group("stock.", fields::STOCK, stock_base(given, guessed)),
+            tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
+            machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
+            initial: form.group("initial.", fields::START, start_base()),
+            ..Setup::default()
+        };
+        for name in form.tools() {
+            let prefix = format!("tools.{name}.");
+            let base = if given.tools.contains_key(&name) { None } else { guessed.tools.get(&name) };
+            let base = base.cloned().unwrap_or_default();
+            let tool = form.group(&prefix, fields::TOOL, form.fitting_base(&prefix, base));
+            setup.tools.extend(tool.map(|tool| (name, tool)));
+        }
+        let mut slips = form.slips;
+        let told = |key: &str, slips: &[(String, Slip)]| slips.iter().any(|slip| slip.0 == key);
+        for fault in setup.clone().without_faults().1 {
+            if !told(&fault.key, &slips) {
+                slips.push((fault.key, Slip::Need(fault.need)));
+            }
+        }
+        Self { setup, slips }
+    }
+}
+
+/// What is assumed of a blank where some of it is said.
+pub fn stock_base(given: &Setup, guessed: &Setup) -> Stock {
+    let guess = guessed.stock.unwrap_or(NO_STOCK);
+    match given.stock {
+        Some(_) => Stock { bore: 0.0, face: 0.0, ..guess },
+        None => guess,
+    }
+}
+
+/// Where the tip stands when nothing is said.
+pub fn start_base() -> Position {
+    Setup::default().start()
+}
+
+/// The entries, and what is wrong with those that were read.
+struct Reader<'a> {
+    entries: &'a [Entry],
+    slips: Vec<(String, Slip)>,
+}
+
+impl<'a> Reader<'a> {
+    /// The entries of a group that are not blank: the rest of the key, and the text.
+    fn entered<'k>(&self, prefix: &'k str) -> impl Iterator<Item = (&'a str, &'a str)> + use<'a, 'k> {
+        let filled = self.entries.iter().filter(|entry| !entry.text.trim().is_empty());
+        filled.filter_map(move |entry| Some((entry.key.strip_prefix(prefix)?, entry.text.trim())))
+    }
+
+    /// A group on top of what is assumed of it; nothing where no field is filled in.
+    fn group<T>(&mut self, prefix: &str, fields: &[Field<T>], base: T) -> Option<T> {
+        let mut own = base;
+        let entered: Vec<_> = self.entered(prefix).collect();
+        if entered.is_empty() {
+            return None;
+        }
+        for (key, text) in entered {
+            let Some(field) = fields.iter().find(|field| field.key == key) else { continue };
+            match field.entry.read(text) {
+                Ok(value) => (field.set)(&mut own, &value),
+                Err(unread) => self.slips.push((format!("{prefix}{key}"), Slip::Unread(unread))),
+            }
+        }
+        let mut whole = true;
+        for field in fields.iter().filter(|field| field.name.is_needed() && (field.get)(&own).is_none()) {
+            whole = false;
+            let key = format!("{prefix}{}", field.key);
+            if self.slips.iter().all(|slip| slip.0 != key) {
+                self.slips.push((key, Slip::Missing));
+            }
+        }
+        whole.then_some(own)
+    }
+
+    /// The names of the tools that have entries.
+    fn tools(&self) -> Vec<String> {
+        let mut names: Vec<String> =
+            self.entered("tools.").filter_map(|(rest, _)| Some(rest.split_once('.')?.0.to_owned())).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    /// A guess without what the entries take the ground from: of another kind nothing is left of it.
+    fn fitting_base(&self, prefix: &str, guess: Tool) -> Tool {
+        let entered =
+            |wanted: &str| self.entered(prefix).find(|(key, _)| *key == wanted).map(|found| found.1);
+        let other_kind = |kind: &str| guess.kind.is_none_or(|own| !own.name().eq_ignore_ascii_case(kind));
+        if entered("type").is_some_and(other_kind) {
+            return Tool::default();
+        }
+        if entered("insert").is_some() {
+            return Tool { insert: None, point_angle: None, edge_length: None, ..guess };
+        }
+        guess
+    }
+}
+
+impl Name {
+    /// Whether a group cannot do without it.
+    pub fn is_needed(self) -> bool {
+        matches!(
+            self,
+            Self::StockDiameter
+                | Self::Length
+                | Self::StartX
+                | Self::StartZ
+                | Self::CenterZ
+                | Self::QuillDiameter
+        )
+    }
+}
+
+/// The JSON of a setup with stock, tools, tailstock, machine and start of another; what is no object is not kept.
+pub fn put_into_json(json: &str, setup: &Setup) -> String {
+    let mut all = match serde_json::from_str(json) {
+        Ok(Json::Object(all)) => all,
+        _ => Map::new(),
+    };
+    let mut put = |key: &str, group: Map<String, Json>| {
+        if group.is_empty() {
+            all.remove(key);
+        } else {
+            all.insert(key.into(), Json::Object(group));
+        }
+    };
+    put("stock", setup.stock.map_or_else(Map::new, |stock| object(fields::STOCK, &stock)));
+    let tools =
+        setup.tools.iter().map(|(name, tool)| (name.clone(), Json::Object(object(fields::TOOL, tool))));
+    put("tools", tools.collect());
+    put("tailstock", setup.tailstock.map_or_else(Map::new, |own| object(fields::TAILSTOCK, &own)));
+    put("machine", object(fields::MACHINE, &setup.machine));
+    put("initial", setup.initial.map_or_else(Map::new, |start| object(fields::START, &start)));
+    if all.is_empty() { String::new() } else { Json::Object(all).to_string() }
+}
+
+/// A group as a JSON object; of a key such as `travel.xMin` the first part names an object in it.
+fn object<T>(fields: &[Field<T>], own: &T) -> Map<String, Json> {
+    let mut object = Map::new();
+    for (field, value) in fields::values(fields, own) {
+        let value = match value {
+            // A whole number is written as one: `tip` is read as nothing else.
+            Value::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
+                Json::from(number as i64)
+            }
+            Value::Number(number) => Json::from(number),
+            Value::Text(text) => Json::from(text),
+        };
+        match field.key.split_once('.') {
+            None => {
+                object.insert(field.key.into(), value);
+            }
+            Some((outer, inner)) => {
+                let place = object.entry(outer).or_insert_with(|| Json::Object(Map::new()));
+                if let Json::Object(place) = place {
+                    place.insert(inner.into(), value);
+                }
+            }
+        }
+    }
+    object
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
+        list.iter().map(|(key, text)| Entry { key: (*key).into(), text: (*text).into() }).collect()
+    }
+
+    /// The JSON that comes of entries, and what is wrong with them, under a guess.
+    #[track_caller]
+    fn check(list: &[(&str, &str)], guessed: &str, json: &str, slips: &[(&str, Slip)]) {
+        let guessed = Setup::from_json(guessed).expect("a setup");
+        let draft = Draft::read(&entries(list), &Setup::default(), &guessed);
+        let found: Vec<_> = draft.slips.iter().map(|(key, slip)| (key.as_str(), *slip)).collect();
+        assert_eq!(found, slips);
+        if slips.is_empty() {
+            assert_eq!(put_into_json("{}", &draft.setup), json);
+            let read = Setup::from_json(if json.is_empty() { "{}" } else { json });
+            assert_eq!(read, Ok(draft.setup));
+        }
+    }
+
+    #[test]
+    fn what_is_left_empty_is_what_was_assumed() {
+        let guess = r#"{"stock": {"diameter": 60, "length": 75},
+            "tools": {"T0303": {"type": "grooving", "side": "face"}}}"#;
+        check(&[], guess, "", &[]);
+        check(&[("stock.diameter", " ")], guess, "", &[]);
+        check(&[("stock.diameter", "65,5")], guess, r#"{"stock":{"diameter":65.5,"length":75}}"#, &[]);
+        check(
+            &[("tools.T0303.width", "4")],
+            guess,
+            r#"{"tools":{"T0303":{"side":"face","type":"grooving","width":4}}}"#,
+            &[],
+        );
+        check(
+            &[("tools.T0303.type", "drill"), ("tools.T0303.diameter", "12")],
+            guess,
+            r#"{"tools":{"T0303":{"diameter":12,"type":"drill"}}}"#,
+            &[],
+        );
+        check(
+            &[("machine.travel.xMin", "-5"), ("machine.turret", "front"), ("initial.x", "150")],
+            guess,
+            r#"{"initial":{"x":150,"z":200},"machine":{"travel":{"xMin":-5},"turret":"front"}}"#,
+            &[],
+        );
+    }
+
+    #[test]
+    fn each_slip_is_told_at_its_key() {
+        check(
+            &[("stock.diameter", "abc"), ("stock.length", "NaN")],
+            "{}",
+            "",
+            &[
+                ("stock.diameter", Slip::Unread(Unread::NotANumber)),
+                ("stock.length", Slip::Unread(Unread::NotANumber)),
+            ],
+        );
+        check(&[("stock.diameter", "60")], "{}", "", &[("stock.length", Slip::Missing)]);
+        check(
+            &[("stock.diameter", "60"), ("stock.length", "80"), ("stock.bore", "70")],
+            "{}",
+            "",
+            &[("stock.bore", Slip::Need(Need::Below(60.0)))],
+        );
+        check(
+            &[("tools.T0101.tip", "3.5"), ("tools.T0101.type", "hammer"), ("tools.T0101.insert", "(C)")],
+            "{}",
+            "",
+            &[
+                ("tools.T0101.tip", Slip::Unread(Unread::NotWhole)),
+                ("tools.T0101.type", Slip::Unread(Unread::NotKnown)),
+                ("tools.T0101.insert", Slip::Unread(Unread::NotKnown)),
+            ],
+        );
+        check(
+            &[("stock.diameter", "-1"), ("stock.length", "1e999")],
+            r#"{"stock": {"diameter": 60, "length": 75}}"#,
+            "",
+            &[
+                ("stock.length", Slip::Unread(Unread::NotANumber)),
+                ("stock.diameter", Slip::Need(Need::Positive)),
+            ],
+        );
+    }
+
+    #[test]
+    fn the_rest_of_a_json_is_kept() {
+        let setup = Setup::from_json(r#"{"stock": {"diameter": 60, "length": 80}}"#).expect("a setup");
+        let json = r#"{"dialect": {"control": "gsk"}, "tools": {"T0101": {"tip": 3}}, "blockSkip": [1]}"#;
+        assert_eq!(
+            put_into_json(json, &setup),
+            r#"{"blockSkip":[1],"dialect":{"control":"gsk"},"stock":{"diameter":60,"length":80}}"#
+        );
+        assert_eq!(put_into_json("garbage", &setup), r#"{"stock":{"diameter":60,"length":80}}"#);
+        assert_eq!(put_into_json("{}", &Setup::default()), "");
+    }
+}

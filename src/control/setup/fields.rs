@@ -1,0 +1,348 @@
+//! The values a setup can hold: how each is called in JSON and in a setup comment, what it is measured in, where it stands.
+//!
+//! One list for all who read and write setups: the comments (`notes`, `written`), the form (`draft`), README's tables.
+//! Must not know which values can be: that is `faults`.
+
+use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
+use Entry::{Choice, Number, Text, Whole};
+
+/// What is written in a field.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A measure in the unit of its field, or a whole number.
+    Number(f64),
+    /// A designation, or one of the choices.
+    Text(String),
+}
+
+/// What can be written in a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry {
+    /// A measure.
+    Number(Unit),
+    /// A whole number from 0 to 255.
+    Whole,
+    /// A designation: letters and digits.
+    Text,
+    /// One of these.
+    Choice(&'static [&'static str]),
+}
+
+/// What a measure is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Millimetre,
+    /// Degrees.
+    Degree,
+    /// Millimetres a minute.
+    MillimetrePerMinute,
+    /// Turns a minute.
+    TurnsPerMinute,
+}
+
+/// What a field is for; its name in each language is in `diagnostics::messages::labels`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the labels say it")]
+pub enum Name {
+    StockDiameter,
+    Bore,
+    Length,
+    Face,
+    Grip,
+    Kind,
+    Side,
+    Insert,
+    NoseRadius,
+    Tip,
+    EnteringAngle,
+    PointAngle,
+    EdgeLength,
+    Width,
+    ToolDiameter,
+    Reach,
+    Shank,
+    Angle,
+    ToolRadius,
+    GeometryR,
+    StartX,
+    StartZ,
+    CenterZ,
+    QuillDiameter,
+    RapidX,
+    RapidZ,
+    MaxSpeed,
+    LeastX,
+    GreatestX,
+    LeastZ,
+    GreatestZ,
+    Turret,
+}
+
+/// Why an entry cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unread {
+    /// It is no number.
+    NotANumber,
+    /// It is no whole number from 0 to 255.
+    NotWhole,
+    /// It is none of the words that can stand there.
+    NotKnown,
+}
+
+/// A place in a `T` that holds one value.
+pub struct Field<T: 'static> {
+    /// What it is for.
+    pub name: Name,
+    /// Its key in JSON; `travel.xMin` stands in an object `travel`.
+    pub key: &'static str,
+    /// Its word in a setup comment.
+    pub word: &'static str,
+    /// What can be written in it.
+    pub entry: Entry,
+    /// Of a tool: the kinds that have a use for it; all of them where none is said.
+    pub kinds: &'static [ToolKind],
+    /// The value, unless it is what counts where nothing is said.
+    pub get: fn(&T) -> Option<Value>,
+    /// Sets it; what does not fit the entry changes nothing.
+    pub set: fn(&mut T, &Value),
+}
+
+/// Reads the value and writes it: `(get, set)` of a field.
+type Access<T> = (fn(&T) -> Option<Value>, fn(&mut T, &Value));
+
+const fn field<T>(
+    name: Name,
+    key: &'static str,
+    word: &'static str,
+    entry: Entry,
+    access: Access<T>,
+) -> Field<T> {
+    Field { name, key, word, entry, kinds: &[], get: access.0, set: access.1 }
+}
+
+/// A field of a tool.
+const fn tool(
+    name: Name,
+    key: &'static str,
+    word: &'static str,
+    entry: Entry,
+    access: Access<Tool>,
+) -> Field<Tool> {
+    field(name, key, word, entry, access)
+}
+
+impl<T> Field<T> {
+    const fn of(mut self, kinds: &'static [ToolKind]) -> Self {
+        self.kinds = kinds;
+        self
+    }
+
+    /// Whether a kind of tool has a use for it.
+    pub fn is_for(&self, kind: ToolKind) -> bool {
+        self.kinds.is_empty() || self.kinds.contains(&kind)
+    }
+}
+
+/// A measure that may be left out.
+macro_rules! measure {
+    ($($path:ident).+) => {
+        (|own| own.$($path).+.map(Value::Number), |own, value| {
+            if let Value::Number(number) = value {
+                own.$($path).+ = Some(*number);
+            }
+        })
+    };
+}
+
+/// A measure that is always there, and is not written where it is this.
+macro_rules! always {
+    ($path:ident unless $usual:expr) => {
+        (
+            |own| Some(Value::Number(own.$path)).filter(|_| own.$path != $usual),
+            |own, value| {
+                if let Value::Number(number) = value {
+                    own.$path = *number;
+                }
+            },
+        )
+    };
+}
+
+/// A value that is named.
+macro_rules! named {
+    ($path:ident among $type:ty) => {
+        (
+            |own| own.$path.map(|value| Value::Text(value.name().into())),
+            |own, value| {
+                if let Value::Text(text) = value {
+                    own.$path = <$type>::ALL.into_iter().find(|value| value.name() == text).or(own.$path);
+                }
+            },
+        )
+    };
+}
+
+const MM: Entry = Number(Unit::Millimetre);
+const DEGREES: Entry = Number(Unit::Degree);
+const MM_A_MINUTE: Entry = Number(Unit::MillimetrePerMinute);
+
+const INSERTS: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring];
+const SIDED: &[ToolKind] = &[ToolKind::Grooving, ToolKind::Threading];
+const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading];
+
+/// The blank: `(STOCK D=65 LENGTH=80)`.
+pub const STOCK: &[Field<Stock>] = &[
+    // Never left out: 0 stands where nothing is said, and is told as a fault.
+    field(Name::StockDiameter, "diameter", "D", MM, always!(diameter unless f64::INFINITY)),
+    field(Name::Bore, "bore", "BORE", MM, always!(bore unless 0.0)),
+    field(Name::Length, "length", "LENGTH", MM, always!(length unless f64::INFINITY)),
+    field(Name::Face, "face", "FACE", MM, always!(face unless 0.0)),
+    field(Name::Grip, "grip", "GRIP", MM, measure!(grip)),
+];
+
+/// A tool: `(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)`.
+pub const TOOL: &[Field<Tool>] = &[
+    tool(
+        Name::Kind,
+        "type",
+        "TYPE",
+        Choice(&["turning", "boring", "grooving", "threading", "drill", "tap", "endmill"]),
+        named!(kind among ToolKind),
+    ),
+    tool(Name::Side, "side", "SIDE", Choice(&["outside", "inside", "face"]), named!(side among Side))
+        .of(SIDED),
+    tool(
+        Name::Insert,
+        "insert",
+        "INSERT",
+        Text,
+        (
+            |own: &Tool| own.insert.clone().map(Value::Text),
+            |own, value| {
+                if let Value::Text(text) = value {
+                    own.insert = Some(text.clone());
+                }
+            },
+        ),
+    )
+    .of(INSERTS),
+    tool(Name::NoseRadius, "noseRadius", "R", MM, measure!(nose_radius)).of(POINTED),
+    tool(
+        Name::Tip,
+        "tip",
+        "TIP",
+        Whole,
+        (
+            |own: &Tool| own.tip.map(|tip| Value::Number(f64::from(tip))),
+            |own, value| {
+                if let Value::Number(number) = value {
+                    own.tip = Some(*number as u8);
+                }
+            },
+        ),
+    )
+    .of(POINTED),
+    tool(Name::EnteringAngle, "enteringAngle", "KR", DEGREES, measure!(entering_angle)).of(INSERTS),
+    tool(Name::PointAngle, "pointAngle", "POINT", DEGREES, measure!(point_angle)).of(INSERTS),
+    tool(Name::EdgeLength, "edgeLength", "EDGE", MM, measure!(edge_length)).of(INSERTS),
+    tool(Name::Width, "width", "WIDTH", MM, measure!(width)).of(&[ToolKind::Grooving]),
+    tool(Name::ToolDiameter, "diameter", "D", MM, measure!(diameter)).of(&[
+        ToolKind::Drill,
+        ToolKind::Tap,
+        ToolKind::Endmill,
+    ]),
+    tool(Name::Reach, "reach", "REACH", MM, measure!(reach)).of(&[
+        ToolKind::Boring,
+        ToolKind::Grooving,
+        ToolKind::Drill,
+        ToolKind::Tap,
+    ]),
+    tool(Name::Shank, "shank", "SHANK", MM, measure!(shank)).of(&[ToolKind::Boring]),
+    tool(Name::Angle, "angle", "ANGLE", DEGREES, measure!(angle)).of(&[ToolKind::Threading, ToolKind::Drill]),
+    tool(Name::ToolRadius, "toolRadius", "CUTTER", MM, measure!(tool_radius)).of(&[ToolKind::Endmill]),
+    tool(Name::GeometryR, "geometryR", "OFFSETR", MM, measure!(geometry_r)).of(&[ToolKind::Endmill]),
+];
+
+/// Where the tip stands before the first block: `(START X=200 Z=200)`.
+pub const START: &[Field<Position>] = &[
+    field(Name::StartX, "x", "X", MM, always!(x unless f64::INFINITY)),
+    field(Name::StartZ, "z", "Z", MM, always!(z unless f64::INFINITY)),
+];
+
+/// The tailstock: `(TAILSTOCK Z=2 D=20)`.
+pub const TAILSTOCK: &[Field<Tailstock>] = &[
+    field(Name::CenterZ, "z", "Z", MM, always!(z unless f64::INFINITY)),
+    field(Name::QuillDiameter, "diameter", "D", MM, always!(diameter unless f64::INFINITY)),
+];
+
+/// The machine: `(MACHINE RAPIDX=8000 TURRET=FRONT)`.
+pub const MACHINE: &[Field<Machine>] = &[
+    field(Name::RapidX, "rapidX", "RAPIDX", MM_A_MINUTE, measure!(rapid_x)),
+    field(Name::RapidZ, "rapidZ", "RAPIDZ", MM_A_MINUTE, measure!(rapid_z)),
+    field(Name::MaxSpeed, "maxSpeed", "MAXSPEED", Number(Unit::TurnsPerMinute), measure!(max_speed)),
+    field(Name::LeastX, "travel.xMin", "XMIN", MM, measure!(travel.x_min)),
+    field(Name::GreatestX, "travel.xMax", "XMAX", MM, measure!(travel.x_max)),
+    field(Name::LeastZ, "travel.zMin", "ZMIN", MM, measure!(travel.z_min)),
+    field(Name::GreatestZ, "travel.zMax", "ZMAX", MM, measure!(travel.z_max)),
+    field(
+        Name::Turret,
+        "turret",
+        "TURRET",
+        Choice(&["rear", "front"]),
+        (
+            |own: &Machine| (own.turret == Turret::Front).then(|| Value::Text("front".into())),
+            |own, value| {
+                if let Value::Text(text) = value {
+                    own.turret = if text == "front" { Turret::Front } else { Turret::Rear };
+                }
+            },
+        ),
+    ),
+];
+
+impl Entry {
+    /// Reads what somebody has written; small and capital letters are the same.
+    pub fn read(self, text: &str) -> Result<Value, Unread> {
+        let text = text.trim();
+        match self {
+            Number(_) => {
+                // A comma is the decimal point of half the world.
+                let number = text.replace(',', ".").replace('−', "-").parse::<f64>();
+                let number = number.ok().filter(|number| number.is_finite());
+                number.map(Value::Number).ok_or(Unread::NotANumber)
+            }
+            Whole => text.parse::<u8>().map(|whole| Value::Number(whole.into())).or(Err(Unread::NotWhole)),
+            Text => {
+                let designation: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+                let is_one = designation.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
+                if is_one && !designation.is_empty() {
+                    Ok(Value::Text(designation))
+                } else {
+                    Err(Unread::NotKnown)
+                }
+            }
+            Choice(choices) => {
+                let found = choices.iter().find(|choice| choice.eq_ignore_ascii_case(text));
+                found.map(|choice| Value::Text((*choice).into())).ok_or(Unread::NotKnown)
+            }
+        }
+    }
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Text(text) => f.write_str(text),
+        }
+    }
+}
+
+/// The values of a `T` that are there, each with its field.
+pub fn values<'a, T>(
+    fields: &'a [Field<T>],
+    own: &'a T,
+) -> impl Iterator<Item = (&'a Field<T>, Value)> + use<'a, T> {
+    fields.iter().filter_map(move |field| Some((field, (field.get)(own)?)))
+}

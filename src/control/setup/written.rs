@@ -1,0 +1,170 @@
+//! A setup as comments at the head of a program: what `notes` reads, written.
+//!
+//! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in place of those that
+//! are there. Ways to write what is no note (dialect, limits) there are none.
+
+use super::Setup;
+use super::fields::{self, Field};
+use super::notes::Notes;
+use crate::text::source::Span;
+
+/// Text to put in place of a stretch of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// What goes.
+    pub span: Span,
+    /// What comes.
+    pub insert: String,
+}
+
+/// The notes that say what a setup says of stock, tools, tailstock, machine and start, a line each.
+pub fn lines(setup: &Setup) -> Vec<String> {
+    let mut lines = Vec::new();
+    lines.extend(setup.stock.and_then(|stock| line("STOCK", fields::STOCK, &stock)));
+    for (name, tool) in &setup.tools {
+        lines.extend(line(&format!("TOOL {name}"), fields::TOOL, tool));
+    }
+    lines.extend(setup.tailstock.and_then(|tailstock| line("TAILSTOCK", fields::TAILSTOCK, &tailstock)));
+    lines.extend(line("MACHINE", fields::MACHINE, &setup.machine));
+    lines.extend(setup.initial.and_then(|start| line("START", fields::START, &start)));
+    lines
+}
+
+/// A note; nothing where there is nothing to say.
+fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
+    let words: String = fields::values(fields, own)
+        .map(|(field, value)| format!(" {}={}", field.word, value.to_string().to_ascii_uppercase()))
+        .collect();
+    (!words.is_empty()).then(|| format!("({head}{words})"))
+}
+
+/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand behind
+/// the O number; the other notes go. In the order of the text.
+pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
+    let notes = Notes::read(text);
+    let mut going: Vec<Span> = notes.spans().map(|inside| whole(text, inside)).collect();
+    going.sort_unstable_by_key(|span| span.start);
+    let written: String = lines.iter().map(|line| format!("{line}\n")).collect();
+    let side_by_side = going.windows(2).all(|two| two[0].end == two[1].start);
+    if side_by_side && going.iter().flat_map(|span| span.of(text)).eq(written.as_bytes()) {
+        return Vec::new();
+    }
+    // A note that has a line of its own gives its place to the new ones.
+    let own_line = |span: &&Span| span.of(text).ends_with(b"\n");
+    let place = going.iter().find(own_line).map(|span| span.start);
+    let mut changes: Vec<Change> = going
+        .into_iter()
+        .map(|span| Change {
+            insert: if Some(span.start) == place { written.clone() } else { String::new() },
+            span,
+        })
+        .collect();
+    if place.is_none() && !lines.is_empty() {
+        let at = behind_number(text);
+        let is_behind_line = at == 0 || text[at - 1] == b'\n';
+        let insert = if is_behind_line { written } else { format!("\n{written}") };
+        let index = changes.partition_point(|change| (change.span.start as usize) < at);
+        changes.insert(index, Change { span: Span::new(at, at), insert });
+    }
+    changes
+}
+
+/// A comment from one parenthesis to the other: with its line, where there is nothing else in it, or else with the blanks
+/// before it.
+fn whole(text: &[u8], inside: Span) -> Span {
+    let (mut start, mut end) = (inside.start as usize - 1, inside.end as usize);
+    end += usize::from(matches!(text.get(end), Some(b')' | b']')));
+    let line_start = text[..start].iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
+    let line_end =
+        text[end..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |length| end + length + 1);
+    let before = text[line_start..start].trim_ascii();
+    let behind = text[end..line_end].trim_ascii();
+    if before.is_empty() && behind.is_empty() {
+        return Span::new(line_start, line_end);
+    }
+    while start > line_start && matches!(text[start - 1], b' ' | b'\t') {
+        start -= 1;
+    }
+    if before.is_empty() {
+        end += text[end..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+    }
+    Span::new(start, end)
+}
+
+/// The first place behind `%` and the O number of a program.
+fn behind_number(text: &[u8]) -> usize {
+    let (mut at, mut behind) = (0, 0);
+    for line in text.split_inclusive(|&byte| byte == b'\n').take(20) {
+        at += line.len();
+        match line.trim_ascii() {
+            [] => {}
+            [b'%', ..] => behind = at,
+            [b'O' | b'o' | b':', b'0'..=b'9', ..] => return at,
+            _ => break,
+        }
+    }
+    behind
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What becomes of a text; reading it again gives the setup that was written.
+    #[track_caller]
+    fn check(before: &str, setup: &str, after: &str) {
+        let setup = Setup::from_json(setup).expect("a setup");
+        let lines = lines(&setup);
+        let mut text = before.as_bytes().to_vec();
+        for change in changes(before.as_bytes(), &lines).into_iter().rev() {
+            text.splice(change.span.start as usize..change.span.end as usize, change.insert.into_bytes());
+        }
+        assert_eq!(String::from_utf8_lossy(&text), after);
+        let notes = Notes::read(&text);
+        assert_eq!(notes.faults, []);
+        assert_eq!(notes.applied_to(Setup::default()), setup);
+        assert_eq!(changes(&text, &lines), []);
+    }
+
+    const BAR: &str = r#"{"stock": {"diameter": 65, "length": 80}}"#;
+
+    #[test]
+    fn notes_stand_behind_the_number() {
+        check("%\nO1 (PART)\nG0 X1\n", BAR, "%\nO1 (PART)\n(STOCK D=65 LENGTH=80)\nG0 X1\n");
+        check("G0 X1\n", BAR, "(STOCK D=65 LENGTH=80)\nG0 X1\n");
+        check("", BAR, "(STOCK D=65 LENGTH=80)\n");
+        check("O1", BAR, "O1\n(STOCK D=65 LENGTH=80)\n");
+        check("(A BAR)\nO1\n", BAR, "(STOCK D=65 LENGTH=80)\n(A BAR)\nO1\n");
+    }
+
+    #[test]
+    fn notes_take_the_place_of_notes() {
+        check(
+            "O1\n(STOCK D=1 LENGTH=1)\nM3 (START X=9)\n  (TOOL T1 R=3)\nG0 X1",
+            BAR,
+            "O1\n(STOCK D=65 LENGTH=80)\nM3\nG0 X1",
+        );
+        check("O1 [BILLET X62 Z70\nG0 X1\n", BAR, "O1\n(STOCK D=65 LENGTH=80)\nG0 X1\n");
+        check("(START X=9) G0 X1\n", BAR, "(STOCK D=65 LENGTH=80)\nG0 X1\n");
+        check("O1\n(STOCK D=1 LENGTH=1)\n(START X=9)\nG0\n", "{}", "O1\nG0\n");
+    }
+
+    #[test]
+    fn everything_is_written() {
+        check(
+            "",
+            r#"{"stock": {"diameter": 65.5, "bore": 18, "face": 1, "length": 80, "grip": 30},
+                "tools": {"T0101": {"type": "turning", "insert": "CNMG120408", "enteringAngle": 95},
+                          "T0303": {"type": "grooving", "side": "inside", "width": 3, "noseRadius": 0.2, "tip": 2}},
+                "tailstock": {"z": 2, "diameter": 20},
+                "machine": {"rapidX": 8000, "maxSpeed": 4000, "travel": {"zMin": -300.5}, "turret": "front"},
+                "initial": {"x": 150, "z": 20}}"#,
+            "(STOCK D=65.5 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n\
+             (TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)\n\
+             (TOOL T0303 TYPE=GROOVING SIDE=INSIDE R=0.2 TIP=2 WIDTH=3)\n\
+             (TAILSTOCK Z=2 D=20)\n\
+             (MACHINE RAPIDX=8000 MAXSPEED=4000 ZMIN=-300.5 TURRET=FRONT)\n\
+             (START X=150 Z=20)\n",
+        );
+    }
+}

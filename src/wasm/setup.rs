@@ -1,0 +1,84 @@
+//! The setup form of the page: rows, answers to entries, and what is assumed.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js};
+use crate::api::setup::{Fitted, SetupPlace, Subject};
+use crate::control::setup::draft::Entry;
+use crate::shop::Shop;
+use crate::shop::assumed::guessed;
+use crate::shop::fitting::Fitting;
+
+#[wasm_bindgen(typescript_custom_section)]
+const PLACE: &str = "/** Where a setup is kept. */\nexport type SetupPlace = \"program\" | \"page\";";
+
+#[wasm_bindgen]
+impl Playground {
+    /// Which of stock and tools are given, and which are assumed.
+    #[wasm_bindgen(unchecked_return_type = "Fitted")]
+    pub fn fitting(&self) -> Result<JsValue, JsValue> {
+        match &self.shop {
+            Some(shop) => to_js(&Fitted::new(shop.fitting(), self.language)),
+            None => to_js(&Fitted::new(&Fitting::new(self.run.motions(), self.run.setup()), self.language)),
+        }
+    }
+
+    /// The setup form as it opens.
+    #[wasm_bindgen(js_name = setupForm, unchecked_return_type = "SetupForm")]
+    pub fn setup_form(&self) -> Result<JsValue, JsValue> {
+        self.about_setup(|subject| to_js(&subject.form()))
+    }
+
+    /// Fields for one more tool; nothing for what is no T word.
+    #[wasm_bindgen(js_name = anotherTool, unchecked_return_type = "SetupGroup | undefined")]
+    pub fn another_tool(&self, word: &str) -> Result<JsValue, JsValue> {
+        self.about_setup(|subject| match subject.another_tool(word) {
+            Some(group) => to_js(&group),
+            None => Ok(JsValue::UNDEFINED),
+        })
+    }
+
+    /// What becomes of the texts in the fields of these keys, when they are kept in a place; `json` is the setup of the page.
+    #[wasm_bindgen(js_name = readSetupForm, unchecked_return_type = "SetupAnswer")]
+    pub fn read_setup_form(
+        &self,
+        keys: Vec<String>,
+        texts: Vec<String>,
+        #[wasm_bindgen(unchecked_param_type = "SetupPlace")] keep: String,
+        json: &str,
+    ) -> Result<JsValue, JsValue> {
+        let entries: Vec<Entry> =
+            keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
+        let (text, places) = (self.run.text(), self.places());
+        let keep = SetupPlace::of(&keep);
+        self.about_setup(|subject| to_js(&subject.answer(&entries, keep, json, text, &places)))
+    }
+
+    /// Share of the material that has been taken off, 0 to 1.
+    #[wasm_bindgen(js_name = machiningProgress)]
+    pub fn machining_progress(&self) -> f64 {
+        self.shop.as_ref().map_or(0.0, |shop| shop.progress(self.run.motions()))
+    }
+
+    /// Ends the taking off of material; a message says so.
+    #[wasm_bindgen(js_name = stopMachining)]
+    pub fn stop_machining(&mut self) {
+        if let Some(shop) = &mut self.shop {
+            Shop::stop(shop);
+        }
+    }
+}
+
+impl Playground {
+    fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
+        let guessed = guessed(self.run.motions());
+        let given = self.run.as_given();
+        answer(&Subject {
+            given: &given,
+            page: &self.setup,
+            notes: self.run.notes(),
+            guessed: &guessed,
+            language: self.language,
+        })
+    }
+}

@@ -1,0 +1,187 @@
+// The setup form: what is assumed is shown as assumed, what cannot be is told beside its field, and it is kept where the
+// reader says. Bad setups, wherever they stand, are told and leave a picture.
+import { expect, test, type Locator, type Page } from '@playwright/test';
+import { editor, open, openFile, problems, status, value } from './page';
+
+const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
+
+const form = (page: Page): Locator => page.getByRole('dialog', { name: 'Setup' });
+const field = (page: Page, group: string, name: string): Locator =>
+  form(page).getByRole('region', { name: group }).getByLabel(name, { exact: true });
+const attribute = (page: Page): Promise<string | null> => page.locator('gcode-playground').getAttribute('setup');
+
+async function openForm(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'Setup', exact: true }).click();
+  await expect(form(page)).toBeVisible();
+}
+
+/** The part is drawn where its material is: the pixel differs from that of the ground. */
+async function partIsThere(page: Page): Promise<void> {
+  await expect(status(page)).toContainText(/^4 motions/);
+  await expect(page.getByText('No motion yet')).toBeHidden();
+}
+
+async function begin(page: Page, text = PROGRAM): Promise<void> {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(text));
+  await expect(page.getByText('Opened own.nc')).toBeVisible();
+  await partIsThere(page);
+}
+
+test('what nobody has said is shown as assumed, and can be said by keyboard', async ({ page }) => {
+  await begin(page);
+  await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+  await page.getByRole('button', { name: 'Setup', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await expect(field(page, 'Stock', 'Diameter')).toBeFocused();
+  await expect(field(page, 'Stock', 'Diameter')).toHaveAttribute('placeholder', '44 (assumed)');
+  await expect(field(page, 'Tool T0101', 'Kind')).toContainText('turning (assumed)');
+  await expect(field(page, 'Tool T0101', 'Width')).toBeHidden();
+  await field(page, 'Tool T0101', 'Kind').selectOption('grooving');
+  await expect(field(page, 'Tool T0101', 'Width')).toHaveAttribute('placeholder', '3 (assumed)');
+  await field(page, 'Tool T0101', 'Kind').selectOption('');
+  await field(page, 'Stock', 'Diameter').fill('50');
+  await page.keyboard.press('Enter');
+  await expect(form(page)).toBeHidden();
+  await expect(page.getByText('Tools assumed')).toBeVisible();
+  await expect(page.getByText('Stock and tools assumed')).toBeHidden();
+  expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 50, length: 25 } });
+  expect(await value(page)).toBe(PROGRAM);
+
+  await test.step('it is kept with the text', async () => {
+    await page.reload();
+    await expect(page.getByText('Tools assumed')).toBeVisible();
+    expect(JSON.parse((await attribute(page)) ?? '')).toMatchObject({ stock: { diameter: 50 } });
+  });
+});
+
+test('kept in the program it stands in comments, which one undo takes out', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  await field(page, 'Stock', 'Diameter').fill('50');
+  await field(page, 'Tool T0101', 'Nose radius').fill('0,8');
+  await form(page).getByRole('radio', { name: 'in the program, as comments' }).check();
+  await form(page).getByRole('button', { name: 'Apply' }).click();
+  await expect(page.getByText('The setup stands in the program now')).toBeVisible();
+  const lines = (await value(page)).split('\n');
+  expect(lines.slice(0, 3)).toEqual([
+    'O0001', '(STOCK D=50 LENGTH=25)', '(TOOL T0101 TYPE=TURNING INSERT=C R=0.8 KR=95)',
+  ]);
+  await expect(page.getByText(/^(Stock|Tools|Stock and tools) assumed$/)).toBeHidden();
+
+  await test.step('the form edits the comments', async () => {
+    await openForm(page);
+    await expect(form(page).getByRole('radio', { name: 'in the program, as comments' })).toBeChecked();
+    await expect(field(page, 'Stock', 'Diameter')).toHaveValue('50');
+    await field(page, 'Stock', 'Diameter').fill('55');
+    await form(page).getByRole('button', { name: 'Apply' }).click();
+    await expect.poll(() => value(page)).toContain('(STOCK D=55 LENGTH=25)');
+  });
+  await editor(page).focus();
+  await page.keyboard.press('Control+z');
+  expect(await value(page)).toContain('(STOCK D=50 LENGTH=25)');
+  await page.keyboard.press('Control+z');
+  expect(await value(page)).toBe(PROGRAM);
+});
+
+test('one more tool can be named', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  await form(page).getByLabel('Another tool').fill('hammer');
+  await form(page).getByRole('button', { name: 'Add' }).click();
+  await expect(form(page).getByText('Write T and up to four digits')).toBeVisible();
+  await form(page).getByLabel('Another tool').fill('3');
+  await form(page).getByRole('button', { name: 'Add' }).click();
+  await expect(field(page, 'Tool T0303', 'Kind')).toBeFocused();
+});
+
+test('what cannot be is told beside its field', async ({ page }) => {
+  await begin(page);
+  await openForm(page);
+  for (const [name, text, told] of [
+    ['Diameter', '-60', 'Must be greater than zero'],
+    ['Diameter', 'NaN', 'Not a number'],
+    ['Diameter', '1e999', 'Not a number'],
+    ['Bore diameter', '70', 'Must be less than 44'],
+  ] as const) {
+    await field(page, 'Stock', 'Diameter').fill('');
+    await field(page, 'Stock', name).fill(text);
+    await expect(field(page, 'Stock', name)).toHaveAttribute('aria-invalid', 'true');
+    await expect(form(page).getByText(told)).toBeVisible();
+    await form(page).getByRole('button', { name: 'Apply' }).click();
+    await expect(form(page)).toBeVisible();
+    await expect(field(page, 'Stock', name)).toBeFocused();
+  }
+  await form(page).getByRole('button', { name: 'Close' }).click();
+  await partIsThere(page);
+});
+
+for (const [what, setup, told] of [
+  ['negative stock', '{"stock": {"diameter": -60, "length": 80}}', /stock.diameter.* is -60/],
+  ['a bore larger than the stock', '{"stock": {"diameter": 60, "length": 80, "bore": 70}}', /stock.bore.* is 70/],
+  ['NaN', '{"stock": {"diameter": NaN, "length": 80}}', /The setup was not accepted/],
+  ['garbage', 'garbage', /The setup was not accepted/],
+  ['a tool that is missing', '{"tools": {"T0202": {"type": "turning"}}}', /T0101/],
+] as const) {
+  test(`in the attribute: ${what}`, async ({ page }) => {
+    await begin(page);
+    await page.locator('gcode-playground').evaluate((element, json) => element.setAttribute('setup', json), setup);
+    const rejected = page.getByRole('alert').filter({ hasText: told });
+    await expect(rejected.or(problems(page).getByText(told)).first()).toBeVisible();
+    await partIsThere(page);
+    await openForm(page);
+  });
+}
+
+for (const [what, note, told] of [
+  ['negative stock', '(STOCK D=-60 LENGTH=80)', /stock.diameter.* is -60/],
+  ['a bore larger than the stock', '(STOCK D=60 BORE=70 LENGTH=80)', /stock.bore.* is 70/],
+  ['NaN', '(STOCK D=NaN LENGTH=80)', /D=NaN/],
+  ['garbage', '(STOCK D=60 LENGTH=80 HAMMER=1)', /HAMMER=1/],
+  ['a tool that is missing', '(TOOL T0202 TYPE=TURNING)', /T0101/],
+] as const) {
+  test(`in comments: ${what}`, async ({ page }) => {
+    await begin(page, `${note}\n${PROGRAM}`);
+    await expect(problems(page).getByText(told).first()).toBeVisible();
+    await partIsThere(page);
+    await openForm(page);
+  });
+}
+
+test('a file of one’s own, and an emptied editor, begin without the setup of the example', async ({ page }) => {
+  await open(page, '#s001-o6003');
+  const before = await attribute(page);
+  expect(before).toContain('stock');
+  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+  expect((await attribute(page)) ?? '').not.toContain('stock');
+
+  await test.step('undo brings the example back, and its setup', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => attribute(page)).toBe(before);
+    await page.keyboard.press('Control+A');
+    await page.keyboard.press('Delete');
+    expect((await attribute(page)) ?? '').not.toContain('stock');
+    await page.keyboard.press('Control+z');
+    await expect.poll(() => attribute(page)).toBe(before);
+  });
+  await test.step('the control stays', async () => {
+    await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
+    await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+    await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+    await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
+    await expect(page.locator('gcode-playground')).toHaveAttribute('control', 'gsk');
+  });
+});
+
+test('taking off the material of a long program shows how far it is, and can be stopped', async ({ page }) => {
+  await open(page);
+  // Each pass leaves a wave, so that the part has many corners.
+  const passes = Array.from({ length: 6000 }, (_, i) => `G1 X${(60 - i / 400 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`);
+  await openFile(page, 'long.nc', Buffer.from(`T0101 S800 M3\nG0 X62 Z2\n${passes.join('\n')}\nM30\n`));
+  await expect(status(page)).toContainText(/Part … \d+ %/, { timeout: 20_000 });
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await expect(problems(page).getByText(/The part was stopped after \d+ of 6001 motions/)).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
+});

@@ -1,0 +1,203 @@
+//! Setups: what is written as comments is read again, whatever is given leaves a picture, README says what can be said.
+#![cfg(not(target_arch = "wasm32"))]
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::draft::put_into_json;
+use gcode_playground::control::setup::fields::{self, Entry, Field, Unit};
+use gcode_playground::control::setup::notes::{MACHINE_WORDS, Notes, TOOL_WORDS};
+use gcode_playground::control::setup::written::{changes, lines};
+use gcode_playground::control::setup::{
+    Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
+};
+use gcode_playground::shop::Shop;
+use proptest::prelude::*;
+
+const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
+
+/// Lengths as people write them: JSON numbers of more digits are read to the last but one.
+fn length() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        (-90000i32..90000).prop_map(|thousandths| f64::from(thousandths) / 1000.0),
+        Just(0.0),
+        Just(6e9)
+    ]
+}
+
+fn maybe() -> impl Strategy<Value = Option<f64>> {
+    proptest::option::of(length())
+}
+
+prop_compose! {
+    fn tool()(
+        kind in proptest::option::of(proptest::sample::select(ToolKind::ALL.to_vec())),
+        side in proptest::option::of(proptest::sample::select(Side::ALL.to_vec())),
+        insert in proptest::option::of("[CDVTSRW][A-Z]{3}[0-9]{0,6}"),
+        tip in proptest::option::of(any::<u8>()),
+        (nose_radius, tool_radius, geometry_r, point_angle) in (maybe(), maybe(), maybe(), maybe()),
+        (entering_angle, edge_length, width, diameter) in (maybe(), maybe(), maybe(), maybe()),
+        (reach, shank, angle) in (maybe(), maybe(), maybe()),
+    ) -> Tool {
+        Tool {
+            nose_radius, tip, tool_radius, geometry_r, kind, side, insert, point_angle, entering_angle, edge_length,
+            width, diameter, reach, shank, angle,
+        }
+    }
+}
+
+prop_compose! {
+    fn machine()(
+        (rapid_x, rapid_z, max_speed) in (maybe(), maybe(), maybe()),
+        (x_min, x_max, z_min, z_max) in (maybe(), maybe(), maybe(), maybe()),
+        turret in prop_oneof![Just(Turret::Rear), Just(Turret::Front)],
+    ) -> Machine {
+        Machine { rapid_x, rapid_z, max_speed, travel: Travel { x_min, x_max, z_min, z_max }, turret }
+    }
+}
+
+prop_compose! {
+    fn setup()(
+        stock in proptest::option::of((length(), length(), length(), length(), maybe())),
+        tailstock in proptest::option::of((length(), length())),
+        start in proptest::option::of((length(), length())),
+        machine in machine(),
+        tools in proptest::collection::btree_map("T[0-9]{4}", tool(), 0..4),
+    ) -> Setup {
+        Setup {
+            stock: stock.map(|(diameter, bore, face, length, grip)| Stock { diameter, bore, face, length, grip }),
+            tailstock: tailstock.map(|(z, diameter)| Tailstock { z, diameter }),
+            initial: start.map(|(x, z)| Position { x, z }),
+            machine,
+            // A tool of which nothing is said is not written.
+            tools: tools.into_iter().filter(|(_, tool)| *tool != Tool::default()).collect(),
+            ..Setup::default()
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    /// What is written as comments, or as JSON, is read as the same setup, and writing it again changes nothing.
+    #[test]
+    fn written_and_read_again(setup in setup(), head in "(%\n)?(O[0-9]{1,4}( \\(PART\\))?\n)?(\\(STOCK D=1 L=2\\)\n)?") {
+        let mut text = format!("{head}G0 X50 Z2\n").into_bytes();
+        let lines = lines(&setup);
+        for change in changes(&text, &lines).into_iter().rev() {
+            text.splice(change.span.start as usize..change.span.end as usize, change.insert.into_bytes());
+        }
+        let notes = Notes::read(&text);
+        prop_assert_eq!(&notes.faults, &[]);
+        prop_assert_eq!(&notes.applied_to(Setup::default()), &setup);
+        prop_assert!(text.ends_with(b"G0 X50 Z2\n"));
+        let json = put_into_json("{}", &setup);
+        prop_assert_eq!(Setup::from_json(if json.is_empty() { "{}" } else { &json }), Ok(setup));
+    }
+
+    /// No setup leaves nothing to see: there is a path and a part, and a message for what is wrong.
+    #[test]
+    fn whatever_is_given_leaves_a_part(setup in setup()) {
+        let analysis = analyze(PROGRAM.as_bytes(), &setup);
+        prop_assert_eq!(analysis.motions.len(), 4);
+        let (sound, faults) = setup.clone().without_faults();
+        let told = analysis.diagnostics.iter().filter(|found| found.message.slug() == "setup-value").count();
+        prop_assert_eq!(told, faults.len());
+        let shop = Shop::done(&analysis.motions, &sound);
+        prop_assert!(shop.finished().is_some());
+    }
+}
+
+/// The one door to bad setups: what a JSON is answered with, or what is told of it.
+#[track_caller]
+fn refused(json: &str, words: &[&str]) {
+    let told = match Setup::from_json(json) {
+        Err(reason) => reason,
+        Ok(setup) => {
+            let found = analyze(PROGRAM.as_bytes(), &setup).diagnostics;
+            let language = gcode_playground::diagnostics::messages::Language::English;
+            found.iter().map(|found| found.message.sentence(language).message).collect::<Vec<_>>().join("\n")
+        }
+    };
+    for word in words {
+        assert!(told.contains(word), "{json}: {told}");
+    }
+}
+
+#[test]
+fn bad_setups_are_told_by_name() {
+    refused(
+        r#"{"stock": {"diameter": -60, "length": 80}}"#,
+        &["`stock.diameter`", "-60", "greater than zero"],
+    );
+    refused(
+        r#"{"stock": {"diameter": 60, "length": 80, "bore": 70}}"#,
+        &["`stock.bore`", "70", "less than 60"],
+    );
+    refused(r#"{"stock": {"diameter": NaN, "length": 80}}"#, &["\"diameter\"", "expected value"]);
+    refused(r#"{"stock": {"diameter": 1e999, "length": 80}}"#, &["\"diameter\"", "number out of range"]);
+    refused(
+        "{\"stock\":\n {\"diameter\": \"60\", \"length\": 80}}",
+        &["\"diameter\"", "expected f64", "line 2"],
+    );
+    refused(r#"{"stock": {"diameter": 60}}"#, &["missing field `length`"]);
+    refused(r#"{"tools": {"X1": {"tip": 3}}}"#, &["tools.X1", "T0101"]);
+    refused(r#"{"initial": {"x": 1e300, "z": 0}}"#, &["`initial.x`", "5000"]);
+    refused("garbage", &["expected value"]);
+}
+
+/// A row of README's table.
+fn rows<T>(json: &str, note: &str, fields: &[Field<T>]) -> Vec<String> {
+    let rows = fields.iter().map(|field| {
+        let unit = match field.entry {
+            Entry::Number(Unit::Millimetre) => "mm".into(),
+            Entry::Number(Unit::Degree) => "degrees".into(),
+            Entry::Number(Unit::MillimetrePerMinute) => "mm/min".into(),
+            Entry::Number(Unit::TurnsPerMinute) => "1/min".into(),
+            Entry::Whole => "whole number".into(),
+            Entry::Text => "letters and digits".into(),
+            Entry::Choice(choices) => {
+                choices.iter().map(|one| format!("`{one}`")).collect::<Vec<_>>().join(" ")
+            }
+        };
+        format!("| `{json}{}` | `{note} {}=` | {unit} |", field.key, field.word)
+    });
+    rows.collect()
+}
+
+#[test]
+fn readme_lists_all_that_can_be_said() {
+    let readme = include_str!("../README.md");
+    let table = readme.split("<!-- setup -->").nth(1).and_then(|rest| rest.split("<!-- /setup -->").next());
+    let found: Vec<&str> = table.expect("a table").lines().filter(|line| line.starts_with("| `")).collect();
+    let wanted = [
+        rows("stock.", "STOCK", fields::STOCK),
+        rows("tools.T0101.", "TOOL T0101", fields::TOOL),
+        rows("initial.", "START", fields::START),
+        rows("tailstock.", "TAILSTOCK", fields::TAILSTOCK),
+        rows("machine.", "MACHINE", fields::MACHINE),
+    ]
+    .concat();
+    assert_eq!(found.len(), wanted.len(), "README should have\n{}", wanted.join("\n"));
+    for (row, wanted) in found.iter().zip(&wanted) {
+        assert!(row.starts_with(wanted), "README has\n{row}\ninstead of\n{wanted}");
+    }
+    let example = readme.split("```text\n").find(|part| part.starts_with("(STOCK")).expect("an example");
+    let notes = Notes::read(example.split("```").next().unwrap_or_default().as_bytes());
+    assert_eq!(notes.faults, []);
+    assert!(notes.stock.is_some() && notes.tools.len() >= 2 && notes.machine.is_some());
+}
+
+/// The words a message offers are those that can stand there.
+#[test]
+fn messages_offer_every_word() {
+    let missing = |words: &[&str], offered: &str| {
+        words
+            .iter()
+            .filter(|word| !offered.contains(&format!("{word}=")))
+            .map(|word| word.to_string())
+            .collect::<Vec<_>>()
+    };
+    let tool: Vec<_> = fields::TOOL.iter().map(|field| field.word).collect();
+    let machine: Vec<_> = fields::MACHINE.iter().map(|field| field.word).collect();
+    assert_eq!(missing(&tool, TOOL_WORDS), [""; 0]);
+    assert_eq!(missing(&machine, MACHINE_WORDS), [""; 0]);
+}

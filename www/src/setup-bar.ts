@@ -1,0 +1,40 @@
+// The line in the drawing that says which of stock and tools are assumed, and the button that opens the setup form.
+//
+// In: what is given and what is assumed. Out: `wanted`. Must not know: how anything is assumed.
+
+import { make } from './dom';
+import type { Fitted } from './protocol';
+import type { Strings } from './i18n';
+
+export class SetupBar {
+  readonly button = make('button', { type: 'button', className: 'setup-button', 'aria-haspopup': 'dialog' });
+  readonly #assumed = make('span', { className: 'assumed' });
+  readonly element = make('div', { className: 'setup-bar', part: 'setup' }, this.button, this.#assumed);
+  #strings: Strings;
+  #fitted: Fitted | undefined;
+
+  constructor(strings: Strings, wanted: () => void) {
+    this.#strings = strings;
+    this.button.addEventListener('click', wanted);
+    this.strings = strings;
+  }
+
+  set strings(strings: Strings) {
+    this.#strings = strings;
+    this.button.textContent = strings.setup.setup;
+    this.#render();
+  }
+
+  set fitted(fitted: Fitted) {
+    this.#fitted = fitted;
+    this.#render();
+  }
+
+  #render(): void {
+    const stock = this.#fitted?.stock === 'guessed';
+    const tools = this.#fitted?.tools.some(({ known }) => known === 'guessed') ?? false;
+    const texts = this.#strings.setup.assumed;
+    this.#assumed.textContent = stock && tools ? texts.all : stock ? texts.stock : tools ? texts.tools : texts.none;
+    this.#assumed.hidden = this.#assumed.textContent === '';
+  }
+}
