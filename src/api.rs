@@ -13,7 +13,7 @@ use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions};
-use crate::shop::region::Region;
+use crate::shop::region::{Piece, Region};
 use crate::shop::tally::Tally;
 use crate::shop::timing;
 use crate::text::source::{LineIndex, Span};
@@ -304,6 +304,28 @@ impl Part {
         }
         part
     }
+}
+
+/// A piece of the half-section, for a body turned from it: `[z, x]`, mm, x a diameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct SectionPiece {
+    /// Its outside, counter-clockwise.
+    pub outline: Vec<[f64; 2]>,
+    /// What is missing inside it, clockwise.
+    pub holes: Vec<Vec<[f64; 2]>>,
+}
+
+/// The half-section above the spindle axis, each piece with its own holes.
+pub fn section(region: &Region) -> Vec<SectionPiece> {
+    let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
+        points.into_iter().map(|point| [rounded(point.z), rounded(2.0 * point.x)]).collect()
+    };
+    let piece = |piece: Piece| SectionPiece {
+        outline: outline(piece.outline),
+        holes: piece.holes.into_iter().map(outline).collect(),
+    };
+    region.pieces().map(piece).collect()
 }
 
 /// What a tool does, or a whole program, added up.

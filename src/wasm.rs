@@ -4,6 +4,8 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+mod files;
+
 use std::cell::OnceCell;
 use std::ops::Range;
 

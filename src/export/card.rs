@@ -71,9 +71,9 @@ impl Card<'_> {
             language.tag(),
             escaped(title.trim()),
         );
-        let _ = write!(
+        let _ = writeln!(
             page.html,
-            "<header><h1>{} <b>{}</b></h1><p class=\"sign\"><span>{}</span><span>{}</span></p></header>\n",
+            "<header><h1>{} <b>{}</b></h1><p class=\"sign\"><span>{}</span><span>{}</span></p></header>",
             escaped(w.card),
             escaped(&number),
             w.name,
@@ -136,18 +136,13 @@ impl Card<'_> {
         page.heading(w.tools);
         page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
         for own in &tools {
-            // The first cut tells what a tool is for; without one, the first motion.
-            let of_tool = || self.motions.iter().filter(|motion| motion.process.tool == own.tool);
-            let Some(motion) = of_tool().find(|motion| motion.kind.cuts()).or_else(|| of_tool().next())
-            else {
-                continue;
-            };
-            if own.tool.0 == 0 && own.extents.is_none() {
-                continue;
-            }
-            let tool = fitting.tool(&motion);
+            // The first cut tells what a tool is for; what never cuts (an offset called off) is no tool of the card.
+            let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
+            let mut cuts = self.motions.iter().filter(of_tool).peekable();
+            let Some(motion) = cuts.peek() else { continue };
+            let tool = fitting.tool(motion);
             let [kind, nose, tip] = about(tool, w, language).map(|text| escaped(&text));
-            let rates = escaped(&rates(of_tool().filter(|motion| motion.kind.cuts()), w));
+            let rates = escaped(&rates(cuts, w));
             page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
         }
         page.row([w.total, "", "", "", "", &clock(&all.time)]);
@@ -220,10 +215,11 @@ impl<'a> Told<'a> {
         for motion in &own {
             time.add(motion, &self.card.setup.machine);
         }
+        let (sequence, written) = as_written(text, block);
         let remarks = block.comments.iter().map(|comment| remark(text, *comment));
         Row {
-            sequence: block.sequence.map(|number| format!("N{number}")).unwrap_or_default(),
-            text: without_comments(text, block),
+            sequence,
+            text: written,
             does: does.join("; "),
             remark: remarks.collect::<Vec<_>>().join("; "),
             time: if time.known > 0.0 { format!("{:.1}", time.known) } else { String::new() },
@@ -234,7 +230,7 @@ impl<'a> Told<'a> {
     fn codes(&self, block: &Block, own: &[Motion]) -> Vec<String> {
         let mut told: Vec<String> = Vec::new();
         if block.kind == BlockKind::Macro {
-            let written = without_comments(self.card.text, block).to_ascii_uppercase();
+            let written = as_written(self.card.text, block).1.to_ascii_uppercase();
             let function =
                 match written.trim_start_matches(|c: char| c == '/' || c.is_ascii_digit()).chars().next() {
                     Some('I') => Function::If,
@@ -361,8 +357,8 @@ fn word_number(word: &Word) -> Option<crate::text::lexer::Number> {
     }
 }
 
-/// A block as it is written, without its sequence number, its comments, and the blanks around.
-fn without_comments(text: &[u8], block: &Block) -> String {
+/// The sequence number of a block as it is written, and the rest of it without comments and the blanks around.
+fn as_written(text: &[u8], block: &Block) -> (String, String) {
     let mut bytes = block.span.of(text).to_vec();
     for comment in &block.comments {
         let from = comment.start.saturating_sub(block.span.start) as usize;
@@ -370,12 +366,13 @@ fn without_comments(text: &[u8], block: &Block) -> String {
         bytes[from.min(to)..to].fill(b' ');
     }
     let written = String::from_utf8_lossy(&bytes);
-    let written = written.trim().trim_end_matches(';').trim();
-    let without_number = match (block.sequence, written.strip_prefix(['N', 'n'])) {
-        (Some(_), Some(rest)) => rest.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start(),
-        _ => written,
+    let written = written.trim().trim_end_matches(';');
+    let rest = match written.strip_prefix(['N', 'n']).filter(|_| block.sequence.is_some()) {
+        Some(rest) => rest.trim_start_matches(|c: char| c.is_ascii_digit()),
+        None => written,
     };
-    without_number.split_whitespace().collect::<Vec<_>>().join(" ")
+    let sequence = &written[..written.len() - rest.len()];
+    (sequence.to_owned(), rest.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 fn remark(text: &[u8], comment: Span) -> String {
@@ -402,7 +399,7 @@ fn about(fitted: &Fitted, w: &Words, language: Language) -> [String; 3] {
     let mut kind =
         tool.kind.map(|kind| tool_kind(kind, tool.side.unwrap_or_default(), language)).unwrap_or_default();
     let more = [
-        tool.insert.clone(),
+        tool.insert.clone().filter(|_| fitted.known == Known::Given),
         tool.width.map(|width| format!("{} mm", number(width))),
         tool.diameter.map(|diameter| format!("⌀{}", number(diameter))),
     ];

@@ -15,8 +15,20 @@ pub const FIT: f64 = 2.0 * CHORD;
 /// Edges that make an arc, at least: any three corners lie on a circle.
 const LEAST_EDGES: usize = 3;
 
+/// An arc that ends at a corner a little beside the circle may not fit, and a longer one again: so many corners are passed.
+const MOST_MISSED: usize = 2;
+
 /// Corners nearer to the line through their neighbours are none, mm.
 const STRAIGHT: f64 = CHORD / 8.0;
+
+/// Nose and way of a tool are both cut into chords, so that their arc may turn back a little at a corner, radians.
+const WOBBLE: f64 = 0.02;
+
+/// An arc rises so much above its chord, mm, or it is a straight line: three chords of an arc rise nine times as much as one.
+const LEAST_HEIGHT: f64 = 3.0 * FIT;
+
+/// Steps in which an arc is brought to where its corners are as far outside as inside.
+const BALANCINGS: usize = 3;
 
 /// An arc turns by less than this, radians: a full circle has no ends to tell which way it runs.
 const WIDEST: f64 = 1.9 * PI;
@@ -76,10 +88,14 @@ fn from_sharpest_corner(outline: &[Point]) -> Vec<Point> {
 /// The longest arc from the first point on; else the longest straight line.
 fn next_segment(points: &[Point]) -> (usize, Segment) {
     let mut best = None;
+    let mut missed = 0;
     for edges in LEAST_EDGES..points.len() {
         match arc_through(&points[..=edges]) {
-            Some(arc) => best = Some((edges, Segment::Arc(arc))),
-            None => break,
+            Some(arc) => (best, missed) = (Some((edges, Segment::Arc(arc))), 0),
+            None => missed += 1,
+        }
+        if missed > MOST_MISSED {
+            break;
         }
     }
     best.unwrap_or_else(|| {
@@ -96,10 +112,10 @@ fn next_segment(points: &[Point]) -> (usize, Segment) {
 fn arc_through(points: &[Point]) -> Option<Arc> {
     let (start, end) = (points[0], points[points.len() - 1]);
     let inner = &points[1..points.len() - 1];
-    // All edges turn the same way, and not round and round.
+    // The edges turn the same way, and not round and round.
     let turns: Vec<f64> = points.windows(3).map(|three| turned(three[0], three[1], three[2])).collect();
     let whole: f64 = turns.iter().sum();
-    let same_way = turns.iter().all(|turn| turn.signum() == whole.signum());
+    let same_way = turns.iter().all(|turn| turn * whole.signum() > -WOBBLE);
     if !same_way || whole.abs() > WIDEST || start.is_same(end) {
         return None;
     }
@@ -114,34 +130,60 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
     if half.signum() != whole.signum() {
         return None;
     }
-    let radius = start.distance(end) / (2.0 * half.sin().abs());
-    let rounded = ROUND.iter().map(|step| (radius / step).round() * step);
-    let arcs = rounded.chain([radius]).filter_map(|radius| arc_of(start, end, half, radius));
-    arcs.into_iter().find(|arc| fits(arc, points))
+    let chord = start.distance(end);
+    let mut height = chord / 2.0 * (half / 2.0).tan();
+    for _ in 0..BALANCINGS {
+        let arc = arc_of(start, end, 2.0 * (2.0 * height / chord).atan())?;
+        let (least, most) = deviations(&arc, points);
+        height += height.signum() * (least + most) / 2.0;
+    }
+    if height.abs() < LEAST_HEIGHT {
+        return None;
+    }
+    let half = 2.0 * (2.0 * height / chord).atan();
+    let radius = chord / (2.0 * half.sin().abs());
+    let rounded = ROUND.iter().filter_map(|step| {
+        let radius = (radius / step).round() * step;
+        let quarter = (chord / (2.0 * radius)).asin();
+        let size = if half.abs() > PI / 2.0 { PI - quarter } else { quarter };
+        arc_of(start, end, half.signum() * size)
+    });
+    let fits = |arc: &Arc| {
+        let (least, most) = deviations(arc, points);
+        least >= -FIT && most <= FIT
+    };
+    rounded.chain(arc_of(start, end, half)).find(fits)
 }
 
-/// The arc of a radius between two points.
-fn arc_of(start: Point, end: Point, half: f64, radius: f64) -> Option<Arc> {
+/// The arc between two points that turns by twice `half`, radians, positive counter-clockwise.
+fn arc_of(start: Point, end: Point, half: f64) -> Option<Arc> {
     let chord = start.distance(end);
-    let beside = (radius * radius - chord * chord / 4.0).max(0.0).sqrt();
-    if radius < chord / 2.0 - SAME || !radius.is_finite() || chord <= SAME {
+    let beside = chord / 2.0 / half.tan();
+    if !beside.is_finite() || chord <= SAME {
         return None;
     }
     let turn = if half > 0.0 { Turn::Counterclockwise } else { Turn::Clockwise };
     // The centre is left of the chord where a counter-clockwise arc is less than a half circle.
-    let side = if (half.abs() < PI / 2.0) == (turn == Turn::Counterclockwise) { beside } else { -beside };
     let (dx, dz) = ((end.x - start.x) / chord, (end.z - start.z) / chord);
     let middle = Point::new((start.x + end.x) / 2.0, (start.z + end.z) / 2.0);
-    Some(Arc { start, end, center: Point::new(middle.x + side * dz, middle.z - side * dx), turn })
+    Some(Arc { start, end, center: Point::new(middle.x + beside * dz, middle.z - beside * dx), turn })
 }
 
-fn fits(arc: &Arc, points: &[Point]) -> bool {
+/// How far corners and middles of edges are outside of the circle of an arc, mm: the least (inside, where negative) and the
+/// most.
+fn deviations(arc: &Arc, points: &[Point]) -> (f64, f64) {
     let radius = arc.radius();
-    let near = |point: Point| (point.distance(arc.center) - radius).abs() <= FIT;
     let middles = points
         .windows(2)
         .map(|edge| Point::new((edge[0].x + edge[1].x) / 2.0, (edge[0].z + edge[1].z) / 2.0));
-    points.iter().copied().chain(middles).all(near)
+    points
+        .iter()
+        .copied()
+        .chain(middles)
+        .map(|point| point.distance(arc.center) - radius)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), deviation| {
+            (least.min(deviation), most.max(deviation))
+        })
 }
 
 /// By which angle the way turns at the second of three points, radians, positive to the left.

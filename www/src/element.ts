@@ -24,7 +24,7 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// playback play readout doing status notice written-out codes help.
+// playback play readout doing status notice written-out codes solid export-menu help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -36,6 +36,7 @@ import { Drawing } from './drawing';
 import { Editor } from './editor';
 import { programText, type ProgramFile, type ProgramText } from './editor-file';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from './encodings';
+import { exportName, Exports } from './exports';
 import { FileBar } from './file-bar';
 import { bytesToSave, download, readProgram, reread } from './files';
 import { Help } from './help';
@@ -43,7 +44,8 @@ import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import type { FileFormat, Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import { SolidDialog } from './solid';
 import { initialProgram, mergedSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
 import { Switches } from './switches';
@@ -64,6 +66,7 @@ interface Line {
   readonly client: CoreClient;
   readonly pointer: Newest<'pick'>;
   readonly tool: Newest<'playhead'>;
+  readonly section: Newest<'section'>;
 }
 
 export interface OpenedProgram {
@@ -87,6 +90,8 @@ export class GcodePlayground extends HTMLElement {
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
   #codes!: CodesDialog;
+  #exports!: Exports;
+  #solid!: SolidDialog;
   #sending: ReturnType<typeof setTimeout> | undefined;
   #opening: Promise<unknown> | undefined;
   #cursorKnown = false;
@@ -107,6 +112,7 @@ export class GcodePlayground extends HTMLElement {
   disconnectedCallback(): void {
     this.#dark.removeEventListener('change', this.#showPalette);
     this.#playback.pause();
+    this.#solid.close();
     this.#line?.client.end();
     this.#line = undefined;
   }
@@ -320,6 +326,8 @@ export class GcodePlayground extends HTMLElement {
       wanted: () => void this.#writeOut(),
       taken: (text) => this.#takeOver(text),
     });
+    this.#exports = new Exports(texts, { chosen: (format) => void this.#export(format) });
+    this.#solid = new SolidDialog(texts, { wanted: () => this.#askSection() });
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element, this.#switches.element);
     const frame = make(
@@ -327,10 +335,12 @@ export class GcodePlayground extends HTMLElement {
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#drawing.element, this.#playback.element),
-      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#writtenOut.button, this.#help.button),
+      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
       this.#codes.element,
+      this.#exports.element,
+      this.#solid.element,
     );
     root.append(frame);
     acceptFiles(editor.element, {
@@ -367,6 +377,7 @@ export class GcodePlayground extends HTMLElement {
       client,
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
       tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
+      section: new Newest(client, 'section', (pieces) => (this.#solid.section = pieces)),
     };
     this.#editor?.unsend();
     client.send({ kind: 'language', tag: this.language });
@@ -406,7 +417,7 @@ export class GcodePlayground extends HTMLElement {
     console.error('gcode-playground: the interpreter was lost', loss);
     this.#playback.length = 0;
     this.#drawing.summary = undefined;
-    this.#writtenOut.available = false;
+    this.#writtenOut.available = this.#exports.available = this.#solid.available = false;
     this.#drawing.showTip(undefined);
     const texts = this.#strings;
     if (loss.kind === 'load-failed') {
@@ -487,6 +498,28 @@ export class GcodePlayground extends HTMLElement {
     if (editor.revision === revision) this.#writtenOut.show(written, editor.text);
   }
 
+  /** Only while it is looked at. */
+  #askSection(): void {
+    if (this.#solid.open) this.#line?.section.ask(undefined);
+  }
+
+  async #export(format: FileFormat): Promise<void> {
+    if (this.#sending !== undefined) {
+      this.#sendText();
+      this.#changed();
+    }
+    const content = await this.#line?.client.ask('export', { format });
+    if (content === undefined) {
+      this.#notice.show(this.#strings.noPartToExport);
+      return;
+    }
+    const file = this.file;
+    const name = exportName(file?.name, format);
+    // A program is written in the encoding of its file, as "Save file" does.
+    const asProgram = file !== undefined && format === 'program';
+    download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
+  }
+
   async #showCodes(): Promise<void> {
     const codes = await this.#line?.client.ask('codes', undefined);
     if (codes !== undefined) this.#codes.show(codes);
@@ -541,7 +574,8 @@ export class GcodePlayground extends HTMLElement {
     const { summary, diagnostics, pathLength } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
-    this.#writtenOut.available = summary.finished && summary.motions > 0;
+    this.#writtenOut.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;
+    this.#askSection();
     this.#problems.diagnostics = diagnostics;
     this.#playback.length = pathLength;
     this.#showTool(undefined);
@@ -559,6 +593,7 @@ export class GcodePlayground extends HTMLElement {
 
   #showTool(place: ToolPlace | undefined): void {
     this.#playback.place = place;
+    this.#askSection();
     const from = place?.stroke?.from;
     if (from === this.#running) return;
     this.#running = from;
@@ -568,7 +603,7 @@ export class GcodePlayground extends HTMLElement {
   #showLanguage(): void {
     const language = this.language;
     const texts = (this.#strings = strings(language));
-    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut, this.#codes]) {
+    for (const shown of [this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help, this.#writtenOut, this.#codes, this.#exports, this.#solid]) {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;

@@ -4,6 +4,8 @@
 // forms its own plurals. `Strings` is exhaustive: a missing translation is a type error.
 // Must not know: the messages about a program; those come translated from the interpreter.
 
+import type { FileFormat } from './protocol';
+
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
 
@@ -83,6 +85,20 @@ export interface Strings {
   readonly copyYourself: string;
   readonly takeOver: string;
   readonly tookOver: string;
+  // files for other programs, and the part as a body
+  readonly exports: string;
+  readonly exportOf: Readonly<Record<FileFormat, string>>;
+  readonly noPartToExport: string;
+  readonly solid: string;
+  readonly solidHint: string;
+  readonly solidTitle: string;
+  readonly solidAbout: string;
+  /** For who does not see it. */
+  readonly solidView: string;
+  readonly solidLoading: string;
+  readonly solidNoPart: string;
+  readonly solidNoWebGl: string;
+  readonly solidReset: string;
   // the table of codes
   readonly codes: string;
   readonly codesAbout: (control: string) => string;
@@ -194,6 +210,21 @@ const en: Strings = {
   copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
   takeOver: 'Put into the editor',
   tookOver: 'The program is written out. Ctrl Z in the editor brings yours back.',
+  exports: 'Export',
+  exportOf: {
+    card: 'Program card to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
+    dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Program written out (NC)',
+  },
+  noPartToExport: 'There is no part to export: nothing is left of the blank, or it is not known.',
+  solid: '3D',
+  solidHint: 'Show the part as a solid, a quarter cut away',
+  solidTitle: 'The part, a quarter cut away',
+  solidAbout: 'Drag or arrow keys turn it, wheel or + and − zoom, Home brings the first view back. Ctrl Enter plays the program, F9 steps.',
+  solidView: 'The turned part in three dimensions. Arrow keys turn it, plus and minus zoom, Home brings the first view back.',
+  solidLoading: 'Loading …',
+  solidNoPart: 'There is no part to show: nothing is left of the blank, or it is not known.',
+  solidNoWebGl: 'This browser does not draw in three dimensions (WebGL is missing or switched off). The drawing shows the same part in section.',
+  solidReset: 'First view',
   codes: 'Supported codes',
   codesAbout: (control) => `As ${control} writes them, then the other controls. – : this control has no such code.`,
   codesFilter: 'Filter',
@@ -304,6 +335,21 @@ const zh: Strings = {
   copyYourself: '此处不允许自动复制。已全部选中，请按 Ctrl C。',
   takeOver: '放入编辑器',
   tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
+  exports: '导出',
+  exportOf: {
+    card: '可打印的程序卡 (HTML)', svg: '图形 (SVG)', png: '当前画面 (PNG)', csv: '运动列表 (CSV)',
+    dxf: '零件轮廓 (DXF)', stl: '零件实体 (STL)', program: '展开后的程序 (NC)',
+  },
+  noPartToExport: '没有可导出的零件：毛坯已无剩余，或毛坯未知。',
+  solid: '三维',
+  solidHint: '以剖去四分之一的实体显示零件',
+  solidTitle: '零件（剖去四分之一）',
+  solidAbout: '拖动或方向键旋转，滚轮或 + − 缩放，Home 键恢复初始视角。Ctrl Enter 播放程序，F9 单步。',
+  solidView: '车削零件的三维视图。方向键旋转，加号和减号缩放，Home 键恢复初始视角。',
+  solidLoading: '正在加载……',
+  solidNoPart: '没有可显示的零件：毛坯已无剩余，或毛坯未知。',
+  solidNoWebGl: '此浏览器无法显示三维图形（缺少 WebGL 或已关闭）。平面图中可看到同一零件的剖面。',
+  solidReset: '初始视角',
   codes: '支持的代码',
   codesAbout: (control) => `先列 ${control} 的写法，再列其他数控系统。– 表示该系统没有此代码。`,
   codesFilter: '筛选',
@@ -415,6 +461,21 @@ const ru: Strings = {
   copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
   takeOver: 'Поместить в редактор',
   tookOver: 'Программа расписана. Ctrl Z в редакторе вернёт прежнюю.',
+  exports: 'Экспорт',
+  exportOf: {
+    card: 'Карта программы для печати (HTML)', svg: 'Чертёж (SVG)', png: 'Рисунок, как на экране (PNG)', csv: 'Таблица перемещений (CSV)',
+    dxf: 'Контур детали (DXF)', stl: 'Деталь как тело (STL)', program: 'Развёрнутая программа (NC)',
+  },
+  noPartToExport: 'Нечего экспортировать: от заготовки ничего не осталось, или она неизвестна.',
+  solid: '3D',
+  solidHint: 'Показать деталь как тело с вырезанной четвертью',
+  solidTitle: 'Деталь с вырезом четверти',
+  solidAbout: 'Перетаскивание и стрелки поворачивают, колесо или + и − меняют масштаб, Home возвращает первый вид. Ctrl Enter запускает программу, F9 — один шаг.',
+  solidView: 'Точёная деталь в трёх измерениях. Стрелки поворачивают её, плюс и минус меняют масштаб, Home возвращает первый вид.',
+  solidLoading: 'Загрузка …',
+  solidNoPart: 'Нечего показать: от заготовки ничего не осталось, или она неизвестна.',
+  solidNoWebGl: 'Этот браузер не показывает трёхмерную графику (WebGL отсутствует или выключен). На чертеже та же деталь видна в разрезе.',
+  solidReset: 'Первый вид',
   codes: 'Поддерживаемые коды',
   codesAbout: (control) => `Сначала запись для ${control}, затем для других систем. – : такого кода в системе нет.`,
   codesFilter: 'Поиск',

@@ -4,10 +4,10 @@
 // up come events. The interpreter's own types are taken from its generated package, never written again.
 // Must not know: how either side does its work.
 
-import type { Codes, Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
+import type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary } from '../pkg/gcode_playground.js';
 import type { SwitchesInText } from './switches-in-text';
 
-export type { Codes, Diagnostic, Palette, Stroke, Summary };
+export type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary };
 export type { CodeRow, Fix } from '../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
@@ -59,6 +59,10 @@ export interface WrittenOut {
   readonly tokens: Uint32Array;
 }
 
+/** The kinds of files the page can save, in the order of its menu. */
+export const FILE_FORMATS = ['card', 'svg', 'png', 'csv', 'dxf', 'stl', 'program'] as const;
+export type FileFormat = (typeof FILE_FORMATS)[number];
+
 /** Every question with what it asks and what it is answered. */
 export interface Questions {
   ping: { ask: undefined; answer: true };
@@ -71,6 +75,10 @@ export interface Questions {
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
   expand: { ask: undefined; answer: WrittenOut };
   codes: { ask: undefined; answer: Codes };
+  /** The bytes of a file; none where there is nothing to put into it. */
+  export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };
+  /** The half-section of the part at the moment that is shown. */
+  section: { ask: undefined; answer: readonly SectionPiece[] };
 }
 
 export type QuestionKind = keyof Questions;

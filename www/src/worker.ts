@@ -6,6 +6,7 @@
 
 import init, { Drawn, Playground } from '../pkg/gcode_playground.js';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import { fileOf } from './worker-files';
 import type {
   Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
 } from './protocol';
@@ -79,7 +80,7 @@ function receive(message: Command | Question): void {
   if (core === undefined) return;
   switch (message.kind) {
     case 'question':
-      send({ kind: 'answer', id: message.id, answer: answer(core, message) });
+      void reply(message.id, answer(core, message));
       return;
     case 'canvas':
       core.attachCanvas(message.canvas);
@@ -131,7 +132,15 @@ function receive(message: Command | Question): void {
   if (run === undefined || MOVES.has(message.kind)) wantDraw();
 }
 
-function answer(playground: Playground, question: Question): Questions[QuestionKind]['answer'] {
+type Answer = Questions[QuestionKind]['answer'];
+
+/** What is there at once is sent at once: answers keep the order of their questions. */
+function reply(id: number, answer: Answer | Promise<Answer>): void | Promise<void> {
+  if (!(answer instanceof Promise)) return send({ kind: 'answer', id, answer });
+  return answer.then((late) => send({ kind: 'answer', id, answer: late }));
+}
+
+function answer(playground: Playground, question: Question): Answer | Promise<Answer> {
   switch (question.about) {
     case 'ping':
       return true;
@@ -164,6 +173,10 @@ function answer(playground: Playground, question: Question): Questions[QuestionK
       return writtenOut(playground);
     case 'codes':
       return playground.codes();
+    case 'export':
+      return fileOf(playground, (question.ask as Questions['export']['ask']).format);
+    case 'section':
+      return playground.section();
   }
 }
 

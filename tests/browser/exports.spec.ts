@@ -1,0 +1,121 @@
+// Files the page saves besides the program: each kind is chosen from the menu, and holds what it should.
+import { expect, test, type Page } from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { motionCount, open, openFile, status, type } from './page';
+
+const button = (page: Page) => page.getByRole('button', { name: 'Export' });
+const menu = (page: Page) => page.getByRole('menu', { name: 'Export' });
+
+/** Chooses a kind of file; the name it is saved under and its bytes. */
+async function save(page: Page, item: RegExp): Promise<{ name: string; bytes: Buffer; text: string }> {
+  const saved = page.waitForEvent('download');
+  await button(page).click();
+  await menu(page).getByRole('menuitem', { name: item }).click();
+  const download = await saved;
+  const bytes = readFileSync(await download.path());
+  return { name: download.suggestedFilename(), bytes, text: bytes.toString('utf8') };
+}
+
+test('every kind of file holds the program', async ({ page }) => {
+  await open(page, '#s003-g71');
+  const motions = motionCount('s003-g71');
+  await expect(status(page)).toContainText(`${motions} motions`);
+
+  await test.step('card', async () => {
+    const { name, text } = await save(page, /card/);
+    expect(name).toBe('program-card.html');
+    expect(text).toMatch(/^<!doctype html>/);
+    for (const part of ['<h1>Program card', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {
+      expect(text).toContain(part);
+    }
+  });
+  await test.step('drawing', async () => {
+    const { name, text } = await save(page, /SVG/);
+    expect(name).toBe('program.svg');
+    expect(text).toMatch(/^<svg xmlns/);
+    expect(text).toContain('class="part"');
+  });
+  await test.step('picture', async () => {
+    const { name, bytes } = await save(page, /PNG/);
+    expect(name).toBe('program.png');
+    expect(bytes.subarray(1, 4).toString()).toBe('PNG');
+    const box = await page.getByRole('img', { name: /tool path/ }).boundingBox();
+    expect(bytes.readUInt32BE(16)).toBe(Math.round(2 * (box?.width ?? 0)));
+    expect(bytes.length).toBeGreaterThan(20_000);
+  });
+  await test.step('table', async () => {
+    const { name, text } = await save(page, /CSV/);
+    expect(name).toBe('program.csv');
+    const lines = text.trimEnd().split('\r\n');
+    expect(lines[0]).toMatch(/^line,kind,tool,x,z,/);
+    expect(lines).toHaveLength(motions + 1);
+  });
+  await test.step('profile', async () => {
+    const { name, text } = await save(page, /DXF/);
+    expect(name).toBe('program.dxf');
+    expect(text).toMatch(/^ {2}0\r\nSECTION\r\n/);
+    expect(text).toContain('AC1009');
+    // The ball nose and the fillet.
+    expect(text.match(/\r\nARC\r\n/g)).toHaveLength(2);
+    expect(text).toMatch(/\r\n 40\r\n5\.500000\r\n/);
+    expect(text).toMatch(/\r\n 40\r\n7\.500000\r\n/);
+  });
+  await test.step('solid', async () => {
+    const { name, bytes } = await save(page, /STL/);
+    expect(name).toBe('program.stl');
+    expect(bytes.length).toBe(84 + 50 * bytes.readUInt32LE(80));
+    expect(bytes.length).toBeGreaterThan(100_000);
+  });
+  await test.step('written out', async () => {
+    const { name, text } = await save(page, /NC/);
+    expect(name).toBe('program-plain.nc');
+    expect(text).toContain('G01 X37.5 Z-60.3');
+    expect(text).not.toMatch(/^\s*(N\d+\s*)?G7[01]\b/m);
+  });
+});
+
+test('files are named after the one that was opened, and the program keeps its encoding', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'втулка.MPF.nc', new Uint8Array([0x28, 0xc2, 0xf2, 0xf3, 0xeb, 0xea, 0xe0, 0x20, 0xe4, 0xeb, 0xff, 0x20, 0xe2, 0xe0, 0xeb, 0xe0, 0x29, 0x0a, ...Buffer.from('G0 X20 Z2\nG90 X18 Z-10 F0.2\nX16\nM30\n')]));
+  await expect(status(page)).toContainText('9 motions');
+  const { name, bytes } = await save(page, /NC/);
+  expect(name).toBe('втулка.MPF-plain.nc');
+  expect(bytes.includes(Buffer.from([0xc2, 0xf2, 0xf3, 0xeb, 0xea, 0xe0]))).toBe(true);
+});
+
+test('the menu works by keyboard', async ({ page }) => {
+  await open(page);
+  await button(page).focus();
+  await page.keyboard.press('Enter');
+  const items = menu(page).getByRole('menuitem');
+  await expect(items.first()).toBeFocused();
+  await expect(button(page)).toHaveAttribute('aria-expanded', 'true');
+  await page.keyboard.press('ArrowUp');
+  await expect(items.last()).toBeFocused();
+  await page.keyboard.press('Home');
+  await expect(items.first()).toBeFocused();
+  await page.keyboard.press('m');
+  await expect(menu(page).getByRole('menuitem', { name: 'Motions as a table' })).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(menu(page)).toBeHidden();
+  await expect(button(page)).toBeFocused();
+  await page.keyboard.press('ArrowUp');
+  await expect(items.last()).toBeFocused();
+  const saved = page.waitForEvent('download');
+  await page.keyboard.press('Enter');
+  expect((await saved).suggestedFilename()).toBe('program-plain.nc');
+  await expect(menu(page)).toBeHidden();
+  await expect(button(page)).toBeFocused();
+});
+
+test('without a part the page says so', async ({ page }) => {
+  // An example that names no blank; without a cut there is none to guess.
+  await open(page, '#s003-g71');
+  await type(page, 'G0 X20 Z2\nM30');
+  await expect(status(page)).toContainText('1 motion ');
+  await button(page).click();
+  await menu(page).getByRole('menuitem', { name: /STL/ }).click();
+  await expect(page.getByText('There is no part to export')).toBeVisible();
+  await type(page, '');
+  await expect(button(page)).toBeDisabled();
+});

@@ -1,0 +1,107 @@
+// The part as a body: it is drawn when it is opened, turned by keyboard and mouse, follows the tool, and is let go of.
+import { expect, test, type Locator, type Page } from '@playwright/test';
+import { motionCount, open, status, type } from './page';
+
+test.use({
+  // Pictures are drawn by the processor here: small ones are enough.
+  viewport: { width: 800, height: 560 },
+  launchOptions: {
+    ...(process.env['PLAYGROUND_CHROMIUM'] ? { executablePath: process.env['PLAYGROUND_CHROMIUM'] } : {}),
+    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run'],
+  },
+});
+
+const button = (page: Page) => page.getByRole('button', { name: 'Show the part as a solid' });
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'The part, a quarter cut away' });
+const view = (page: Page) => dialog(page).getByRole('img', { name: /three dimensions/ });
+
+/** How much of a picture is not its ground, and a number that changes with the picture. */
+async function seen(picture: Locator): Promise<{ share: number; sum: number }> {
+  const png = (await picture.screenshot()).toString('base64');
+  return picture.page().evaluate(async (png) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(4, 4, image.width - 8, image.height - 8);
+    let [other, sum] = [0, 0];
+    for (let at = 0; at < data.length; at += 4) {
+      if (Math.abs(data[at]! - data[0]!) + Math.abs(data[at + 2]! - data[2]!) > 24) other += 1;
+      sum = (sum * 31 + data[at]!) % 1_000_003;
+    }
+    return { share: (4 * other) / data.length, sum };
+  }, png);
+}
+
+test('the part is drawn, turned, followed and let go of', async ({ page }) => {
+  const loaded: string[] = [];
+  page.on('request', (request) => loaded.push(request.url()));
+  await open(page, '#s001-o6003');
+  await expect(status(page)).toContainText(`${motionCount('s001-o6003')} motions`);
+  const heavy = () => loaded.filter((url) => url.includes('solid-view')).length;
+  expect(heavy()).toBe(0);
+
+  await button(page).focus();
+  await page.keyboard.press('Enter');
+  await expect(view(page)).toBeFocused();
+  expect(heavy()).toBe(1);
+  await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.15);
+  const first = await seen(view(page));
+
+  await test.step('by keyboard and mouse', async () => {
+    await page.keyboard.press('ArrowLeft');
+    await expect.poll(async () => (await seen(view(page))).sum).not.toBe(first.sum);
+    await page.keyboard.press('Home');
+    await expect.poll(async () => (await seen(view(page))).sum).toBe(first.sum);
+    await page.keyboard.press('-');
+    await expect.poll(async () => (await seen(view(page))).share).toBeLessThan(first.share);
+    const box = (await view(page).boundingBox())!;
+    const before = (await seen(view(page))).sum;
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2, { steps: 3 });
+    await page.mouse.up();
+    await expect.poll(async () => (await seen(view(page))).sum).not.toBe(before);
+    await dialog(page).getByRole('button', { name: 'First view' }).click();
+    await expect.poll(async () => (await seen(view(page))).sum).toBe(first.sum);
+  });
+
+  await test.step('it is the part at the tool', async () => {
+    // The blank: nothing is off before the first cut.
+    await page.keyboard.press('F9');
+    await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(first.share + 0.01);
+  });
+
+  await test.step('closed', async () => {
+    await page.keyboard.press('Escape');
+    await expect(dialog(page)).toBeHidden();
+    await expect(button(page)).toBeFocused();
+    expect(await page.locator('gcode-playground').evaluate((element) => element.shadowRoot!.querySelectorAll('.solid canvas').length)).toBe(0);
+    await button(page).click();
+    await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.15);
+    expect(heavy()).toBe(1);
+  });
+});
+
+test('without a part the dialog says so', async ({ page }) => {
+  // An example that names no blank; without a cut there is none to guess.
+  await open(page, '#s003-g71');
+  await type(page, 'G0 X20 Z2\nM30');
+  await expect(status(page)).toContainText('1 motion ');
+  await button(page).click();
+  await expect(dialog(page).getByText('There is no part to show')).toBeVisible();
+});
+
+test('without WebGL the dialog says so, and loads nothing', async ({ page }) => {
+  await page.addInitScript(() => {
+    const before = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+      return kind.startsWith('webgl') ? null : Reflect.apply(before, this, [kind, ...rest]);
+    } as typeof before;
+  });
+  const loaded: string[] = [];
+  page.on('request', (request) => loaded.push(request.url()));
+  await open(page);
+  await button(page).click();
+  await expect(dialog(page).getByText('WebGL is missing')).toBeVisible();
+  expect(loaded.some((url) => url.includes('solid-view'))).toBe(false);
+});
