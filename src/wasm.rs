@@ -4,6 +4,8 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+mod views;
+
 use std::cell::OnceCell;
 use std::ops::Range;
 
@@ -58,6 +60,8 @@ pub struct Playground {
     work: Option<Work>,
     /// The moment it is shown at.
     moment: Option<Moment>,
+    /// The face, the turret, dimensions, comparison.
+    views: views::Views,
 }
 
 #[wasm_bindgen]
@@ -86,6 +90,7 @@ impl Playground {
             shop: None,
             work: None,
             moment: None,
+            views: views::Views::default(),
         }
     }
 
@@ -177,6 +182,7 @@ impl Playground {
         let done = shop.advance(self.run.motions(), motions as usize);
         if done && self.work.is_none() {
             self.show_work();
+            self.machined();
         }
         done
     }
@@ -331,6 +337,7 @@ impl Playground {
     pub fn set_hover(&mut self, motion: Option<u32>) {
         self.view.hover =
             motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
+        self.name_steps();
     }
 
     /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
@@ -428,12 +435,14 @@ impl Playground {
         self.view.hover = None;
         self.view.highlight.clear();
         self.view.marks.clear();
+        self.forget_views();
     }
 
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
         let scene = Scene::new(self.run.motions(), &self.outline, None);
         self.view.marks.clear();
+        self.view.steps.clear();
         let Some(cursor) = self.cursor else {
             self.view.highlight.clear();
             return;
@@ -444,6 +453,7 @@ impl Playground {
         let block = block_at(text, line, byte);
         self.view.highlight = scene.motions_of(block);
         self.view.marks = marks(&self.run, block, self.view.highlight.first());
+        self.name_steps();
     }
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
@@ -471,7 +481,7 @@ impl Playground {
         if self.work.is_none() || moment != self.moment {
             self.moment = moment;
             let first = self.work.is_none();
-            self.work = Work::of(shop, motions, moment);
+            self.work = Work::of(shop, motions, moment).map(|work| self.compared(work));
             if first && self.run.is_finished() {
                 self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
             }
@@ -580,6 +590,8 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
         part: colour("part")?,
         part_edge: colour("partEdge")?,
         danger: colour("danger")?,
+        only_first: colour("onlyFirst")?,
+        only_second: colour("onlySecond")?,
         rapid: colour("rapid")?,
         feed: colour("feed")?,
         thread: colour("thread")?,

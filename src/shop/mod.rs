@@ -3,7 +3,9 @@
 //! In: the motions and the setup. Out: [`Shop`], with the work at any moment and the findings. Comes after the control and
 //! before the picture; must not know the text of the program.
 
+pub mod compare;
 pub mod danger;
+pub mod feature;
 pub mod fitting;
 pub mod guess;
 pub mod part;
