@@ -181,6 +181,8 @@ impl Playground {
         let shop = self.shop.get_or_insert_with(|| Shop::new(self.run.motions(), self.run.setup()));
         let done = shop.advance(self.run.motions(), motions as usize);
         if done && self.work.is_none() {
+            // The picture goes by the outline of these motions, not of the last run.
+            self.measure();
             self.show_work();
             self.machined();
         }

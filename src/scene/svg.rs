@@ -376,9 +376,15 @@ fn is_other_path(before: &Stroke, stroke: &Stroke) -> bool {
 fn polylines(lines: &[Vec<Pixel>], end: &str) -> String {
     let mut d = String::new();
     for corners in lines {
+        let mut last = String::new();
         for (index, corner) in corners.iter().enumerate() {
-            d.push(if index == 0 { 'M' } else { 'L' });
-            d.push_str(&pixel(*corner));
+            // Corners nearer to one another than can be told are one.
+            let place = pixel(*corner);
+            if place != last {
+                d.push(if index == 0 { 'M' } else { 'L' });
+                d.push_str(&place);
+                last = place;
+            }
         }
         d.push_str(end);
     }

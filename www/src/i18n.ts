@@ -4,6 +4,8 @@
 // forms its own plurals. `Strings` is exhaustive: a missing translation is a type error.
 // Must not know: the messages about a program; those come translated from the interpreter.
 
+import { viewStrings, type ViewStrings } from './i18n-views';
+
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
 
@@ -37,6 +39,7 @@ export interface Strings {
   readonly rapid: string;
   readonly feed: string;
   readonly thread: string;
+  readonly views: ViewStrings;
   // playing
   readonly playback: string;
   readonly play: string;
@@ -153,6 +156,7 @@ const en: Strings = {
   rapid: 'rapid',
   feed: 'cutting',
   thread: 'thread',
+  views: viewStrings.en,
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
@@ -263,6 +267,7 @@ const zh: Strings = {
   rapid: '快速移动',
   feed: '切削进给',
   thread: '螺纹切削',
+  views: viewStrings.zh,
   playback: '播放',
   play: '播放',
   pause: '暂停',
@@ -374,6 +379,7 @@ const ru: Strings = {
   rapid: 'ускоренный ход',
   feed: 'рабочий ход',
   thread: 'резьба',
+  views: viewStrings.ru,
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',

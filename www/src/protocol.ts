@@ -5,6 +5,7 @@
 // Must not know: how either side does its work.
 
 import type { Codes, Diagnostic, Palette, Stroke, Summary } from '../pkg/gcode_playground.js';
+import type { ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 import type { SwitchesInText } from './switches-in-text';
 
 export type { Codes, Diagnostic, Palette, Stroke, Summary };
@@ -29,6 +30,7 @@ export type Command =
   | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
+  | ViewCommand
   | { readonly kind: 'fit' }
   /** CSS pixels. */
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
@@ -60,7 +62,7 @@ export interface WrittenOut {
 }
 
 /** Every question with what it asks and what it is answered. */
-export interface Questions {
+export interface Questions extends ViewQuestions {
   ping: { ask: undefined; answer: true };
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
@@ -97,6 +99,7 @@ export type WorkerEvent =
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly revision: number; readonly done: number }
+  | { readonly kind: 'views'; readonly views: ViewsState }
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'setup-rejected'; readonly reason: string }
   | { readonly kind: 'setup-accepted' }

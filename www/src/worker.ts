@@ -10,6 +10,7 @@ import type {
   Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
 } from './protocol';
 import { handIn } from './text-in';
+import { answerView, doView, drawAll, viewsState } from './worker-views';
 
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
@@ -26,7 +27,7 @@ const WAIT_FOR_PART_MS = 8;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
-const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom']);
+const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom', 'on-face', 'turret']);
 
 interface Run {
   readonly startedAt: number;
@@ -117,6 +118,13 @@ function receive(message: Command | Question): void {
     case 'hover':
       core.setHover(message.motion);
       break;
+    case 'on-face':
+    case 'turret':
+    case 'keep':
+    case 'end-comparison':
+    case 'leave-edge':
+      if (doView(core, message)) send({ kind: 'views', views: viewsState(core) });
+      break;
     case 'fit':
       core.fit();
       break;
@@ -160,6 +168,11 @@ function answer(playground: Playground, question: Question): Questions[QuestionK
       const [px = 0, py = 0] = playground.screenOf(x, z);
       return { x: px, y: py };
     }
+    case 'pickOnFace':
+    case 'dimension':
+    case 'locateOnFace':
+      if (question.about === 'dimension') wantDraw();
+      return answerView(playground, question.about, question.ask as Questions[typeof question.about]['ask']);
     case 'expand':
       return writtenOut(playground);
     case 'codes':
@@ -290,6 +303,7 @@ function report(playground: Playground): void {
       pathLength: playground.pathLength(),
     },
   });
+  send({ kind: 'views', views: viewsState(playground) });
 }
 
 // ---- the tool -------------------------------------------------------------------------------------
@@ -341,7 +355,7 @@ function wantDraw(): void {
 }
 
 function draw(playground: Playground): void {
-  const drawn = playground.draw();
+  const drawn = drawAll(playground);
   drawing = drawn === Drawn.Part;
   if (drawing) queueSlice();
   if (drawn === Drawn.Moved) wantDraw();
