@@ -6,6 +6,7 @@ use divan::Bencher;
 use divan::counter::BytesCount;
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
+use gcode_playground::shop::Shop;
 
 fn main() {
     divan::main();
@@ -29,6 +30,12 @@ fn a_shaft_of_sixty_lines(bencher: Bencher) {
 #[divan::bench]
 fn ten_thousand_box_cycles(bencher: Bencher) {
     run(bencher, workload::boxes(10_000));
+}
+
+#[divan::bench(args = workload::PASSES)]
+fn part_of_roughing_passes(bencher: Bencher, passes: u32) {
+    let analysis = analyze(workload::passes(passes).as_bytes(), &Setup::default());
+    bencher.bench(|| Shop::done(&analysis.motions, &analysis.setup).finished());
 }
 
 #[divan::bench(args = workload::POINTS)]

@@ -23,8 +23,9 @@ const program = (name) => join(folder, `${name}.nc`);
 const lines = (name) => readFileSync(program(name), 'latin1').split('\n').length - 1;
 const node = (script, ...argv) => [process.execPath, '--max-old-space-size=8000', join(here, script), ...argv];
 const TITLES = { plain: 'a million plain lines', shaft: 'a shaft of sixty lines: G71 G70 G74 G75 G76', boxes: 'ten thousand G90 cycles' };
-const contours = readdirSync(folder).filter((name) => /^contour-\d+\.nc$/.test(name)).map((name) => name.slice(0, -3))
-  .sort((a, b) => pointsOf(a) - pointsOf(b));
+const contours = programsOf('contour');
+const passes = programsOf('passes');
+const PARTS = ['shaft', ...passes];
 const SETTLED = ['plain', 'shaft', 'boxes', ...contours];
 
 const jobs = new Map();
@@ -42,6 +43,7 @@ add('floor settled', node('peers/crates.mjs', 'floor', 'settled', program('plain
 for (const name of SETTLED) {
   add(`settled ${name}`, node('own.mjs', 'settled', program(name)));
 }
+for (const name of PARTS) add(`part ${name}`, node('own.mjs', 'part', program(name)));
 for (const what of ['text', 'motions', 'edits']) add(what, node('own.mjs', what, program('plain')));
 add('browser', node('page/measure.mjs', program('plain')));
 
@@ -60,7 +62,7 @@ for (let round = 1; round <= rounds; round++) {
   for (const [name, job] of jobs) if (job.problem === undefined) measure(name, job);
   console.error(`round ${round} of ${rounds} is done`);
 }
-const report = [interpreting(), settled(), boundary(), memory(), edits(), browser()].join('\n\n') + '\n';
+const report = [interpreting(), settled(), parts(), boundary(), memory(), edits(), browser()].join('\n\n') + '\n';
 console.log(report);
 if (options.report) writeFileSync(options.report, report);
 
@@ -102,11 +104,21 @@ function settled() {
   const rows = SETTLED.map((name) => {
     const runs = runsOf(`settled ${name}`);
     const ms = medianOf(runs, 'ms');
-    const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * pointsOf(name))).toFixed(0) : '';
-    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${pointsOf(name)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
+    const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * numberOf(name))).toFixed(0) : '';
+    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${numberOf(name)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
   });
   rows.unshift(['a million plain lines, floor', floor.toFixed(3), range(runsOf('floor settled'), 'ms'), '', '']);
   return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'motions', 'ns for each motion and point read'], rows);
+}
+
+function parts() {
+  const rows = PARTS.map((name) => {
+    const runs = runsOf(`part ${name}`);
+    const ms = medianOf(runs, 'ms');
+    const per = name.startsWith('passes') ? ((1000 * ms) / numberOf(name)).toFixed(0) : '';
+    return [TITLES[name] ?? `G71 in ${numberOf(name)} passes and G70`, ms.toFixed(2), range(runs, 'ms'), runs[0].corners, per];
+  });
+  return table('The part: the material off the blank, and what runs into what, settled, wasm', ['program', 'ms', 'min–max', 'corners of the part', 'µs a pass'], rows);
 }
 
 function boundary() {
@@ -141,13 +153,19 @@ function browser() {
   return table('The same in headless Chromium, drawn by software', ['', 'ms', 'min–max'], rows);
 }
 
+/** The programs of a kind, such as `contour-100`, in the order of their numbers. */
+function programsOf(kind) {
+  const names = readdirSync(folder).filter((name) => new RegExp(`^${kind}-\\d+\\.nc$`).test(name)).map((name) => name.slice(0, -3));
+  return names.sort((a, b) => numberOf(a) - numberOf(b));
+}
+
 function table(title, head, rows) {
   const line = (cells) => `| ${cells.join(' | ')} |`;
   return [`### ${title}`, '', line(head), `|---|${'---:|'.repeat(head.length - 1)}`, ...rows.map(line)].join('\n');
 }
 
 /** Points of the contour in a program `contour-N`. */
-function pointsOf(name) {
+function numberOf(name) {
   return Number(name.slice('contour-'.length));
 }
 

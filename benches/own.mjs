@@ -1,6 +1,6 @@
 // One measurement of the playground's wasm package in this process, as one line of JSON.
 //
-//   node benches/own.mjs fresh|settled|text|motions|edits FILE
+//   node benches/own.mjs fresh|settled|part|text|motions|edits FILE
 import { readFileSync } from 'node:fs';
 import { initSync, Playground } from '../www/pkg/gcode_playground.js';
 import { median, time } from './stopwatch.mjs';
@@ -11,7 +11,7 @@ const wasm = initSync({ module: readFileSync(new URL('../www/pkg/gcode_playgroun
 const encoder = new TextEncoder();
 const EDITS = 200;
 
-const measures = { fresh, settled, text, motions, edits };
+const measures = { fresh, settled, part, text, motions, edits };
 console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
 
 /** Text in, motions and messages there: the first time in a process. */
@@ -34,6 +34,23 @@ function settled(program) {
     playground.free();
   }
   return { ms: median(times.slice(times.length >> 1)), rows };
+}
+
+/** The material taken off the blank, when the program has run; the first half warms up. */
+function part(program) {
+  const times = [];
+  let corners = 0;
+  const enough = performance.now() + 1500;
+  while (times.length < 6 || performance.now() < enough) {
+    const playground = new Playground();
+    run(playground, program);
+    times.push(time(() => {
+      while (!playground.machine(1_000));
+    }));
+    corners = playground.part().polygons.flat().length;
+    playground.free();
+  }
+  return { ms: median(times.slice(times.length >> 1)), corners };
 }
 
 /** Ways in for a text. Nothing runs: the program is only handed over. */

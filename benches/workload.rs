@@ -115,6 +115,19 @@ pub fn contour(points: u32) -> String {
     text
 }
 
+/// Passes of the roughing that is measured with its part.
+pub const PASSES: [u32; 5] = [10, 20, 40, 80, 160];
+
+/// G71 in so many passes and G70, from a bar of 60 mm to a contour with a taper and two fillets.
+pub fn passes(count: u32) -> String {
+    let depth = mm(20_000 / i64::from(count));
+    format!(
+        "(STOCK D=60 LENGTH=100)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nT0101\nG21 G40 G97 G99\nS900 M3\nG0 X62. Z2. M8\n\
+         G71 U{depth} R.1\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X20.\nG1 Z-20. F.1\nG2 X30. Z-25. R5.\nG1 X40. Z-50.\nZ-60.\n\
+         G2 X50. Z-65. R5.\nG1 Z-80.\nN20 X62.\nG70 P10 Q20\nG0 X150. Z100. M9\nM5\nM30\n"
+    )
+}
+
 /// Micrometres as a number with three decimals.
 fn mm(micrometres: i64) -> String {
     let sign = if micrometres < 0 { "-" } else { "" };

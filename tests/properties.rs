@@ -8,13 +8,17 @@ use gcode_playground::analyze;
 use gcode_playground::api::Places;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::diagnostics::rules;
 use gcode_playground::expand::expand;
+use gcode_playground::geometry::Point;
 use gcode_playground::limits::Limits;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
+use gcode_playground::scene::work::{Moment, Work};
+use gcode_playground::shop::Shop;
 use gcode_playground::text::highlight::highlight;
 use gcode_playground::text::lexer::Lexer;
 use gcode_playground::text::source::LineIndex;
@@ -65,6 +69,39 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
     let outline = Outline::of(&analysis.motions);
     let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
     assert!(picture.contains("<svg"));
+    // One of them for each program: there are enough programs.
+    check_machine(analysis, &at_machine()[text.len() % 3]);
+}
+
+/// Nothing that a program does at the machine breaks the shop, and no part is more than its blank.
+fn check_machine(analysis: &Analysis, setup: &Setup) {
+    let motions = &analysis.motions;
+    let shop = Shop::done(motions, setup);
+    for told in rules::machine::diagnostics(&shop, motions) {
+        assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
+    }
+    let (Some(blank), Some(part)) = (shop.blank(), shop.finished()) else { return };
+    assert!(part.area() <= blank.area() + 1e-3, "{} of {}", part.area(), blank.area());
+    let moment = Moment { motion: motions.len() / 2, share: 0.5, tip: Point::default() };
+    for moment in [None, Some(moment)] {
+        let work = Work::of(&shop, motions, moment);
+        let outline = Outline::of(motions);
+        let picture = svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions::default());
+        assert!(!picture.contains("NaN") && !picture.contains("inf"));
+    }
+}
+
+/// Setups to hold programs against: nothing named, a blank alone, everything.
+fn at_machine() -> [Setup; 3] {
+    [
+        "{}",
+        r#"{"stock": {"diameter": 80, "bore": 10, "length": 90, "face": 1}}"#,
+        r#"{"stock": {"diameter": 80, "length": 90, "grip": 20}, "tailstock": {"z": 5, "diameter": 20},
+            "tools": {"T0101": {"type": "turning", "insert": "DNMG150604"}, "T0202": {"type": "boring", "shank": 8},
+                      "T0303": {"type": "grooving", "reach": 10}, "T0404": {"type": "threading", "noseRadius": 0.1}},
+            "machine": {"rapidX": 5000, "rapidZ": 8000, "travel": {"xMin": -50, "xMax": 300}}}"#,
+    ]
+    .map(|json| Setup::from_json(json).expect("a setup"))
 }
 
 /// Pieces that programs are made of, good and bad.

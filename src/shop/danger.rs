@@ -5,7 +5,7 @@
 //! tip counts, and nothing is found in a blank that nobody has named. Must not know messages.
 
 use super::fitting::{Fitted, Fitting, Known};
-use super::part::{Part, cut};
+use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::sweep::{Outline, chords};
 use super::tool::Action;
@@ -87,6 +87,13 @@ const PAST_CENTER: f64 = 0.5;
 /// Material that an edge takes off beside the way of the tip and that is worth a word, mm² for each mm of way.
 const BESIDE: f64 = 0.05;
 
+/// Material that may be in the way of a tool without a word, mm². An entering angle of 95° leaves a wedge of 5° at a shoulder:
+/// where the tool leaves at rapid, as many programs have it, it scrapes that off.
+const SCRAPED: f64 = 0.25;
+
+/// Nearer to the blank than this, mm, no tool is changed.
+const CLEAR: f64 = 10.0;
+
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
 
@@ -103,6 +110,10 @@ pub struct Watch {
     stock: Option<Stock>,
     travel: Travel,
     missed: Vec<u16>,
+    /// Station of the tool of the last motion.
+    station: Option<u16>,
+    /// Axes whose place is not known, X and Z: the tool was changed at the work, and they have not moved since.
+    unknown: [bool; 2],
     /// All that was found.
     pub findings: Vec<Finding>,
 }
@@ -121,6 +132,8 @@ impl Watch {
             stock,
             travel: setup.machine.travel,
             missed: Vec::new(),
+            station: None,
+            unknown: [false; 2],
             findings: Vec::new(),
         }
     }
@@ -137,11 +150,20 @@ impl Watch {
         }
         let tool = fitting.tool(motion);
         let station = motion.process.tool.0;
+        if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
+            self.unknown = [true; 2];
+        }
+        let comes_from_elsewhere = self.unknown != [false; 2];
+        self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
+        self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
         if motion.kind.cuts() && fitting.misses(station) && !self.missed.contains(&station) {
             self.missed.push(station);
             self.tell(index, motion.from, Danger::ToolNotListed { station });
         }
         self.travel(index, motion);
+        if self.unknown != [false; 2] {
+            return;
+        }
         if motion.rotary.is_some() || tool.shape.action == Action::Live {
             return;
         }
@@ -150,9 +172,18 @@ impl Watch {
             return;
         }
         match motion.kind {
+            // A tool is not changed in the work: where it comes from is not known, only where it arrives.
+            MotionKind::Rapid if comes_from_elsewhere => {
+                self.rapid(index, &Motion { from: motion.to, ..*motion }, tool, part);
+            }
             MotionKind::Rapid => self.rapid(index, motion, tool, part),
             _ => self.cut(index, motion, tool, part),
         }
+    }
+
+    /// Whether a place is in the blank or near it.
+    fn is_at_work(&self, at: Point) -> bool {
+        self.stock.is_some_and(|stock| at.x < stock.diameter / 2.0 + CLEAR && at.z < stock.face + CLEAR)
     }
 
     fn tell(&mut self, motion: usize, at: Point, danger: Danger) {
@@ -224,12 +255,15 @@ impl Watch {
             self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
         }
         if let Some(body) = &tool.shape.body {
+            let body = body.shrunk(0.01);
             // What the edge takes off in the same motion is not in the way of the holder.
-            let mut left = part.now().clone();
-            left.cut(&cut(motion, tool));
-            if let Some(at) = hit(&left, &body.shrunk(0.01), motion) {
-                self.tell(index, at, Danger::HolderInStock);
-                return;
+            if hit(part.now(), &body, motion).is_some() {
+                let mut left = part.now().clone();
+                left.cut(&cut(motion, Turned::default(), tool));
+                if let Some(at) = hit(&left, &body, motion) {
+                    self.tell(index, at, Danger::HolderInStock);
+                    return;
+                }
             }
         }
         if let Some(danger) = too_steep(motion, tool, part) {
@@ -258,7 +292,7 @@ fn too_steep(motion: &Motion, tool: &Fitted, part: &mut Part) -> Option<Danger> 
         return None;
     }
     // What lies behind the tip, above the slope, and is taken off.
-    let behind = part.now().in_common(&cut(motion, tool));
+    let behind = part.now().in_common(&cut(motion, Turned::default(), tool));
     let above = behind.area_beside(motion.from, motion.to);
     let worth = above > BESIDE * motion.length();
     worth.then_some(Danger::SlopeTooSteep { slope: slope.to_degrees(), tool: follows.to_degrees() })
@@ -270,10 +304,14 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
         return None;
     }
     let way = motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc));
-    let swept = outline.along(&way).find(|swept| region.meets(swept))?;
-    let common = region.in_common(&[swept]);
     let from = motion.from;
-    common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+    outline.along(&way).filter(|swept| region.meets(swept)).find_map(|swept| {
+        let common = region.in_common(&[swept]);
+        if common.area() < SCRAPED {
+            return None;
+        }
+        common.outlines().flatten().min_by(|a, b| a.distance(from).total_cmp(&b.distance(from)))
+    })
 }
 
 /// Whether an outline comes near the box of the blank.

@@ -3,8 +3,10 @@
 //! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is a guess.
 
 use super::guess::{Guesses, Use};
-use super::tool::Shape;
-use crate::control::setup::{Setup, Stock, Tool};
+use super::sweep::Outline;
+use super::tool::{LONG, Shape};
+use crate::control::setup::{Setup, Stock, Tool, ToolKind};
+use crate::geometry::Point;
 use crate::motion::{Motion, Motions};
 
 /// Whether somebody has said so.
@@ -25,12 +27,17 @@ pub struct Fitted {
     pub tool: Tool,
     /// Its shape.
     pub shape: Shape,
+    /// What of the work it takes off on its way.
+    pub takes: Outline,
     /// Whether somebody has named it.
     pub known: Known,
 }
 
-/// How large the part of a guessed tool is that is held against the work: nothing is known of the rest.
+/// How large the part of a guessed tool is that is held against the work, as a share of it: nothing is known of the rest.
 const TIP: f64 = 0.02;
+
+/// How deep the tip of a guessed tool must be in the work to be told of, mm: what its true edges leave is not known to less.
+const DEPTH: f64 = 0.5;
 
 /// Tools and blank.
 #[derive(Clone, Debug)]
@@ -96,14 +103,27 @@ impl Fitting {
 
 impl Fitted {
     fn given(station: u16, tool: &Tool) -> Self {
-        Self { station, shape: Shape::of(tool), tool: tool.clone(), known: Known::Given }
+        let shape = Shape::of(tool);
+        Self { station, takes: shape.edge.clone(), shape, tool: tool.clone(), known: Known::Given }
     }
 
     fn guessed(station: u16, tool: &Tool) -> Self {
         let mut shape = Shape::of(tool);
-        shape.core = shape.edge.scaled(TIP).shrunk(0.01);
+        // Where in a threading tool its point is, is not known either.
+        shape.core = match tool.kind {
+            Some(ToolKind::Threading) => Outline::default(),
+            _ => shape.edge.shrunk(DEPTH).near_tip(TIP),
+        };
         shape.body = None;
-        Self { station, shape, tool: tool.clone(), known: Known::Guessed }
+        // How long its edge is, nobody knows: nothing is left standing over it.
+        let over = match tool.kind {
+            Some(ToolKind::Turning) => LONG,
+            Some(ToolKind::Boring) => -LONG,
+            _ => 0.0,
+        };
+        let edge = shape.edge.points().iter();
+        let takes = Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]));
+        Self { station, shape, takes, tool: tool.clone(), known: Known::Guessed }
     }
 }
 

@@ -1,14 +1,30 @@
 //! What a program lets one guess of the tools and the blank that nobody has named.
 //!
 //! In: the motions. Out: a [`Tool`] for each use a station is put to, and a [`Stock`]. A guess is sharp, and can follow every
-//! slope it is led along; it is shown as a guess, and no alarm is raised because of one.
+//! slope it is led along; it is shown as a guess, and no alarm is raised because of one. The finished face is taken to be at
+//! Z0 where anything is cut behind it.
 
 use crate::control::setup::{Side, Stock, Tool, ToolKind};
-use crate::geometry::SAME;
-use crate::motion::{Cycle, Motion, MotionKind, Motions};
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
 
 /// So many motions are looked at.
 const LOOKED_AT: usize = 200_000;
+
+/// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
+const WALL: (f64, f64) = (0.25, 5.0);
+
+/// The first pass of a thread is so much below the crest, as a part of its lead.
+const FIRST_PASS: f64 = 0.2;
+
+/// Radius of a blank that is only drilled, mm.
+const DRILLED: f64 = 15.0;
+
+/// Width of a blade of which nothing is said, mm.
+const BLADE: f64 = 3.0;
+
+/// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
+const LARGEST: f64 = 5000.0;
 
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +49,7 @@ impl Use {
         match motion.cycle.map(|step| step.cycle) {
             _ if motion.rotary.is_some() => Self::Live,
             Some(Cycle::SideDrilling | Cycle::SideTapping | Cycle::SideBoring) => Self::Live,
+            Some(Cycle::Turning | Cycle::Facing) => Self::Turning,
             _ if on_axis && along && motion.kind.cuts() => Self::Hole,
             Some(Cycle::Threading | Cycle::MultiThreading) => Self::Threading,
             _ if motion.kind == MotionKind::Thread => Self::Threading,
@@ -52,14 +69,19 @@ struct Seen {
     /// Plunges that come back the way they went, and other cuts.
     plunges: u32,
     cuts: u32,
+    /// Cuts towards −Z, and towards +Z that end at a shoulder or climb; and such as go down towards +Z.
+    left: u32,
+    right: u32,
+    down: u32,
+    /// Ways into the work along the axis, and back.
+    holes: u32,
     /// Steepest way into the work behind the tip, radians from the spindle axis: outside and inside.
     slopes: [f64; 2],
     /// Whether it taps: on the axis, locked to the spindle.
     taps: bool,
     /// Whether grooves are in the end face.
     face: bool,
-    /// Least radius of its cuts, mm.
-    low: f64,
+    extents: Extents,
 }
 
 /// The guesses for a program.
@@ -74,9 +96,11 @@ impl Guesses {
     /// Looks at a program.
     pub fn of(motions: &Motions) -> Self {
         let mut seen: Vec<Seen> = Vec::new();
-        let mut extents = Extents::default();
-        let mut all = motions.iter().take(LOOKED_AT).peekable();
-        while let Some(motion) = all.next() {
+        let mut before = None;
+        let moves = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind != MotionKind::Dwell);
+        let mut moves = moves.peekable();
+        while let Some(motion) = moves.next() {
+            let before = before.replace(motion);
             if !motion.kind.cuts() || motion.process.uncertain {
                 continue;
             }
@@ -88,19 +112,29 @@ impl Guesses {
                     seen.push(Seen::new(station, purpose));
                     seen.len() - 1
                 });
-            seen[at].look(&motion, all.peek());
-            if purpose != Use::Live {
-                extents.add(&motion);
-            }
+            seen[at].look(&motion, before.as_ref(), moves.peek());
+        }
+        // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
+        let stations: Vec<u16> =
+            seen.iter().filter(|own| own.purpose != Use::Hole).map(|own| own.station).collect();
+        seen.retain(|own| own.purpose != Use::Hole || own.holes > 0 || !stations.contains(&own.station));
+        // A live cutter that also moves along X or Z alone bores nothing.
+        let live: Vec<u16> =
+            seen.iter().filter(|own| own.purpose == Use::Live).map(|own| own.station).collect();
+        for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
+            own.outside = 0;
+        }
+        let turned = |own: &&Seen| own.purpose != Use::Live;
+        let (mut outside, mut inside) = (Extents::default(), Extents::default());
+        for own in seen.iter().filter(turned) {
+            if own.is_inside() { inside.join(&own.extents) } else { outside.join(&own.extents) }
         }
         // What a drill leaves is where boring begins.
-        let bored =
-            seen.iter().filter(|own| own.purpose == Use::Turning && own.outside < 0).map(|own| own.low);
-        let bore = bored.fold(f64::INFINITY, f64::min);
+        let bore = inside.least;
         let drilled = seen.iter().any(|own| own.purpose == Use::Hole);
         let tools = seen.iter().map(|own| (own.station, own.purpose, own.tool(bore))).collect();
         let hollow = if bore.is_finite() && !drilled { 2.0 * bore } else { 0.0 };
-        Self { tools, stock: extents.stock(hollow) }
+        Self { tools, stock: stock(outside, inside, hollow) }
     }
 
     /// All tools: station, use and tool, in the order in which they are first put to use.
@@ -117,28 +151,51 @@ impl Seen {
             outside: 0,
             plunges: 0,
             cuts: 0,
+            left: 0,
+            right: 0,
+            down: 0,
+            holes: 0,
             slopes: [0.0; 2],
             taps: false,
             face: false,
-            low: f64::INFINITY,
+            extents: Extents::default(),
         }
     }
 
-    fn look(&mut self, motion: &Motion, next: Option<&Motion>) {
-        let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    fn is_inside(&self) -> bool {
+        self.outside < 0 && matches!(self.purpose, Use::Turning | Use::Threading | Use::Grooving)
+    }
+
+    fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+        let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+        let (dx, dz) = way(motion);
         self.cuts += 1;
-        self.low = self.low.min(motion.from.x.min(motion.to.x));
         self.taps |= motion.kind == MotionKind::Thread;
-        if let Some(next) = next {
-            let (after_x, after_z) = (next.to.x - next.from.x, next.to.z - next.from.z);
-            if dz < -SAME && after_x.abs() > SAME {
-                self.outside += if after_x > 0.0 { 1 } else { -1 };
-            }
-            let back = after_z.abs() <= SAME && after_x * dx < 0.0 && after_x.abs() >= dx.abs() - SAME;
-            self.plunges += u32::from(dz.abs() <= SAME && back);
+        self.extents.add(motion);
+        let (after_x, after_z) = next.map_or((0.0, 0.0), way);
+        if dz < -SAME && after_x.abs() > SAME {
+            self.outside += if after_x > 0.0 { 1 } else { -1 };
         }
+        let back =
+            |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
+        let (before_x, before_z) = before.map_or((0.0, 0.0), way);
+        let comes_back = before_z.abs() <= SAME && back(before_x, (dx, dz));
+        self.plunges += u32::from(dz.abs() <= SAME && (back(dx, (after_x, after_z)) || comes_back));
+        // To the left, or to the right while still behind the face.
+        let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
+        self.left += u32::from(dz < -SAME);
+        self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
+        self.down += u32::from(dz > SAME && dx < -SAME);
+        let axis = |motion: &Motion| motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
+        let cycle = motion.cycle.map(|step| step.cycle);
+        let drills = !matches!(cycle, None | Some(Cycle::Finishing | Cycle::RoughTurning | Cycle::Pattern));
+        self.holes += u32::from(dz < -SAME && axis(motion) && (drills || next.is_some_and(axis)));
         if motion.cycle.is_some_and(|step| step.cycle == Cycle::FacePecking) {
             self.face = true;
+        }
+        // On the way to the work at feed it follows no slope.
+        if motion.to.z > SAME && before.is_none_or(|before| !before.kind.cuts()) {
+            return;
         }
         let [outside, inside] = &mut self.slopes;
         for (sx, slope) in [(1.0, outside), (-1.0, inside)] {
@@ -153,7 +210,7 @@ impl Seen {
 
     /// The tool that could do what was seen; `bore` is the radius at which boring begins.
     fn tool(&self, bore: f64) -> Tool {
-        let inside = self.outside < 0;
+        let inside = self.is_inside();
         let side = if inside { Side::Inside } else { Side::Outside };
         match self.purpose {
             Use::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
@@ -168,6 +225,8 @@ impl Seen {
             Use::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();
+                // One that only cuts away from the chuck has its edge on the other side.
+                let tip = (!inside && self.right > 0 && self.left + self.down == 0).then_some(4);
                 // The usual roughing tool, or the bluntest that can follow.
                 let (insert, entering) = match slope {
                     slope if slope < 4.5 => ("C", 95.0),
@@ -179,6 +238,7 @@ impl Seen {
                             kind: Some(kind),
                             point_angle: Some(point),
                             entering_angle: Some(91.0),
+                            tip,
                             ..Tool::default()
                         };
                     }
@@ -187,6 +247,7 @@ impl Seen {
                     kind: Some(kind),
                     insert: Some(insert.into()),
                     entering_angle: Some(entering),
+                    tip,
                     ..Tool::default()
                 }
             }
@@ -209,10 +270,14 @@ fn directions(motion: &Motion) -> Vec<(f64, f64)> {
     }
 }
 
-/// How far the cuts reach, mm.
-#[derive(Debug)]
+/// How far cuts reach, mm.
+#[derive(Clone, Copy, Debug)]
 struct Extents {
+    /// Greatest radius behind Z0, and anywhere.
+    behind: f64,
     radius: f64,
+    /// Least radius.
+    least: f64,
     low: f64,
     high: f64,
     /// Greatest Z of a cut across the face.
@@ -221,32 +286,76 @@ struct Extents {
 
 impl Default for Extents {
     fn default() -> Self {
-        Self { radius: 0.0, low: f64::INFINITY, high: f64::NEG_INFINITY, faced: f64::NEG_INFINITY }
+        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        Self { behind: 0.0, radius: 0.0, least, low: least, high: greatest, faced: greatest }
     }
 }
 
 impl Extents {
     fn add(&mut self, motion: &Motion) {
         let (from, to) = (motion.from, motion.to);
-        self.radius = self.radius.max(from.x.max(to.x));
+        let step = motion.cycle.map(|step| (step.cycle, step.step));
         self.low = self.low.min(from.z.min(to.z));
-        self.high = self.high.max(from.z.max(to.z));
+        let grooves = matches!(step, Some((Cycle::Grooving, _)));
+        self.high = self.high.max(from.z.max(to.z) + if grooves { BLADE } else { 0.0 });
         if (from.z - to.z).abs() <= SAME && from.x.min(to.x) <= 1.0 && (from.x - to.x).abs() > 1.0 {
             self.faced = self.faced.max(to.z);
         }
+        // On its way out of the thread the tool is in the air.
+        if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
+            return;
+        }
+        let crest = match motion.lead.filter(|_| motion.kind == MotionKind::Thread) {
+            Some(lead) => FIRST_PASS * lead,
+            None => 0.0,
+        };
+        self.least = self.least.min(from.x.min(to.x) - crest);
+        let greatest = |from: Point, to: Point| from.x.max(to.x) + crest;
+        self.radius = self.radius.max(greatest(from, to));
+        // What lies in front of the face says nothing of the blank.
+        let cross =
+            |from: Point, to: Point| Point::new(from.x + from.z / (from.z - to.z) * (to.x - from.x), 0.0);
+        self.behind = match (from.z <= SAME, to.z <= SAME) {
+            (true, true) => self.behind.max(greatest(from, to)),
+            (true, false) => self.behind.max(greatest(from, cross(from, to))),
+            (false, true) => self.behind.max(greatest(cross(from, to), to)),
+            (false, false) => self.behind,
+        };
     }
 
-    /// A bar that all cuts are in, a fifth longer than they reach.
-    fn stock(&self, bore: f64) -> Option<Stock> {
-        if self.radius <= SAME || self.low >= self.high {
-            return None;
-        }
-        // Zero is the finished face, or the back of the part.
-        let zero = if self.low < -SAME { 0.0 } else { self.high };
-        let face = zero.max(self.faced);
-        let length = 1.2 * (face - self.low).max(1.0);
-        let diameter = 2.0 * self.radius;
-        let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
-        Some(Stock { diameter, bore, face, length: (length / 5.0).ceil() * 5.0, grip: None })
+    fn join(&mut self, other: &Self) {
+        self.behind = self.behind.max(other.behind);
+        self.radius = self.radius.max(other.radius);
+        self.least = self.least.min(other.least);
+        self.low = self.low.min(other.low);
+        self.high = self.high.max(other.high);
+        self.faced = self.faced.max(other.faced);
     }
+}
+
+/// A bar that all cuts are in, a fifth longer than they reach, and no thin slice; around what is bored it leaves a wall.
+fn stock(outside: Extents, inside: Extents, bore: f64) -> Option<Stock> {
+    let mut all = outside;
+    all.join(&inside);
+    if all.low > all.high {
+        return None;
+    }
+    let behind = all.low < -SAME;
+    let radius = |of: &Extents| if behind { of.behind } else { of.radius };
+    // Zero is the finished face, or the back of the part.
+    let face = if behind { 0.0 } else { all.high }.max(all.faced);
+    let (around, bored) = (radius(&outside), radius(&inside));
+    let walled = if bored > SAME { bored + (WALL.0 * bored).max(WALL.1) } else { 0.0 };
+    let radius = match around {
+        around if around > bored + 1.0 => around,
+        around if walled > around => (2.0 * walled / 5.0).ceil() * 2.5,
+        around if around > SAME => around,
+        _ => DRILLED,
+    };
+    let diameter = 2.0 * radius;
+    let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
+    let length = (1.2 * (face - all.low.min(0.0))).max(radius);
+    let length = (length / 5.0).ceil() * 5.0;
+    let fits = diameter <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
+    fits.then_some(Stock { diameter, bore, face, length, grip: None })
 }

@@ -9,7 +9,7 @@ use super::region::Region;
 use super::sweep::chords;
 use super::tool::Action;
 use crate::control::setup::Stock;
-use crate::geometry::{Point, SAME};
+use crate::geometry::{Point, SAME, within};
 use crate::motion::{Motion, MotionKind, Motions};
 
 /// Most turns of a thread that are cut one by one; a finer one is cut as a whole.
@@ -34,12 +34,33 @@ pub struct Part {
     /// Outlines that are still to be taken off `now`.
     waiting: Vec<Vec<Point>>,
     corners: usize,
-    /// States on the way: so many motions were done.
-    kept: Vec<(usize, Region)>,
+    turned: Turned,
+    /// States on the way.
+    kept: Vec<Kept>,
     /// Corners of all of them.
     kept_corners: usize,
     /// Motions from one to the next, at least.
     stride: usize,
+}
+
+/// The work when so many motions were done.
+#[derive(Clone, Debug)]
+struct Kept {
+    done: usize,
+    turned: Turned,
+    region: Region,
+}
+
+/// How far the spindle is past a whole turn of the thread under way, in turns: where a thread goes on with another lead, or
+/// out of the work, its notches go on with the same turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Turned(f64);
+
+impl Turned {
+    fn after(self, motion: &Motion) -> Self {
+        let turns = if motion.kind == MotionKind::Thread { turns(motion) } else { None };
+        Self(turns.map_or(0.0, |turns| (self.0 + turns).fract()))
+    }
 }
 
 impl Part {
@@ -64,13 +85,16 @@ impl Part {
     /// Does the next motion with its tool.
     pub fn step(&mut self, motion: &Motion, tool: &Fitted) {
         let before = self.waiting.len();
-        self.waiting.extend(cut(motion, tool));
+        self.waiting.extend(cut(motion, self.turned, tool));
+        self.turned = self.turned.after(motion);
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
-        if self.corners > MOST_WAITING {
+        // Passes of a thread have flanks in common: in one go they would cut each other into thousands of pieces.
+        if self.corners > MOST_WAITING || self.waiting.len() > before + 1 {
             self.settle();
         }
-        if self.done >= self.kept.last().map_or(0, |last| last.0) + self.stride && !self.waiting.is_empty() {
+        if self.done >= self.kept.last().map_or(0, |last| last.done) + self.stride && !self.waiting.is_empty()
+        {
             self.settle();
             self.keep();
         }
@@ -79,14 +103,14 @@ impl Part {
     /// Keeps the state as it is now.
     fn keep(&mut self) {
         self.kept_corners += self.now.corners();
-        self.kept.push((self.done, self.now.clone()));
+        self.kept.push(Kept { done: self.done, turned: self.turned, region: self.now.clone() });
         if self.kept_corners > MOST_KEPT {
             let mut odd = false;
             self.kept.retain(|_| {
                 odd = !odd;
                 odd
             });
-            self.kept_corners = self.kept.iter().map(|state| state.1.corners()).sum();
+            self.kept_corners = self.kept.iter().map(|state| state.region.corners()).sum();
             self.stride *= 2;
         }
     }
@@ -112,18 +136,19 @@ impl Part {
     /// The work when so many motions are done, and of the next one the fraction `share`.
     pub fn at(&self, motions: &Motions, fitting: &Fitting, count: usize, share: f64) -> Region {
         let count = count.min(self.done);
-        let kept = self.kept.partition_point(|state| state.0 <= count);
-        let (from, mut region) = match kept.checked_sub(1) {
-            Some(index) => (self.kept[index].0, self.kept[index].1.clone()),
-            None => (0, self.blank.clone()),
+        let kept = self.kept.partition_point(|state| state.done <= count);
+        let (from, mut turned, mut region) = match kept.checked_sub(1).map(|index| &self.kept[index]) {
+            Some(Kept { done, turned, region }) => (*done, *turned, region.clone()),
+            None => (0, Turned::default(), self.blank.clone()),
         };
         let mut outlines: Vec<Vec<Point>> = Vec::new();
         for motion in (from..count).map(|index| motions.get(index)) {
-            outlines.extend(cut(&motion, fitting.tool(&motion)));
+            outlines.extend(cut(&motion, turned, fitting.tool(&motion)));
+            turned = turned.after(&motion);
         }
         if count < motions.len() && count < self.done && share > 0.0 {
-            let motion = part_of(&motions.get(count), share);
-            outlines.extend(cut(&motion, fitting.tool(&motion)));
+            let motion = motions.get(count);
+            outlines.extend(cut_so_far(&motion, share, turned, fitting.tool(&motion)));
         }
         region.cut(&outlines);
         region
@@ -139,40 +164,52 @@ impl Part {
 }
 
 /// What a motion takes off, as outlines that may overlap.
-pub fn cut(motion: &Motion, tool: &Fitted) -> Vec<Vec<Point>> {
+pub fn cut(motion: &Motion, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
+    cut_so_far(motion, 1.0, turned, tool)
+}
+
+/// What the fraction `share` of a motion takes off.
+fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
     if !motion.kind.cuts() || motion.rotary.is_some() || tool.shape.action == Action::Live {
         return Vec::new();
     }
-    let edge = &tool.shape.edge;
-    if let (Action::Threading, MotionKind::Thread, Some(lead)) = (tool.shape.action, motion.kind, motion.lead)
-    {
-        let long = (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs());
-        let turns = long / lead.abs();
-        if turns.is_finite() && turns <= MOST_TURNS {
-            return (0..=(turns + SAME) as u32)
-                .map(|turn| edge.at(between(motion, f64::from(turn) / turns.max(SAME))))
-                .collect();
-        }
+    let share = within(share, 0.0, 1.0);
+    let edge = &tool.takes;
+    let threads = tool.shape.action == Action::Threading && motion.kind == MotionKind::Thread;
+    if let Some(turns) = turns(motion).filter(|&turns| threads && turns <= MOST_TURNS) {
+        let (first, last) = ((turned.0 - SAME).ceil(), (turned.0 + share * turns + SAME).floor());
+        let places = (first as u32..=last as u32).map(|turn| (f64::from(turn) - turned.0) / turns.max(SAME));
+        return places
+            .map(|place| edge.at(between(motion.from, motion.to, within(place, 0.0, 1.0))))
+            .collect();
     }
     match motion.arc() {
-        Some(arc) => edge.along(&chords(&arc)).collect(),
-        None => vec![edge.along_line(motion.from, motion.to)],
+        Some(arc) => edge.along(&first_part(chords(&arc), share)).collect(),
+        None => vec![edge.along_line(motion.from, between(motion.from, motion.to, share))],
     }
 }
 
-/// The first part of a motion.
-fn part_of(motion: &Motion, share: f64) -> Motion {
-    let to = match motion.arc() {
-        Some(arc) => arc.at(share),
-        None => between(motion, share),
-    };
-    // An arc that comes back to its start is a full circle.
-    let center = motion.center.filter(|_| !to.is_same(motion.from));
-    let kind = if motion.center.is_some() && center.is_none() { MotionKind::Feed } else { motion.kind };
-    Motion { kind, to, center, ..*motion }
+/// Turns of the spindle in a motion that is locked to it.
+fn turns(motion: &Motion) -> Option<f64> {
+    let long = (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs());
+    Some(long / motion.lead?.abs()).filter(|turns| turns.is_finite())
 }
 
-fn between(motion: &Motion, share: f64) -> Point {
-    let Motion { from, to, .. } = motion;
-    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+/// The first part of a way of equal pieces. It keeps to the way, so that nothing it takes off is there again at the end.
+fn first_part(mut way: Vec<Point>, share: f64) -> Vec<Point> {
+    let done = share * (way.len() - 1) as f64;
+    let whole = done as usize;
+    if let Some(&[from, to]) = way.get(whole..whole + 2) {
+        way.truncate(whole + 1);
+        way.push(between(from, to, done.fract()));
+    }
+    way
+}
+
+fn between(from: Point, to: Point, share: f64) -> Point {
+    if share >= 1.0 {
+        to
+    } else {
+        Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+    }
 }

@@ -54,11 +54,14 @@ impl Outline {
         self.points.iter().map(|point| moved(*point, tip)).collect()
     }
 
-    /// All it passes over while the tip goes straight: the parts of the edge that look ahead stand at the end, the others
+    /// All it passes over while the tip goes straight; nothing of nothing: the parts of the edge that look ahead stand at the end, the others
     /// at the start.
     pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
         let count = self.points.len();
+        if count == 0 {
+            return Vec::new();
+        }
         let looks_ahead = |index: usize| {
             let (a, b) = (self.points[index % count], self.points[(index + 1) % count]);
             // The normal to the right of the edge, which points outwards, against the direction.
@@ -84,9 +87,19 @@ impl Outline {
         way.windows(2).map(|ends| self.along_line(ends[0], ends[1]))
     }
 
-    /// The part of it at the tip: the same outline, so many times as large.
-    pub fn scaled(&self, by: f64) -> Self {
-        Self { points: self.points.iter().map(|point| Point::new(by * point.x, by * point.z)).collect() }
+    /// The part of it that is nearest to the tip: the same outline, so many times as large, about its nearest corner.
+    pub fn near_tip(&self, share: f64) -> Self {
+        let from_tip = |point: &Point| point.distance(Point::default());
+        let nearest = self
+            .points
+            .iter()
+            .copied()
+            .min_by(|a, b| from_tip(a).total_cmp(&from_tip(b)))
+            .unwrap_or_default();
+        let drawn = |to: f64, from: f64| from + share * (to - from);
+        let points =
+            self.points.iter().map(|point| Point::new(drawn(point.x, nearest.x), drawn(point.z, nearest.z)));
+        Self { points: points.collect() }
     }
 
     /// The same outline, smaller by `by` mm on all sides; nothing is left of a very small one.

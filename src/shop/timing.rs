@@ -23,6 +23,7 @@ pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64
     let limit = highest(process, machine);
     let speed = match process.speed {
         SpindleSpeed::Constant(speed) => limit.map_or(speed, |limit| speed.min(limit)),
+        SpindleSpeed::Surface { speed } if speed <= 0.0 => 0.0,
         SpindleSpeed::Surface { speed } => {
             let wanted = 1000.0 * speed / (2.0 * PI * radius.abs());
             limit.map_or(wanted, |limit| wanted.min(limit))

@@ -15,6 +15,9 @@ const EDGE: f64 = 12.0;
 /// Entering angle of a turning or boring tool of which nothing is said, degrees.
 const ENTERING: f64 = 95.0;
 
+/// The same for a square insert or a blunter one, at most.
+const SQUARE_ENTERING: f64 = 75.0;
+
 /// Insert of which nothing is said: a rhombus of 80°, degrees.
 const POINT: f64 = 80.0;
 
@@ -31,7 +34,7 @@ const THREAD: f64 = 60.0;
 const DRILL_POINT: f64 = 118.0;
 
 /// Longer than anything it could be held against, mm.
-const LONG: f64 = 400.0;
+pub const LONG: f64 = 400.0;
 
 /// Side of the square shank of a turning tool, mm.
 const SHANK: f64 = 25.0;
@@ -197,7 +200,9 @@ fn angles(tool: &Tool) -> Option<(f64, f64)> {
         (None, Some(written)) => written.point_angle?,
         (own, _) => own.unwrap_or(POINT),
     };
-    Some((tool.entering_angle.unwrap_or(ENTERING).to_radians(), point.to_radians()))
+    // A square insert at 95° would cut with the edge behind its tip, deeper than the program says.
+    let usual = if point <= 80.0 { ENTERING } else { (175.0 - point).min(SQUARE_ENTERING) };
+    Some((tool.entering_angle.unwrap_or(usual).to_radians(), point.to_radians()))
 }
 
 /// A grooving or parting blade and its holder.
@@ -340,6 +345,9 @@ mod tests {
         let reach = 12.0 * (5f64.to_radians().cos() + 85f64.to_radians().cos());
         check(r#"{"type": "turning"}"#, [0.0, reach, 0.0, reach]);
         check(r#"{"type": "boring"}"#, [0.0, reach, -reach, 0.0]);
+        // A square one stands at 75°: nothing of it is below the tip.
+        let (left, up) = (12.0 * 75f64.to_radians().cos(), 12.0 * 75f64.to_radians().sin());
+        check(r#"{"type": "turning", "insert": "S"}"#, [-left, up, 0.0, up + left]);
         check(r#"{"type": "turning", "tip": 4}"#, [-reach, 0.0, 0.0, reach]);
         check(r#"{"type": "turning", "tip": 1}"#, [-reach, 0.0, -reach, 0.0]);
     }

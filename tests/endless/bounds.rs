@@ -32,10 +32,10 @@ pub fn bounds() -> Vec<Bound> {
     // WHILE, two expressions in X and Z, one statement and END a round, and WHILE once more at the end; what is done
     // before the first jump does not count.
     let sums = |rounds: u32| format!("#1=0\nWHILE[#1 LT {rounds}]DO1\nG0 X[#1] Z[#1]\n#1=#1+1\nEND1\nM30\n");
-    // A plunge of a sharp tool takes the corner off the bar: 5 corners are left; the next one adds two.
+    // A plunge leaves a groove of four corners in the four of the bar.
     let grooves = |count: u32| {
-        let plunge = |index: u32| format!("G0 X20 Z{}\nG1 X{} Z-5\nG0 X20\n", 0, 10 + index);
-        format!("M3 S1 F1\n{}", (0..count).map(plunge).collect::<String>())
+        let plunge = |index: u32| format!("G0 X22 Z-{}\nG1 X10\nG0 X22\n", 10 * index);
+        format!("M3 S1 F1\n{}", (1..=count).map(plunge).collect::<String>())
     };
     let words = |count: usize| "M0".repeat(count);
     let mut all = vec![
@@ -50,7 +50,7 @@ pub fn bounds() -> Vec<Bound> {
         bound("too-many-rounds", r#""rounds": 3"#, &sums(3), &sums(4)),
         bound("too-many-macro-steps", r#""macroSteps": 11"#, &sums(3), &sums(4)),
         bound("part-too-many-motions", r#""partMotions": 2"#, "X1\nX2\nM30", "X1\nX2\nX3\nM30"),
-        bound("part-too-many-corners", r#""partCorners": 6"#, &grooves(1), &grooves(2)),
+        bound("part-too-many-corners", r#""partCorners": 8"#, &grooves(1), &grooves(2)),
         bound("block-too-long", "", &words(WORDS_PER_BLOCK), &words(WORDS_PER_BLOCK + 1)),
         bound("too-many-digits", "", "X12345.678", "X12345.6789"),
         bound("macro-brackets-too-deep", "", "#1=[[[[[1]]]]]", "#1=[[[[[[1]]]]]]"),

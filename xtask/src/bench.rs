@@ -95,6 +95,9 @@ fn write_programs(folder: &Path) -> Result {
     write("plain.nc", workload::plain(1_000_000))?;
     write("shaft.nc", workload::shaft())?;
     write("boxes.nc", workload::boxes(10_000))?;
+    for passes in workload::PASSES {
+        write(&format!("passes-{passes}.nc"), workload::passes(passes))?;
+    }
     let mut contours = workload::POINTS.into_iter();
     contours.try_for_each(|points| write(&format!("contour-{points}.nc"), workload::contour(points)))
 }

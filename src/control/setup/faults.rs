@@ -78,6 +78,11 @@ impl Look {
         self.at(key("tip"), tool.tip.map(f64::from), &[Need::AtMost(9.0)]);
         self.at(key("pointAngle"), tool.point_angle, &angle(180.0));
         self.at(key("enteringAngle"), tool.entering_angle, &angle(180.0));
+        // Edges that are together wider than a half turn: the one behind the tip would be below it.
+        let point = tool.point_angle.or_else(|| tool.insert()?.point_angle).unwrap_or(80.0);
+        if tool.entering_angle.is_some_and(|entering| entering < 180.0) {
+            self.at(key("enteringAngle"), tool.entering_angle, &[Need::AtMost(180.0 - point)]);
+        }
         self.at(key("edgeLength"), tool.edge_length, &LENGTH);
         self.at(key("width"), tool.width, &LENGTH);
         self.at(key("diameter"), tool.diameter, &LENGTH);
@@ -168,6 +173,11 @@ mod tests {
         );
         check(r#"{"tools": {"T0303": {"width": -3}}}"#, &[("tools.T0303.width", -3.0, Need::Positive)]);
         check(r#"{"tools": {"T0101": {"tip": 10}}}"#, &[("tools.T0101.tip", 10.0, Need::AtMost(9.0))]);
+        check(r#"{"tools": {"T0101": {"insert": "SNMG120408", "enteringAngle": 90}}}"#, &[]);
+        check(
+            r#"{"tools": {"T0101": {"insert": "SNMG120408", "enteringAngle": 95}}}"#,
+            &[("tools.T0101.enteringAngle", 95.0, Need::AtMost(90.0))],
+        );
         check(r#"{"machine": {"rapidX": 0}}"#, &[("machine.rapidX", 0.0, Need::Positive)]);
         check(r#"{"tailstock": {"z": 2, "diameter": -1}}"#, &[("tailstock.diameter", -1.0, Need::Positive)]);
     }

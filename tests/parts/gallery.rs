@@ -1,0 +1,216 @@
+//! Every turning program of the gallery: the radii of the part against intervals worked out motion by motion.
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::{Setup, Side, Stock, Tool, ToolKind};
+use gcode_playground::motion::{Motion, MotionKind, Motions};
+use gcode_playground::shop::Shop;
+use gcode_playground::shop::fitting::{Fitting, Known};
+
+use crate::fixtures::{Program, all, folder};
+use crate::reach::{Interval, Reach, left, turns, without_dust};
+
+/// Largest difference, mm.
+const TOLERANCE: f64 = 0.005;
+
+/// Chords stay so near to their arcs, twice: of the way, and of the nose, mm.
+const CHORDS: f64 = 0.004;
+
+const STATIONS: u32 = 20;
+
+/// The programs of the gallery that turn.
+fn gallery() -> Vec<Program> {
+    let list = std::fs::read_to_string(folder().join("gallery.json")).expect("gallery.json");
+    let list: Vec<String> = serde_json::from_str(&list).expect("gallery.json");
+    all()
+        .into_iter()
+        .filter(|program| list.contains(&program.id) && !program.id.starts_with("s002"))
+        .collect()
+}
+
+/// The tool that was concluded, with its outline from the values of a tool maker's table.
+fn as_fitted(tool: &Tool, known: Known) -> Reach {
+    let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
+    match tool.kind.expect("a kind") {
+        ToolKind::Turning | ToolKind::Boring => {
+            let entering = tool.entering_angle.expect("an entering angle");
+            let point = tool.point_angle.unwrap_or_else(|| match tool.insert.as_deref() {
+                Some("C") => 80.0,
+                Some("D") => 55.0,
+                Some("V") => 35.0,
+                other => panic!("{other:?}"),
+            });
+            let flip = match tool.tip_direction() {
+                1 => (-1.0, -1.0),
+                2 => (1.0, -1.0),
+                3 => (1.0, 1.0),
+                4 => (-1.0, 1.0),
+                tip => panic!("tip {tip}"),
+            };
+            let edge = tool.edge_length.unwrap_or(12.0);
+            Reach::rhombus(180.0 - entering - point, point, edge, 0.0, flip, known == Known::Guessed)
+        }
+        ToolKind::Grooving if tool.side == Some(Side::Face) => Reach::face_blade(3.0),
+        ToolKind::Grooving => Reach::blade(3.0, up),
+        ToolKind::Threading => Reach::thread(up),
+        ToolKind::Drill => Reach::drill(tool.diameter.unwrap_or(10.0)),
+        kind => panic!("{kind:?}"),
+    }
+}
+
+fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval> {
+    let mut turned = 0.0;
+    let mut before: Option<Motion> = None;
+    let mut taken = Vec::new();
+    for (motion, reach) in motions {
+        // A thread that goes on where another ended goes on with the same turn of the spindle.
+        let goes_on = before.is_some_and(|before| before.kind == MotionKind::Thread);
+        let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
+        turned = if goes_on && lead.is_some() { turned } else { 0.0 };
+        taken.extend(reach.taken(motion, turned, z));
+        turned += lead.map_or(0.0, |lead| turns(motion, lead));
+        before = Some(*motion);
+    }
+    without_dust(&left(stock, &taken, z))
+}
+
+/// Compares 20 stations; the answer is how many had material.
+pub fn compare(
+    id: &str,
+    motions: &Motions,
+    setup: &Setup,
+    stock: &Stock,
+    reach: impl Fn(&Fitting, &Motion) -> Reach,
+) -> u32 {
+    let shop = Shop::done(motions, setup);
+    let part = shop.finished().unwrap_or_else(|| panic!("{id}: no blank"));
+    let all: Vec<_> = motions.iter().map(|motion| (motion, reach(shop.fitting(), &motion))).collect();
+    let total = |rest: &[Interval]| rest.iter().map(|(low, high)| high - low).sum::<f64>();
+    let mut full = 0;
+    for station in 0..STATIONS {
+        let mut z = stock.face - stock.length * (f64::from(station) + 0.437) / f64::from(STATIONS);
+        // A step makes the answer ambiguous: a little further on.
+        let stands = |z: f64| {
+            let near = [z - 0.02, z, z + 0.02].map(|z| intervals(&all, stock, z));
+            near.iter().all(|rest| rest.len() == near[1].len() && (total(rest) - total(&near[1])).abs() < 0.5)
+        };
+        let places = (0..20).map(|index| z - 0.05 * f64::from(index));
+        z = places.into_iter().find(|&z| stands(z)).unwrap_or_else(|| panic!("{id}: steps only at Z{z}"));
+        let expected = intervals(&all, stock, z);
+        // On a steep slope a difference at right angles to it is a larger one in radius.
+        let beside = [z - CHORDS, z + CHORDS].map(|z| intervals(&all, stock, z));
+        let found = without_dust(&part.radii(z));
+        let within = |index: usize, of: fn(&Interval) -> f64| {
+            let mut range = (of(&expected[index]), of(&expected[index]));
+            for value in beside.iter().filter_map(|rest| rest.get(index)).map(of) {
+                range = (range.0.min(value), range.1.max(value));
+            }
+            (range.0 - TOLERANCE..=range.1 + TOLERANCE).contains(&of(&found[index]))
+        };
+        let same = found.len() == expected.len()
+            && (0..found.len()).all(|index| within(index, |rest| rest.0) && within(index, |rest| rest.1));
+        assert!(same, "{id}: Z{z}: {found:.4?}, worked out {expected:.4?}");
+        full += u32::from(!found.is_empty());
+    }
+    full
+}
+
+/// Runs a program with `tool` at each station that it uses; none leaves the stations to what is concluded. The blank is
+/// that of the program, or the one concluded.
+fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
+    let mut setup = Setup::from_json(&program.setup).expect(&program.id);
+    let plain = analyze(program.text.as_bytes(), &setup);
+    let plain_shop = Shop::new(&plain.motions, &setup);
+    let stock = plain_shop
+        .fitting()
+        .stock()
+        .map_or(Stock { diameter: 60.0, bore: 0.0, face: 0.0, length: 60.0, grip: None }, |(stock, _)| stock);
+    setup.stock = Some(stock);
+    let mut given: Vec<(u16, Reach)> = Vec::new();
+    for fitted in plain_shop.fitting().tools() {
+        if let Some((tool, reach)) = tool.map(|tool| tool(fitted.tool.kind.expect("a kind"))) {
+            let name = format!("T{:02}{:02}", fitted.station, fitted.station);
+            if setup.tools.insert(name, tool).is_none() {
+                given.push((fitted.station, reach));
+            }
+        }
+    }
+    let analysis = analyze(program.text.as_bytes(), &setup);
+    let full = compare(&program.id, &analysis.motions, &setup, &stock, |fitting, motion| {
+        let given = given.iter().find(|given| given.0 == motion.process.tool.0);
+        let fitted = fitting.tool(motion);
+        given.map_or_else(|| as_fitted(&fitted.tool, fitted.known), |(_, reach)| reach.clone())
+    });
+    assert!(full > 0, "{}: only {full} stations have material", program.id);
+}
+
+#[test]
+fn sharp_tools_as_concluded() {
+    let programs = gallery();
+    assert_eq!(programs.len(), 23);
+    for program in &programs {
+        check(program, None);
+    }
+}
+
+fn threading() -> (Tool, Reach) {
+    (Tool { kind: Some(ToolKind::Threading), ..Tool::default() }, Reach::thread(1.0))
+}
+
+#[test]
+fn a_nose_of_0_8() {
+    for program in gallery() {
+        check(
+            &program,
+            Some(|kind| {
+                let flip = (1.0, if kind == ToolKind::Boring { -1.0 } else { 1.0 });
+                match kind {
+                    ToolKind::Turning | ToolKind::Boring => {
+                        let tool = Tool {
+                            kind: Some(kind),
+                            nose_radius: Some(0.8),
+                            point_angle: Some(55.0),
+                            entering_angle: Some(93.0),
+                            edge_length: Some(60.0),
+                            ..Tool::default()
+                        };
+                        (tool, Reach::rhombus(32.0, 55.0, 60.0, 0.8, flip, false))
+                    }
+                    ToolKind::Threading => threading(),
+                    ToolKind::Drill => (
+                        Tool { kind: Some(kind), diameter: Some(12.0), ..Tool::default() },
+                        Reach::drill(12.0),
+                    ),
+                    _ => (
+                        Tool { kind: Some(ToolKind::Grooving), width: Some(4.0), ..Tool::default() },
+                        Reach::blade(4.0, 1.0),
+                    ),
+                }
+            }),
+        );
+    }
+}
+
+#[test]
+fn a_blade_of_3() {
+    for program in gallery() {
+        check(
+            &program,
+            Some(|kind| match kind {
+                ToolKind::Threading => threading(),
+                ToolKind::Boring => (
+                    Tool {
+                        kind: Some(ToolKind::Grooving),
+                        width: Some(3.0),
+                        side: Some(Side::Inside),
+                        ..Tool::default()
+                    },
+                    Reach::blade(3.0, -1.0),
+                ),
+                _ => (
+                    Tool { kind: Some(ToolKind::Grooving), width: Some(3.0), ..Tool::default() },
+                    Reach::blade(3.0, 1.0),
+                ),
+            }),
+        );
+    }
+}
