@@ -15,7 +15,7 @@ use gcode_playground::scene::work::Work;
 use gcode_playground::shop::Shop;
 
 /// No picture of the gallery is larger, bytes.
-const LARGEST: usize = 220_000;
+const LARGEST: usize = 40_000;
 
 fn read(path: &str) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}"))

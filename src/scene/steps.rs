@@ -87,6 +87,7 @@ fn text(motion: &Motion) -> Option<&'static str> {
 }
 
 #[cfg(test)]
+#[allow(clippy::single_range_in_vec_init, reason = "one range of motions is picked out")]
 mod tests {
     use super::*;
     use crate::analyze;
