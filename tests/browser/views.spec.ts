@@ -34,13 +34,13 @@ test('a front turret has X+ below the axis', async ({ page }) => {
   await open(page, '#s003-g71');
   const below = async () => (await locate(page, 30, -20)).y > (await locate(page, 0, -20)).y;
   expect(await below()).toBe(false);
-  const turret = page.getByRole('switch', { name: 'Front turret' });
+  const turret = page.getByRole('button', { name: 'Front turret' });
   await turret.focus();
   await page.keyboard.press('Space');
-  await expect(turret).toBeChecked();
+  await expect(turret).toHaveAttribute('aria-pressed', 'true');
   expect(await below()).toBe(true);
   await turret.click();
-  await expect(turret).not.toBeChecked();
+  await expect(turret).toHaveAttribute('aria-pressed', 'false');
   await type(page, '(MACHINE TURRET=FRONT)\nG00 X50 Z2\nG01 Z-30 F0.2\n');
   await expect(status(page)).toContainText('2 motions');
 });

@@ -25,7 +25,7 @@ export class Views {
   readonly #events: ViewsEvents;
   readonly #choice = make('div', { className: 'choice', role: 'radiogroup', hidden: true });
   readonly #buttons: Readonly<Record<Pictures, HTMLButtonElement>>;
-  readonly #turret = make('button', { type: 'button', className: 'level', role: 'switch' });
+  readonly #turret = make('button', { type: 'button', className: 'level' });
   readonly #keep = make('button', { type: 'button', className: 'small' });
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
@@ -110,7 +110,7 @@ export class Views {
       button.setAttribute('aria-checked', String(own === pictures));
       button.tabIndex = own === pictures ? 0 : -1;
     }
-    this.#turret.setAttribute('aria-checked', String(turret === 'front'));
+    this.#turret.setAttribute('aria-pressed', String(turret === 'front'));
     this.#keep.hidden = comparison !== undefined;
     this.#end.hidden = this.#differences.hidden = comparison === undefined;
     if (comparison !== undefined) this.#differences.replaceChildren(...this.#tell(comparison));
