@@ -15,6 +15,8 @@ use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions};
+use crate::shop::compare;
+use crate::shop::feature::{Feature, Shape};
 use crate::shop::region::{Piece, Region};
 use crate::shop::tally::Tally;
 use crate::shop::timing;
@@ -328,6 +330,154 @@ pub fn section(region: &Region) -> Vec<SectionPiece> {
         holes: piece.holes.into_iter().map(outline).collect(),
     };
     region.pieces().map(piece).collect()
+}
+
+/// Two parts laid over each other.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Comparison {
+    /// What only one part has, the largest piece first; nothing where the parts are the same.
+    pub differences: Vec<Difference>,
+    /// The largest measure across the spindle axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub radial: Option<Measure>,
+    /// The largest measure along it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub axial: Option<Measure>,
+}
+
+/// A piece that only one part has.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Difference {
+    /// Which part has it: `first` (or the one that was kept) or `second`.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "'first' | 'second'"))]
+    pub only: &'static str,
+    /// Area in the half-section, mm².
+    pub area: f64,
+    /// Least and greatest diameter, mm.
+    pub x: [f64; 2],
+    /// Least and greatest Z, mm.
+    pub z: [f64; 2],
+    /// Where it is thickest across the spindle axis.
+    pub radial: Measure,
+    /// Where it is longest along it.
+    pub axial: Measure,
+}
+
+/// A straight measure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Measure {
+    /// mm; across the axis in radius.
+    pub length: f64,
+    /// The end nearer to the axis, or to −Z.
+    pub from: Place,
+    /// The other end.
+    pub to: Place,
+}
+
+impl Comparison {
+    /// As it leaves the crate.
+    pub fn new(comparison: &compare::Comparison) -> Self {
+        let differences = comparison.differences.iter().map(|difference| Difference {
+            only: match difference.side {
+                compare::Side::First => "first",
+                compare::Side::Second => "second",
+            },
+            area: to_micrometres(difference.area),
+            x: [difference.bounds.min.x, difference.bounds.max.x].map(|x| to_micrometres(2.0 * x)),
+            z: [difference.bounds.min.z, difference.bounds.max.z].map(to_micrometres),
+            radial: Measure::new(difference.radial),
+            axial: Measure::new(difference.axial),
+        });
+        Self {
+            differences: differences.collect(),
+            radial: comparison.radial().map(Measure::new),
+            axial: comparison.axial().map(Measure::new),
+        }
+    }
+}
+
+impl Measure {
+    fn new(measure: compare::Measure) -> Self {
+        let place = |at: Point| Place { x: to_micrometres(2.0 * at.x), z: to_micrometres(at.z), c: None };
+        Self { length: to_micrometres(measure.length()), from: place(measure.from), to: place(measure.to) }
+    }
+}
+
+/// What can be measured on a part: to the third decimal.
+fn to_micrometres(value: f64) -> f64 {
+    let rounded = (value * 1e3).round() / 1e3;
+    if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+/// An edge of the part with its dimensions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Dimension {
+    /// What it is.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread'"))]
+    pub kind: &'static str,
+    /// Diameters of its ends, mm; of a thread minor and major diameter.
+    pub x: [f64; 2],
+    /// Z of its ends, mm.
+    pub z: [f64; 2],
+    /// mm: along the axis; of a face across it; of a taper along its slope, of an arc its chord.
+    pub length: f64,
+    /// Half angle of a taper, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub angle: Option<f64>,
+    /// n of a taper 1:n.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub ratio: Option<f64>,
+    /// Radius of an arc, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub radius: Option<f64>,
+    /// Lead of a thread, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub lead: Option<f64>,
+}
+
+impl Dimension {
+    /// As it leaves the crate.
+    pub fn new(feature: &Feature) -> Self {
+        let [from, to] = feature.ends();
+        let diameter = |radius: f64| to_micrometres(2.0 * radius);
+        let (kind, x) = match feature.shape {
+            Shape::Cylinder => ("cylinder", [from.x, to.x]),
+            Shape::Face => ("face", [from.x, to.x]),
+            Shape::Taper { .. } => ("taper", [from.x, to.x]),
+            Shape::Arc { .. } => ("arc", [from.x, to.x]),
+            Shape::Thread { minor, major, .. } => ("thread", [minor, major]),
+        };
+        let (mut angle, mut ratio, mut radius, mut lead) = (None, None, None, None);
+        match feature.shape {
+            Shape::Taper { half_angle, ratio: own } => {
+                (angle, ratio) = (Some(to_micrometres(half_angle.to_degrees())), own);
+            }
+            Shape::Arc { radius: own } => radius = Some(to_micrometres(own)),
+            Shape::Thread { lead: own, .. } => lead = Some(to_micrometres(own)),
+            Shape::Cylinder | Shape::Face => {}
+        }
+        Self {
+            kind,
+            x: x.map(diameter),
+            z: [from.z, to.z].map(to_micrometres),
+            length: to_micrometres(from.distance(to)),
+            angle,
+            ratio,
+            radius,
+            lead,
+        }
+    }
 }
 
 /// What a tool does, or a whole program, added up.

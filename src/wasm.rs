@@ -6,6 +6,7 @@
 
 mod files;
 mod setup;
+mod views;
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -61,6 +62,8 @@ pub struct Playground {
     work: Option<Work>,
     /// The moment it is shown at.
     moment: Option<Moment>,
+    /// The face, the turret, dimensions, comparison.
+    views: views::Views,
 }
 
 #[wasm_bindgen]
@@ -89,6 +92,7 @@ impl Playground {
             shop: None,
             work: None,
             moment: None,
+            views: views::Views::default(),
         }
     }
 
@@ -182,6 +186,7 @@ impl Playground {
             // The outline may still be that of the program before.
             self.measure();
             self.show_work();
+            self.machined();
         }
         done
     }
@@ -336,6 +341,7 @@ impl Playground {
     pub fn set_hover(&mut self, motion: Option<u32>) {
         self.view.hover =
             motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
+        self.name_steps();
     }
 
     /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
@@ -433,12 +439,14 @@ impl Playground {
         self.view.hover = None;
         self.view.highlight.clear();
         self.view.marks.clear();
+        self.forget_views();
     }
 
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
         let scene = Scene::new(self.run.motions(), &self.outline, None);
         self.view.marks.clear();
+        self.view.steps.clear();
         let Some(cursor) = self.cursor else {
             self.view.highlight.clear();
             return;
@@ -449,6 +457,7 @@ impl Playground {
         let block = block_at(text, line, byte);
         self.view.highlight = scene.motions_of(block);
         self.view.marks = marks(&self.run, block, self.view.highlight.first());
+        self.name_steps();
     }
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
@@ -476,7 +485,7 @@ impl Playground {
         if self.work.is_none() || moment != self.moment {
             self.moment = moment;
             let first = self.work.is_none();
-            self.work = Work::of(shop, motions, moment);
+            self.work = Work::of(shop, motions, moment).map(|work| self.compared(work));
             if first && self.run.is_finished() {
                 self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
             }
@@ -585,6 +594,8 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
         part: colour("part")?,
         part_edge: colour("partEdge")?,
         danger: colour("danger")?,
+        only_first: colour("onlyFirst")?,
+        only_second: colour("onlySecond")?,
         rapid: colour("rapid")?,
         feed: colour("feed")?,
         thread: colour("thread")?,

@@ -256,3 +256,42 @@ fn export_writes_files_for_other_programs() {
     assert_eq!(nothing.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&nothing.stderr).contains("no blank"));
 }
+
+#[test]
+fn compare_tells_where_two_parts_differ() {
+    let [first, second] = [("wide", "X50"), ("narrow", "X48")]
+        .map(|(name, x)| file(&format!("{name}.nc"), &format!("T0101\nG00 X62 Z2\nG90 {x} Z-30 F0.2\n")));
+    let setup = file("compare.json", r#"{"stock": {"diameter": 60, "length": 60}}"#);
+    let picture = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("compare.svg");
+    let paths = [&first, &second, &setup, &picture].map(|path| path.to_str().expect("a path"));
+    let [first, second, setup, picture] = paths;
+    let output = run(&["compare", first, second, "--setup", setup, "--format", "json", "-o", picture], b"");
+    assert_eq!(output.status.code(), Some(0));
+    let row = &rows(&output)[0];
+    assert_eq!(row["radial"]["length"], json!(1.0));
+    assert_eq!(row["differences"][0]["only"], json!("first"));
+    assert_eq!(row["differences"][0]["x"], json!([48.0, 50.0]));
+    let svg = std::fs::read_to_string(picture).expect("a picture");
+    assert!(svg.contains(">only in wide.nc<") && svg.contains(r#"class="only first hatch""#));
+    let output = run(&["compare", first, second, "--setup", setup], b"");
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(text.starts_with("Only in wide.nc: 30 mm²") && text.contains("radially 1 mm at Z"), "{text}");
+    let same = run(&["compare", first, first, "--setup", setup], b"");
+    assert_eq!(String::from_utf8_lossy(&same.stdout), "The parts are the same.\n");
+}
+
+#[test]
+fn the_face_and_the_front_turret_are_drawn() {
+    let polar = file("polar.nc", "T0101\nG00 X80 Z2\nG98 G01 Z-5 F100\nG12.1\nG01 X40\nC20\nX-40\nG13.1\n");
+    let face = run(&["svg", polar.to_str().unwrap(), "--view", "face"], b"");
+    let svg = String::from_utf8_lossy(&face.stdout).into_owned();
+    assert!(svg.contains(">C mm<") && svg.contains(r#"data-line="7""#), "{svg}");
+    assert_eq!(run(&["svg", "-", "--view", "face"], b"G00 X50 Z2").status.code(), Some(2));
+    let turned = |turret: &str| run(&["svg", "-", "--turret", turret], b"G00 X50 Z2\nG01 Z-30 F0.2").stdout;
+    assert_ne!(turned("rear"), turned("front"));
+    let by_note = run(&["svg", "-"], b"(MACHINE TURRET=FRONT)\nG00 X50 Z2\nG01 Z-30 F0.2").stdout;
+    let by_option =
+        run(&["svg", "-", "--turret", "front"], b"(              ...     )\nG00 X50 Z2\nG01 Z-30 F0.2")
+            .stdout;
+    assert_eq!(by_note, by_option);
+}

@@ -72,7 +72,11 @@ pub(super) fn drawing(program: &Program, ground: Ground) -> String {
     let motions = &program.analysis.motions;
     let outline = Outline::of(motions);
     let work = Work::of(&Shop::done(motions, &program.analysis.setup), motions, None);
-    svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { ground, ..SvgOptions::default() })
+    let x_plus = program.analysis.setup.machine.turret.into();
+    svg(
+        &Scene::new(motions, &outline, work.as_ref()),
+        &SvgOptions { ground, x_plus, ..SvgOptions::default() },
+    )
 }
 
 fn part(program: &Program) -> Option<Region> {

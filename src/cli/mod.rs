@@ -2,6 +2,7 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
+mod compare;
 mod encoding;
 mod export;
 mod summary;
@@ -17,10 +18,14 @@ use serde::Serialize;
 
 use crate::api::{self, Places};
 use crate::control::dialect::{CodeList, Control, GSystem};
-use crate::control::setup::Setup;
+use crate::control::setup::{Setup, Turret};
 use crate::diagnostics::messages::Language;
 use crate::run::{Analysis, Run};
-use crate::scene::svg::Ground;
+use crate::scene::face::Face;
+use crate::scene::outline::Outline;
+use crate::scene::svg::SvgOptions;
+use crate::scene::work::Work;
+use crate::scene::{self, Scene};
 use crate::shop::Shop;
 use crate::text::source::LineIndex;
 
@@ -112,12 +117,33 @@ enum Command {
         #[arg(short, long)]
         output: Option<PathBuf>,
     },
+    /// Lay the parts of two programs over each other, and measure where they differ.
+    Compare {
+        /// The first program.
+        first: PathBuf,
+        /// The second program.
+        second: PathBuf,
+        #[command(flatten)]
+        with: With,
+        /// Text, or a JSON object.
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+        /// Where to write a picture of the differences, as SVG.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
     /// Draw the toolpath as SVG.
     Svg {
         /// The program; `-` reads standard input.
         file: PathBuf,
         #[command(flatten)]
         with: With,
+        /// The half-section, or the end face with what polar interpolation mills there.
+        #[arg(long, value_enum, default_value = "section")]
+        view: ViewName,
+        /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.
+        #[arg(long, value_enum)]
+        turret: Option<TurretName>,
         /// Where to write it; standard output when left out.
         #[arg(short, long)]
         output: Option<PathBuf>,
@@ -158,6 +184,27 @@ enum LanguageName {
     Ru,
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum ViewName {
+    Section,
+    Face,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum TurretName {
+    Rear,
+    Front,
+}
+
+impl TurretName {
+    fn turret(self) -> Turret {
+        match self {
+            Self::Rear => Turret::Rear,
+            Self::Front => Turret::Front,
+        }
+    }
+}
+
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     Text,
@@ -172,6 +219,19 @@ struct Program {
     /// Of the file.
     encoding: Encoding,
     analysis: Analysis,
+}
+
+impl Program {
+    /// The name of its file without folders, or with the innermost one where another file has the same name.
+    fn name_beside(&self, other: &Program) -> String {
+        let last = |name: &str, parts: usize| {
+            let mut parts: Vec<&str> = name.rsplit(['/', '\\']).take(parts).collect();
+            parts.reverse();
+            parts.join("/")
+        };
+        let parts = if last(&self.name, 1) == last(&other.name, 1) { 2 } else { 1 };
+        last(&self.name, parts)
+    }
 }
 
 /// Runs the command line of this process.
@@ -226,10 +286,45 @@ fn run(command: Command) -> Result<ExitCode, String> {
             save(output.as_deref(), &export::file(&program, format, language(lang))?)?;
             Ok(status(&program.analysis))
         }
-        Command::Svg { file, with, output } => {
+        Command::Compare { first, second, with, format, output } => {
+            let programs = [program(&first, &with)?, program(&second, &with)?];
+            let compared = compare::Compared::of([&programs[0], &programs[1]])
+                .ok_or("there is nothing to compare: name a stock in the setup")?;
+            print(|out| compared.write(out, format))?;
+            if let Some(output) = output {
+                save(Some(&output), compared.svg().as_bytes())?;
+            }
+            Ok(ExitCode::from(u8::from(programs.iter().any(|program| has_errors(&program.analysis)))))
+        }
+        Command::Svg { file, with, view, turret, output } => {
             let program = program(&file, &with)?;
-            save(output.as_deref(), export::drawing(&program, Ground::AsSystem).as_bytes())?;
+            let svg = svg(&program, view, turret)?;
+            save(output.as_deref(), svg.as_bytes())?;
             Ok(status(&program.analysis))
+        }
+    }
+}
+
+/// The picture of a program.
+fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
+    let Analysis { motions, setup, .. } = &program.analysis;
+    let turret = turret.map_or(setup.machine.turret, TurretName::turret);
+    let shop = Shop::done(motions, setup);
+    match view {
+        ViewName::Section => {
+            let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));
+            let scene = Scene::new(motions, &outline, work.as_ref());
+            Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
+        }
+        ViewName::Face => {
+            let face = Face::of(motions, &shop).ok_or_else(|| {
+                format!("{}: nothing moves on the end face: there is no G12.1", program.name)
+            })?;
+            let work = face.work(&shop, None);
+            Ok(scene::svg::svg(
+                &face.scene(work.as_ref()),
+                &SvgOptions { width: 720.0, ..SvgOptions::default() },
+            ))
         }
     }
 }

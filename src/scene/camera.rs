@@ -1,9 +1,10 @@
 //! Millimetres to pixels and back.
 //!
 //! In: the box to look at, the size of the picture, the user's pans and zooms. Out: [`Camera`]. Z runs to the
-//! right and X up, both at the same scale; pixels are CSS pixels from the top left corner. Knows nothing of
-//! motions.
+//! right and X up, or down for a turret in front of the spindle, both at the same scale; pixels are CSS pixels from the
+//! top left corner. Knows nothing of motions.
 
+use crate::control::setup::Turret;
 use crate::geometry::{Point, within};
 
 use crate::geometry::bounds::Bounds;
@@ -49,6 +50,35 @@ pub const SCALES: [f64; 2] = [0.02, 2000.0];
 /// Least extent that is fitted, mm, so that a single point is not blown up without end.
 const LEAST_EXTENT: f64 = 2.0;
 
+/// Which way X+ is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum XPlus {
+    /// Upwards: the turret is behind the spindle.
+    #[default]
+    Up,
+    /// Downwards: the turret is in front of it, where the worker stands.
+    Down,
+}
+
+impl XPlus {
+    /// 1 up, −1 down.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Up => 1.0,
+            Self::Down => -1.0,
+        }
+    }
+}
+
+impl From<Turret> for XPlus {
+    fn from(turret: Turret) -> Self {
+        match turret {
+            Turret::Rear => Self::Up,
+            Turret::Front => Self::Down,
+        }
+    }
+}
+
 /// What part of the plane is seen, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -58,11 +88,18 @@ pub struct Camera {
     origin: Point,
     /// CSS pixels a mm of Z or of radius.
     scale: f64,
+    /// Which way X+ is drawn.
+    x_plus: XPlus,
 }
 
 impl Camera {
-    /// A camera that shows all of `bounds` inside the rulers of a picture of `size`.
+    /// A camera that shows all of `bounds` inside the rulers of a picture of `size`, X+ up.
     pub fn fit(bounds: Bounds, size: Size) -> Self {
+        Self::fit_with(bounds, size, XPlus::Up)
+    }
+
+    /// The same, with X+ either way.
+    pub fn fit_with(bounds: Bounds, size: Size, x_plus: XPlus) -> Self {
         let [left, top, right, bottom] = PADDING;
         let width = (size.width - LEFT_RULER - left - right).max(1.0);
         let height = (size.height - BOTTOM_RULER - top - bottom).max(1.0);
@@ -72,10 +109,10 @@ impl Camera {
         let center_z = (bounds.min.z + bounds.max.z) / 2.0;
         let center_x = (bounds.min.x + bounds.max.x) / 2.0;
         let origin = Point::new(
-            center_x + (top + height / 2.0) / scale,
+            center_x + x_plus.sign() * (top + height / 2.0) / scale,
             center_z - (LEFT_RULER + left + width / 2.0) / scale,
         );
-        Self { size, origin, scale }
+        Self { size, origin, scale, x_plus }
     }
 
     /// Height of a picture of `width` CSS pixels that `bounds` fill exactly, within `least` and `most`.
@@ -96,14 +133,34 @@ impl Camera {
         self.scale
     }
 
+    /// Which way X+ is drawn.
+    pub fn x_plus(&self) -> XPlus {
+        self.x_plus
+    }
+
+    /// CSS pixels upwards for a mm of radius: negative where X+ is down.
+    pub fn upward(&self) -> f64 {
+        self.x_plus.sign() * self.scale
+    }
+
+    /// Draws X+ the other way or the same; the axis is mirrored about the middle of what the rulers leave free.
+    pub fn turn(&mut self, x_plus: XPlus) {
+        if self.x_plus != x_plus {
+            let axis = self.to_screen(Point::default()).y;
+            self.x_plus = x_plus;
+            let moved = self.to_screen(Point::default()).y;
+            self.pan(0.0, self.size.height - BOTTOM_RULER - axis - moved);
+        }
+    }
+
     /// Where a point of the plane is seen.
     pub fn to_screen(&self, point: Point) -> Pixel {
-        Pixel::new((point.z - self.origin.z) * self.scale, (self.origin.x - point.x) * self.scale)
+        Pixel::new((point.z - self.origin.z) * self.scale, (self.origin.x - point.x) * self.upward())
     }
 
     /// The point of the plane that is seen at a place.
     pub fn to_world(&self, pixel: Pixel) -> Point {
-        Point::new(self.origin.x - pixel.y / self.scale, self.origin.z + pixel.x / self.scale)
+        Point::new(self.origin.x - pixel.y / self.upward(), self.origin.z + pixel.x / self.scale)
     }
 
     /// The part of the plane that is seen, mm.
@@ -158,6 +215,20 @@ mod tests {
         let [a, b] = [Point::new(10.0, -5.0), Point::new(20.0, 5.0)].map(|point| camera.to_screen(point));
         assert!(b.x > a.x && b.y < a.y);
         assert!(((b.x - a.x) - (a.y - b.y)).abs() < 1e-9, "equal scale");
+    }
+
+    #[test]
+    fn a_front_turret_has_x_down() {
+        let bounds = Bounds::around(Point::new(-5.0, -60.0), Point::new(40.0, 10.0));
+        let mut camera = Camera::fit_with(bounds, SIZE, Turret::Front.into());
+        let [a, b] = [Point::new(10.0, -5.0), Point::new(20.0, 5.0)].map(|point| camera.to_screen(point));
+        assert!(b.x > a.x && b.y > a.y);
+        assert!(camera.to_world(a).is_same(Point::new(10.0, -5.0)) && camera.seen().holds(bounds.max));
+        let before = camera;
+        camera.turn(XPlus::Up);
+        assert!(camera.to_screen(Point::new(20.0, 5.0)).y < camera.to_screen(Point::new(10.0, 5.0)).y);
+        camera.turn(XPlus::Down);
+        assert!(same(camera.to_screen(Point::new(20.0, 5.0)), before.to_screen(Point::new(20.0, 5.0))));
     }
 
     #[test]

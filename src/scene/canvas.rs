@@ -14,7 +14,7 @@ use std::ops::Range;
 use wasm_bindgen::JsValue;
 use web_sys::OffscreenCanvas;
 
-use super::camera::Pixel;
+use super::camera::{Pixel, XPlus};
 use super::ink::Ink;
 use super::marks::{arrow_heads, insert};
 use super::view::View;
@@ -94,7 +94,7 @@ impl Painter {
         self.sheet.clip(view)?;
         self.strokes.copy_to(&self.sheet, view)?;
         self.sheet.unclip();
-        sheet::rulers(&self.sheet, view)
+        sheet::rulers(&self.sheet, scene.plane(), view)
     }
 
     /// Copies the sheet to the screen, and draws what is picked out over it.
@@ -103,6 +103,8 @@ impl Painter {
         self.screen.copy(&self.sheet)?;
         self.screen.clip(view)?;
         self.highlight(scene, view)?;
+        self.edge(view)?;
+        self.name_steps(view)?;
         self.name_places(view)?;
         if let Some(stroke) = view.hover.and_then(|motion| scene.stroke(motion)) {
             let paths = Paths::of([stroke].into_iter())?;
@@ -130,9 +132,13 @@ impl Painter {
         self.screen.page(view)?;
         for mark in &view.marks {
             let at = view.camera().to_screen(mark.at);
-            // Above and to the right, where a tool comes from: the path seldom runs there.
-            let (text, baseline) = (Pixel::new(at.x + 9.0, at.y - 11.0), "middle");
-            let (from, to) = (Pixel::new(at.x + 6.0, at.y - 20.0), Pixel::new(at.x + 27.0, at.y - 3.0));
+            // Outwards and to the right, where a tool comes from: the path seldom runs there.
+            let out = match view.camera().x_plus() {
+                XPlus::Up => at.y,
+                XPlus::Down => at.y + 22.0,
+            };
+            let (text, baseline) = (Pixel::new(at.x + 9.0, out - 11.0), "middle");
+            let (from, to) = (Pixel::new(at.x + 6.0, out - 20.0), Pixel::new(at.x + 27.0, out - 3.0));
             self.screen.opacity(0.9);
             self.screen.block(&view.palette.background, from, to);
             self.screen.opacity(1.0);
@@ -141,6 +147,35 @@ impl Painter {
             let name = Text { text: mark.name, font: FONT, align: "left", baseline };
             self.screen.write(&name, text, &view.palette.highlight)?;
         }
+        Ok(())
+    }
+
+    /// The steps of a pass; each stands on paper.
+    fn name_steps(&self, view: &View) -> Result<(), JsValue> {
+        const FONT: &str = "600 12px system-ui, sans-serif";
+        self.screen.page(view)?;
+        for step in &view.steps {
+            let Some(at) = step.place(view.camera()) else { continue };
+            let (from, to) = (Pixel::new(at.x - 10.0, at.y - 8.0), Pixel::new(at.x + 10.0, at.y + 8.0));
+            self.screen.opacity(0.85);
+            self.screen.block(&view.palette.background, from, to);
+            self.screen.opacity(1.0);
+            let text = Text { text: step.text, font: FONT, align: "center", baseline: "middle" };
+            self.screen.write(&text, at, &view.palette.highlight)?;
+        }
+        Ok(())
+    }
+
+    /// The edge of the part under the pointer.
+    fn edge(&self, view: &View) -> Result<(), JsValue> {
+        if view.edge.is_empty() {
+            return Ok(());
+        }
+        self.screen.page(view)?;
+        let line: Vec<Pixel> = view.edge.iter().map(|at| sheet::held(view.camera(), *at)).collect();
+        self.screen.opacity(0.55);
+        self.screen.polylines(&view.palette.hover, &[line], 6.0, Dash::Solid)?;
+        self.screen.opacity(1.0);
         Ok(())
     }
 
@@ -226,7 +261,7 @@ impl Painter {
 
     fn tool(&self, view: &View, place: Place) -> Result<(), JsValue> {
         let tip = view.camera().to_screen(place.at);
-        let corners = insert(tip);
+        let corners = insert(tip, view.camera().x_plus());
         self.screen.page(view)?;
         self.screen.opacity(0.85);
         self.screen.fill(&view.palette.background, [&corners[..]].into_iter());

@@ -12,6 +12,28 @@ const SPACING: f64 = 9.0;
 /// No more lines than this in one picture.
 const MOST: usize = 20_000;
 
+/// Which way the lines run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slant {
+    /// From the lower left to the upper right.
+    Rising,
+    /// From the upper left to the lower right.
+    Falling,
+}
+
+/// Lines inside of outlines, see [`hatch`], that run either way.
+pub fn hatch_slanted(outlines: &[Vec<Pixel>], zero: Pixel, size: Size, slant: Slant) -> Vec<[Pixel; 2]> {
+    match slant {
+        Slant::Rising => hatch(outlines, zero, size),
+        Slant::Falling => {
+            let mirrored = |at: Pixel| Pixel::new(at.x, size.height - at.y);
+            let outlines: Vec<Vec<Pixel>> =
+                outlines.iter().map(|outline| outline.iter().map(|at| mirrored(*at)).collect()).collect();
+            hatch(&outlines, mirrored(zero), size).into_iter().map(|line| line.map(mirrored)).collect()
+        }
+    }
+}
+
 /// Lines inside of outlines, from the lower left to the upper right. `zero` is a place on a line, so that the lines stay with
 /// what they fill when the picture is moved; nothing is drawn far outside of a picture of `size`.
 pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]> {
@@ -74,6 +96,13 @@ mod tests {
         let inside = |at: Pixel| at.x > 41.0 && at.x < 69.0 && at.y > 41.0 && at.y < 69.0;
         let middle = |[a, b]: [Pixel; 2]| Pixel::new((a.x + b.x) / 2.0, (a.y + b.y) / 2.0);
         assert!(!with_hole.into_iter().any(|line| inside(middle(line))));
+    }
+
+    #[test]
+    fn falling_lines_are_rising_ones_in_a_mirror() {
+        for [a, b] in hatch_slanted(&[square(10.0, 100.0)], Pixel::default(), SIZE, Slant::Falling) {
+            assert!((a.x - a.y - b.x + b.y).abs() < 1e-9, "{a:?} {b:?}");
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! In: shapes in mm and a camera. Out: corners in CSS pixels, for any exporter to fill.
 
 use super::StrokeShape;
-use super::camera::{Camera, Pixel};
+use super::camera::{Camera, Pixel, XPlus};
 
 /// Length of an arrow head, CSS pixels.
 const HEAD: f64 = 8.0;
@@ -64,10 +64,14 @@ pub fn arrow_heads(
 }
 
 /// The outline of an 80° insert with its tip at `tip`, which comes first.
-pub fn insert(tip: Pixel) -> [Pixel; 4] {
+pub fn insert(tip: Pixel, x_plus: XPlus) -> [Pixel; 4] {
+    let outwards = match x_plus {
+        XPlus::Up => -1.0,
+        XPlus::Down => 1.0,
+    };
     let [low, high] = EDGES.map(|degrees: f64| {
         let angle = degrees.to_radians();
-        Pixel::new(EDGE * angle.cos(), -EDGE * angle.sin())
+        Pixel::new(EDGE * angle.cos(), outwards * EDGE * angle.sin())
     });
     let corner = |dx: f64, dy: f64| Pixel::new(tip.x + dx, tip.y + dy);
     [tip, corner(low.x, low.y), corner(low.x + high.x, low.y + high.y), corner(high.x, high.y)]

@@ -8,6 +8,7 @@
 pub mod camera;
 #[cfg(target_arch = "wasm32")]
 pub mod canvas;
+pub mod face;
 pub mod hatch;
 pub mod ink;
 pub mod marks;
@@ -16,6 +17,7 @@ pub mod palette;
 pub mod pick;
 pub mod plot;
 pub mod ruler;
+pub mod steps;
 pub mod svg;
 pub mod view;
 pub mod work;
@@ -29,6 +31,7 @@ use crate::text::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
 use outline::{Outline, Stretch};
+use ruler::Axis;
 use work::Work;
 
 /// The line style of a stroke: what a technical drawing tells apart.
@@ -238,19 +241,59 @@ pub struct Place {
     pub at: Point,
 }
 
+/// Which plane a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Plane {
+    /// The section along the spindle axis: Z to the right, X up, the work on both sides of the axis.
+    #[default]
+    Section,
+    /// The end face seen from the tailstock: X to the right, C up. Points have C in `x` and X in `z`, as
+    /// [`virtual_plane`](crate::geometry::virtual_plane) has them.
+    Face,
+}
+
+impl Plane {
+    /// The axes along the bottom and the left edge.
+    pub fn axes(self) -> [Axis; 2] {
+        match self {
+            Self::Section => [Axis::Z, Axis::X],
+            Self::Face => [Axis::FaceX, Axis::FaceC],
+        }
+    }
+
+    /// On which sides of the axis the outlines of the work are drawn: 1 as they are, −1 mirrored.
+    pub fn sides(self) -> &'static [f64] {
+        match self {
+            Self::Section => &[1.0, -1.0],
+            Self::Face => &[1.0],
+        }
+    }
+}
+
 /// The picture of a run: a view over its motions and the work, which nothing is copied into.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     motions: &'a Motions,
     outline: &'a Outline,
     work: Option<&'a Work>,
+    plane: Plane,
 }
 
 impl<'a> Scene<'a> {
     /// The picture of `motions`, of which `outline` was made, and of the work. Motions that the outline has not
     /// seen yet are left out.
     pub fn new(motions: &'a Motions, outline: &'a Outline, work: Option<&'a Work>) -> Self {
-        Self { motions, outline, work }
+        Self { motions, outline, work, plane: Plane::Section }
+    }
+
+    /// The same with the points taken as those of another plane.
+    pub fn on(self, plane: Plane) -> Self {
+        Self { plane, ..self }
+    }
+
+    /// Which plane it shows.
+    pub fn plane(&self) -> Plane {
+        self.plane
     }
 
     /// The outline the scene goes by.
@@ -351,7 +394,10 @@ impl<'a> Scene<'a> {
         // Both sides of the centre line are drawn.
         let stock = self.work.map(|work| {
             let bounds = work.bounds();
-            bounds.with(Point::new(-bounds.max.x, bounds.min.z))
+            match self.plane {
+                Plane::Section => bounds.with(Point::new(-bounds.max.x, bounds.min.z)),
+                Plane::Face => bounds.with(Point::default()),
+            }
         });
         let Some(cuts) = self.outline.cuts() else {
             let all = join(self.outline.rapids(), stock)

@@ -24,6 +24,10 @@ pub struct Palette {
     pub part_edge: String,
     /// Where something runs into something.
     pub danger: String,
+    /// What only the part has that was kept for comparison, or the first of two.
+    pub only_first: String,
+    /// What only the other one has.
+    pub only_second: String,
     /// Rapids.
     pub rapid: String,
     /// Cuts at feed.
@@ -53,6 +57,8 @@ impl Palette {
             part: "#e3dcc8".into(),
             part_edge: "#8a7f63".into(),
             danger: "#c02b2b".into(),
+            only_first: "#9c36b5".into(),
+            only_second: "#0b7285".into(),
             rapid: "#7f8b98".into(),
             feed: "#174ea6".into(),
             thread: "#0b7a53".into(),
@@ -75,6 +81,8 @@ impl Palette {
             part: "#3a3629".into(),
             part_edge: "#a0936f".into(),
             danger: "#ff8f87".into(),
+            only_first: "#da9bea".into(),
+            only_second: "#66d9e8".into(),
             rapid: "#7d8894".into(),
             feed: "#7fb2ff".into(),
             thread: "#4fd0a0".into(),

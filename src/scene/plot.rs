@@ -36,6 +36,8 @@ struct Frame {
     height: usize,
     /// Device pixels a mm.
     scale: f64,
+    /// The same upwards for a mm of radius: negative where X+ is down.
+    upward: f64,
     /// Where X 0 Z 0 is, device pixels.
     zero: Pixel,
     /// [`LEAST_STEP`] and [`DOT`], device pixels.
@@ -63,6 +65,7 @@ impl Plot {
             width: size.0 as usize,
             height: size.1 as usize,
             scale: camera.scale() * pixel_ratio,
+            upward: camera.upward() * pixel_ratio,
             zero: Pixel::new(zero.x * pixel_ratio, zero.y * pixel_ratio),
             least_step: LEAST_STEP * pixel_ratio,
             dot: DOT * pixel_ratio,
@@ -124,7 +127,7 @@ impl Plot {
 impl Frame {
     #[inline]
     fn pixel(self, point: Point) -> Pixel {
-        Pixel::new(self.zero.x + point.z * self.scale, self.zero.y - point.x * self.scale)
+        Pixel::new(self.zero.x + point.z * self.scale, self.zero.y - point.x * self.upward)
     }
 }
 

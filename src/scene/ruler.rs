@@ -1,9 +1,9 @@
 //! Where the ticks of the rulers stand, and what they say.
 //!
-//! In: a camera. Out: ticks at round values, as many as there is room for. Z reads in mm, X as a **diameter**
+//! In: a camera. Out: ticks at round values, as many as there is room for. Z and C read in mm, X as a **diameter**
 //! in mm: the one place of the picture where radii become diameters.
 
-use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel};
+use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
 
 /// An axis of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +12,10 @@ pub enum Axis {
     Z,
     /// Along the left edge, in diameters.
     X,
+    /// Along the bottom edge of the face view, in diameters.
+    FaceX,
+    /// Along the left edge of the face view: C in mm, as under G12.1.
+    FaceC,
 }
 
 impl Axis {
@@ -19,15 +23,29 @@ impl Axis {
     pub fn name(self) -> &'static str {
         match self {
             Self::Z => "Z mm",
-            Self::X => "X ⌀ mm",
+            Self::X | Self::FaceX => "X ⌀ mm",
+            Self::FaceC => "C mm",
+        }
+    }
+
+    /// Whether it stands along the bottom edge.
+    fn is_level(self) -> bool {
+        matches!(self, Self::Z | Self::FaceX)
+    }
+
+    /// What a mm of the picture counts on it.
+    fn count(self) -> f64 {
+        match self {
+            Self::X | Self::FaceX => 2.0,
+            Self::Z | Self::FaceC => 1.0,
         }
     }
 
     /// Least room for a labelled tick, CSS pixels.
     fn room(self) -> f64 {
         match self {
-            Self::Z => 64.0,
-            Self::X => 44.0,
+            Self::Z | Self::FaceX => 64.0,
+            Self::X | Self::FaceC => 44.0,
         }
     }
 }
@@ -71,10 +89,9 @@ pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
     let low = camera.to_world(Pixel::new(LEFT_RULER, size.height - BOTTOM_RULER));
     let high = camera.to_world(Pixel::new(size.width, 0.0));
     let zero = camera.to_screen(Default::default());
-    let (from, to, unit) = match axis {
-        Axis::Z => (low.z, high.z, camera.scale()),
-        Axis::X => (low.x * 2.0, high.x * 2.0, camera.scale() / 2.0),
-    };
+    let ends = if axis.is_level() { [low.z, high.z] } else { [low.x.min(high.x), low.x.max(high.x)] };
+    let [from, to] = ends.map(|end| end * axis.count());
+    let unit = camera.scale() / axis.count();
     let step = Step::at_least(axis.room() / unit);
     let minor = step.value() / f64::from(step.parts());
     let (first, last) = ((from / minor).ceil(), (to / minor).floor());
@@ -87,15 +104,16 @@ pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
         .map(|offset| {
             let index = first as i64 + offset;
             let away = index as f64 * minor * unit;
-            let pixel = match axis {
-                Axis::Z => zero.x + away,
-                Axis::X => zero.y - away,
+            let pixel = match (axis.is_level(), camera.x_plus()) {
+                (true, _) => zero.x + away,
+                (false, XPlus::Up) => zero.y - away,
+                (false, XPlus::Down) => zero.y + away,
             };
             let parts = i64::from(step.parts());
             let weight = if index % parts == 0 { TickWeight::Major } else { TickWeight::Minor };
-            let free = match axis {
-                Axis::Z => LEFT_RULER + 8.0..size.width - NAME_ROOM,
-                Axis::X => 8.0..size.height - BOTTOM_RULER - 4.0,
+            let free = match axis.is_level() {
+                true => LEFT_RULER + 8.0..size.width - NAME_ROOM,
+                false => 8.0..size.height - BOTTOM_RULER - 4.0,
             };
             let labelled = weight == TickWeight::Major && free.contains(&pixel);
             Tick { pixel, weight, label: labelled.then(|| step.label(index / parts)) }
@@ -177,6 +195,22 @@ mod tests {
             labels(Axis::Z, &camera),
             "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0"
         );
+        let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
+        assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_face_reads_x_in_diameters_and_c_in_mm() {
+        let camera = camera((-40.0, -20.0), (40.0, 20.0), 500.0, 500.0);
+        assert!(labels(Axis::FaceX, &camera).contains("\u{2212}50 0 50"), "{}", labels(Axis::FaceX, &camera));
+        assert!(labels(Axis::FaceC, &camera).contains("\u{2212}10 0 10"), "{}", labels(Axis::FaceC, &camera));
+    }
+
+    #[test]
+    fn a_front_turret_reads_downwards() {
+        let bounds = Bounds::around(Point::new(0.0, -60.0), Point::new(40.0, 10.0));
+        let camera = Camera::fit_with(bounds, Size { width: 800.0, height: 500.0 }, XPlus::Down);
+        assert_eq!(labels(Axis::X, &camera), "0 10 20 30 40 50 60 70 80");
         let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
         assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);
     }

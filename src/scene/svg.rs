@@ -7,18 +7,21 @@
 use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
+use crate::shop::compare::Side;
 use crate::shop::fitting::Known;
 
-use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
+use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
 use super::ruler::{Axis, Tick, TickWeight, ticks};
-use super::work::{Outlines, edges};
-use super::{Scene, Stroke, StrokeShape, StrokeStyle};
+use super::work::{Outlines, closed, edges};
+use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
+
+mod compared;
 
 /// How the file is to look.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SvgOptions {
     /// Width, CSS pixels.
     pub width: f64,
@@ -26,6 +29,10 @@ pub struct SvgOptions {
     pub height: Option<f64>,
     /// Its colours.
     pub ground: Ground,
+    /// Which way X+ is drawn.
+    pub x_plus: XPlus,
+    /// What the two colours of a comparison mean.
+    pub legend: Vec<(Side, String)>,
 }
 
 /// What a picture is drawn on.
@@ -40,7 +47,7 @@ pub enum Ground {
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self { width: 960.0, height: None, ground: Ground::default() }
+        Self { width: 960.0, height: None, ground: Ground::default(), x_plus: XPlus::Up, legend: Vec::new() }
     }
 }
 
@@ -53,8 +60,9 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let width = options.width.max(120.0);
     let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
     let height = options.height.map_or_else(chosen, |height| height.max(80.0));
-    let mut drawing = Drawing { text: String::new(), camera: Camera::fit(bounds, Size { width, height }) };
-    drawing.all(scene, options.ground);
+    let camera = Camera::fit_with(bounds, Size { width, height }, options.x_plus);
+    let mut drawing = Drawing { text: String::new(), camera };
+    drawing.all(scene, options);
     drawing.text
 }
 
@@ -65,7 +73,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn all(&mut self, scene: &Scene, ground: Ground) {
+    fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
         let [w, h] = [width, height].map(number);
         self.line(&format!(
@@ -74,25 +82,27 @@ impl Drawing {
         self.line("<style>");
         self.line(SHAPES);
         self.line(&colours(&Palette::light()));
-        if ground == Ground::AsSystem {
+        if options.ground == Ground::AsSystem {
             self.line(&format!("@media (prefers-color-scheme: dark) {{\n{}\n}}", colours(&Palette::dark())));
         }
         self.line("</style>");
         self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
-        let (along, across) = (ticks(Axis::Z, &self.camera), ticks(Axis::X, &self.camera));
+        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera));
         self.grid(&along, &across);
         self.work(scene);
-        self.center_line();
+        self.compared(scene);
+        self.center_lines(scene.plane());
         self.programmed(scene);
         for style in StrokeStyle::ALL {
             self.strokes(scene, style);
         }
         self.arrows(scene);
         self.dangers(scene);
+        self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(&along, &across);
+        self.rulers(scene.plane(), &along, &across);
         self.line("</svg>");
     }
 
@@ -115,14 +125,22 @@ impl Drawing {
             Known::Given => "",
             Known::Guessed => " guessed",
         };
-        for side in [1.0, -1.0] {
+        for side in scene.plane().sides() {
             let seen = |outlines: &Outlines, camera: &Camera| -> Vec<Vec<Pixel>> {
                 let place = |at: &Point| camera.to_screen(Point::new(side * at.x, at.z));
                 outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
             };
             let camera = &self.camera;
             let (part, zero) = (seen(&work.part, camera), camera.to_screen(Point::default()));
-            let hatching = hatch(&part, zero, camera.size());
+            // What is looked at from outside is not cut through.
+            let hatching = match scene.plane() {
+                Plane::Section => hatch(&part, zero, camera.size()),
+                Plane::Face => Vec::new(),
+            };
+            let edges = |outlines: &Outlines| match scene.plane() {
+                Plane::Section => edges(outlines),
+                Plane::Face => closed(outlines),
+            };
             let lines = |outlines: &Outlines| polylines(&seen(outlines, camera), "");
             let shapes = [
                 ("blank", polylines(&seen(&work.blank, camera), "Z")),
@@ -154,10 +172,16 @@ impl Drawing {
         self.line(&format!(r#"<path class="danger" d="{d}"/>"#));
     }
 
-    fn center_line(&mut self) {
-        let y = sharp(self.camera.to_screen(Point::default()).y);
+    fn center_lines(&mut self, plane: Plane) {
+        let zero = self.camera.to_screen(Point::default());
         let (from, to) = (number(LEFT_RULER), number(self.camera.size().width));
-        self.line(&format!(r#"<path class="center" d="M{from} {y}H{to}"/>"#));
+        let upright = match plane {
+            Plane::Section => String::new(),
+            Plane::Face => {
+                format!("M{} 0V{}", sharp(zero.x), number(self.camera.size().height - BOTTOM_RULER))
+            }
+        };
+        self.line(&format!(r#"<path class="center" d="M{from} {}H{to}{upright}"/>"#, sharp(zero.y)));
     }
 
     fn strokes(&mut self, scene: &Scene, style: StrokeStyle) {
@@ -225,9 +249,10 @@ impl Drawing {
     fn half(&self, arc: &Arc, t: f64) -> String {
         let radius = number(self.camera.scale() * arc.center.distance(arc.at(t - 0.25)));
         let sweep = match arc.turn {
-            Turn::Clockwise => 1,
-            Turn::Counterclockwise => 0,
+            Turn::Clockwise => self.camera.x_plus() == XPlus::Up,
+            Turn::Counterclockwise => self.camera.x_plus() == XPlus::Down,
         };
+        let sweep = u8::from(sweep);
         let end = if t < 1.0 { arc.at(t) } else { arc.end };
         format!("A{radius} {radius} 0 0 {sweep} {}", self.place(end))
     }
@@ -250,7 +275,7 @@ impl Drawing {
         }
     }
 
-    fn rulers(&mut self, along: &[Tick], across: &[Tick]) {
+    fn rulers(&mut self, plane: Plane, along: &[Tick], across: &[Tick]) {
         let Size { width, height } = self.camera.size();
         let (left, bottom) = (LEFT_RULER - 0.5, height - BOTTOM_RULER + 0.5);
         let mut d = format!("M{} 0V{}H{}", number(left), number(bottom), number(width));
@@ -273,7 +298,7 @@ impl Drawing {
         }
         self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
         self.text.push_str(&labels);
-        let (x, z) = (Axis::X.name(), Axis::Z.name());
+        let [z, x] = plane.axes().map(Axis::name);
         self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
         let (right, low) = (number(width - 8.0), number(height - 7.0));
         self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
@@ -303,6 +328,9 @@ const SHAPES: &str = "\
 .lathe .part-edge { stroke-width: 1.5; stroke-linejoin: round }
 .lathe .hatch { opacity: 0.35 }
 .lathe .obstacle { fill-opacity: 0.25 }
+.lathe .only { fill-opacity: 0.16; stroke-width: 1.25 }
+.lathe .only.hatch { fill: none; opacity: 0.8; stroke-width: 1 }
+.lathe text.legend { text-anchor: end }
 .lathe .danger { fill: none; stroke-width: 2.5 }
 .lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
 .lathe text.x { text-anchor: end }
@@ -322,6 +350,8 @@ fn colours(palette: &Palette) -> String {
         part,
         part_edge,
         danger,
+        only_first,
+        only_second,
         rapid,
         feed,
         thread,
@@ -340,6 +370,8 @@ fn colours(palette: &Palette) -> String {
 .lathe .hatch, .lathe .part-edge {{ stroke: {part_edge} }}
 .lathe .obstacle {{ fill: {axis}; stroke: {axis} }}
 .lathe .danger {{ stroke: {danger} }}
+.lathe .only.first {{ fill: {only_first}; stroke: {only_first} }}
+.lathe .only.second {{ fill: {only_second}; stroke: {only_second} }}
 .lathe g .rapid {{ stroke: {rapid} }}
 .lathe g .feed, .lathe g .dwell {{ stroke: {feed} }}
 .lathe g .thread {{ stroke: {thread} }}
@@ -358,9 +390,15 @@ fn is_other_path(before: &Stroke, stroke: &Stroke) -> bool {
 fn polylines(lines: &[Vec<Pixel>], end: &str) -> String {
     let mut d = String::new();
     for corners in lines {
+        let mut last = String::new();
         for (index, corner) in corners.iter().enumerate() {
-            d.push(if index == 0 { 'M' } else { 'L' });
-            d.push_str(&pixel(*corner));
+            // Corners nearer to one another than can be told are one.
+            let place = pixel(*corner);
+            if place != last {
+                d.push(if index == 0 { 'M' } else { 'L' });
+                d.push_str(&place);
+                last = place;
+            }
         }
         d.push_str(end);
     }

@@ -8,8 +8,9 @@ use std::ops::Range;
 use crate::geometry::Point;
 
 use super::Scene;
-use super::camera::{Camera, Pixel, Size};
+use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
+use super::steps::StepLabel;
 
 /// Whether the camera still shows the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +42,10 @@ pub struct View {
     pub highlight: Vec<Range<usize>>,
     /// Named places of the selected cycle.
     pub marks: Vec<Mark>,
+    /// The steps of one of its passes.
+    pub steps: Vec<StepLabel>,
+    /// The edge of the part under the pointer.
+    pub edge: Vec<Point>,
     /// The motion under the pointer.
     pub hover: Option<usize>,
     /// How far the tool has come, mm along the whole path; `None` shows everything drawn and no tool.
@@ -57,6 +62,8 @@ impl View {
             palette: Palette::default(),
             highlight: Vec::new(),
             marks: Vec::new(),
+            steps: Vec::new(),
+            edge: Vec::new(),
             hover: None,
             playhead: None,
         }
@@ -86,19 +93,27 @@ impl View {
 
     /// Whether it differs by nothing but what is picked out.
     pub fn shows_same_ground(&self, other: &View) -> bool {
-        let Self { camera, framing, pixel_ratio, palette, playhead, highlight: _, marks: _, hover: _ } = self;
+        let Self { camera, framing, pixel_ratio, palette, playhead, .. } = self;
         (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
             && (palette, playhead) == (&other.palette, &other.playhead)
     }
 
     /// The same view with nothing picked out.
     pub fn bare(&self) -> View {
-        View { palette: self.palette.clone(), highlight: Vec::new(), marks: Vec::new(), hover: None, ..*self }
+        View {
+            palette: self.palette.clone(),
+            highlight: Vec::new(),
+            marks: Vec::new(),
+            steps: Vec::new(),
+            edge: Vec::new(),
+            hover: None,
+            ..*self
+        }
     }
 
     /// Shows all that is worth looking at.
     pub fn fit(&mut self, scene: &Scene) {
-        self.camera = Camera::fit(scene.bounds(), self.camera.size());
+        self.camera = Camera::fit_with(scene.bounds(), self.camera.size(), self.camera.x_plus());
         self.framing = Framing::Fitted;
     }
 
@@ -108,6 +123,12 @@ impl View {
             Framing::Fitted => self.fit(scene),
             Framing::Moved => {}
         }
+    }
+
+    /// Draws X+ up or down.
+    pub fn turn(&mut self, scene: &Scene, x_plus: XPlus) {
+        self.camera.turn(x_plus);
+        self.follow(scene);
     }
 
     /// Moves the picture by CSS pixels, to the right and down.

@@ -9,6 +9,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME};
 use crate::motion::Motions;
 use crate::shop::Shop;
+use crate::shop::compare::{Comparison, Side};
 use crate::shop::fitting::Known;
 use crate::shop::region::Region;
 
@@ -31,6 +32,8 @@ pub struct Work {
     pub tool: Option<ToolOutline>,
     /// Places where something runs into something.
     pub dangers: Vec<Point>,
+    /// What only one of two compared parts has: the first, the second.
+    pub compared: Option<[Outlines; 2]>,
     bounds: Bounds,
 }
 
@@ -59,7 +62,6 @@ pub struct Moment {
 impl Work {
     /// The work when all motions are done, or at a moment; nothing where there is no blank.
     pub fn of(shop: &Shop, motions: &Motions, moment: Option<Moment>) -> Option<Self> {
-        static NEXT: AtomicU64 = AtomicU64::new(0);
         let (stock, known) = shop.fitting().stock()?;
         let part = match moment {
             Some(at) => shop.part_at(motions, at.motion, at.share),
@@ -75,7 +77,7 @@ impl Work {
             }
         });
         Some(Self {
-            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            id: next_id(),
             blank: outlines(shop.blank()?),
             part: outlines(&part),
             known,
@@ -87,11 +89,47 @@ impl Work {
                 .filter(|found| found.danger.has_place())
                 .map(|found| found.at)
                 .collect(),
+            compared: None,
             bounds: Bounds {
                 min: Point::new(stock.bore / 2.0, stock.back()),
                 max: Point::new(stock.diameter / 2.0, stock.face),
             },
         })
+    }
+
+    /// An end face of a radius, mm, at a moment: the points have C in `x` and X in `z`.
+    pub fn on_face(
+        blank: &Region,
+        part: &Region,
+        known: Known,
+        tool: Option<ToolOutline>,
+        radius: f64,
+    ) -> Self {
+        Self {
+            id: next_id(),
+            blank: outlines(blank),
+            part: outlines(part),
+            known,
+            obstacles: Vec::new(),
+            tool,
+            dangers: Vec::new(),
+            compared: None,
+            bounds: Bounds { min: Point::new(-radius, -radius), max: Point::new(radius, radius) },
+        }
+    }
+
+    /// The same with something else left of the blank.
+    pub fn with_part(self, part: &Region) -> Self {
+        Self { id: next_id(), part: outlines(part), ..self }
+    }
+
+    /// The same with the differences of two parts marked.
+    pub fn compared_with(self, comparison: &Comparison) -> Self {
+        let only = |side: Side| {
+            let pieces = comparison.only(side).map(|difference| &difference.piece);
+            pieces.flat_map(|piece| [&piece.outline].into_iter().chain(&piece.holes).cloned()).collect()
+        };
+        Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
     /// A number that no other work has.
@@ -103,6 +141,11 @@ impl Work {
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
+}
+
+fn next_id() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 /// The lines all around outlines.

@@ -4,7 +4,9 @@
 //! before the picture; must not know the text of the program.
 
 pub mod assumed;
+pub mod compare;
 pub mod danger;
+pub mod feature;
 pub mod fitting;
 pub mod guess;
 pub mod part;

@@ -36,7 +36,8 @@ export class CoreClient {
 
   send(command: Command): void {
     if (this.#ended) return;
-    this.#worker.postMessage(command, command.kind === 'canvas' ? [command.canvas] : []);
+    const what = command.kind === 'on-face' ? command.what : command;
+    this.#worker.postMessage(command, what.kind === 'canvas' ? [what.canvas] : []);
     this.#watchOver();
   }
 

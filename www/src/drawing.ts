@@ -22,10 +22,12 @@ export interface DrawingEvents {
   left(): void;
   /** `keepFocus`: a finger tapped, and an on-screen keyboard must not come up. */
   clicked(x: number, y: number, keepFocus: boolean): void;
+  /** The buttons act on this picture too. */
+  companion?(): Drawing | undefined;
 }
 
 const PALETTE: readonly (keyof Palette)[] = [
-  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'part', 'partEdge', 'danger', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
+  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'part', 'partEdge', 'danger', 'onlyFirst', 'onlySecond', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
 ];
 
 export class Drawing {
@@ -45,13 +47,22 @@ export class Drawing {
   #canvas = make('canvas');
   #strings: Strings;
   #summary: Summary | undefined;
+  #stroke: Stroke | undefined;
+  #edge: string | undefined;
   #travel = 0;
   #panning = { dx: 0, dy: 0 };
   #at = { x: 0, y: 0 };
 
-  constructor(strings: Strings, events: DrawingEvents) {
+  readonly #label: (strings: Strings, motions: number) => string;
+
+  constructor(
+    strings: Strings,
+    events: DrawingEvents,
+    label = (texts: Strings, motions: number): string => texts.drawing(motions),
+  ) {
     this.#strings = strings;
     this.#events = events;
+    this.#label = label;
     this.element = make(
       'section',
       { className: 'drawing', part: 'drawing' },
@@ -60,9 +71,12 @@ export class Drawing {
       this.#tip,
     );
     this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);
-    this.#fit.addEventListener('click', () => this.#events.fit());
-    this.#zoomIn.addEventListener('click', () => this.#zoomMiddle(KEY_ZOOM));
-    this.#zoomOut.addEventListener('click', () => this.#zoomMiddle(1 / KEY_ZOOM));
+    const both = (act: (drawing: Drawing) => void): void => {
+      for (const drawing of [this, this.#events.companion?.()]) if (drawing !== undefined) act(drawing);
+    };
+    this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
+    this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
+    this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
     this.#sizes.observe(this.#holder);
     this.strings = strings;
   }
@@ -117,14 +131,30 @@ export class Drawing {
 
   /** What lies under the pointer, or nothing. */
   showTip(stroke: Stroke | undefined): void {
-    this.#tip.hidden = stroke === undefined;
+    this.#stroke = stroke;
     this.#canvas.classList.toggle('on-stroke', stroke !== undefined);
-    if (stroke === undefined) return;
-    this.#tip.replaceChildren(
+    this.#fillTip();
+  }
+
+  /** The dimensions of the edge under the pointer, or nothing. */
+  showEdge(text: string | undefined): void {
+    this.#edge = text;
+    this.#fillTip();
+  }
+
+  #fillTip(): void {
+    const [stroke, edge] = [this.#stroke, this.#edge];
+    this.#tip.hidden = stroke === undefined && edge === undefined;
+    if (this.#tip.hidden) return;
+    const ofStroke = stroke === undefined ? [] : [make(
+      'div',
+      { className: 'stroke' },
       make('span', { className: `swatch ${swatch(stroke.kind)}` }),
       make('span', { className: 'what' }, ...unbroken(stroke.text)),
       make('span', { className: 'facts' }, this.#strings.line(stroke.line)),
-    );
+    )];
+    const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
+    this.#tip.replaceChildren(...ofStroke, ...ofEdge);
     const room = this.#holder.getBoundingClientRect();
     const { width, height } = this.#tip.getBoundingClientRect();
     const x = Math.min(Math.max(this.#at.x + 14, 8), Math.max(room.width - width - 8, 8));
@@ -143,7 +173,7 @@ export class Drawing {
 
   #showSummary(): void {
     const summary = this.#summary;
-    this.#canvas.setAttribute('aria-label', this.#strings.drawing(summary?.motions ?? 0));
+    this.#canvas.setAttribute('aria-label', this.#label(this.#strings, summary?.motions ?? 0));
     this.#empty.hidden = summary === undefined || summary.motions > 0;
     const kinds: [boolean, string, string][] = [
       [(summary?.rapids ?? 0) > 0, 'rapid', this.#strings.rapid],

@@ -17,14 +17,14 @@
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the text as it is
 // in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for
 // automation
-//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window.
+//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window; locateOnFace(x, c) of the face.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
 //   gcode-switch  detail {blockSkip, program}      gcode-setup  detail {setup}: the attribute follows the form
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// setup playback play readout doing status notice written-out codes solid export-menu help.
+// setup views playback play readout doing status notice written-out codes solid export-menu help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -32,6 +32,7 @@ import { CodesDialog } from './codes';
 import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
 import { acceptFiles } from './drop';
+import { dimensionText } from './dimension';
 import { Drawing } from './drawing';
 import { Editor } from './editor';
 import { programText, type ProgramFile, type ProgramText } from './editor-file';
@@ -45,12 +46,14 @@ import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
 import type { FileFormat, Report, SetupAnswer, SetupPlace, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import type { CanvasCommand } from './protocol-views';
 import { SetupBar } from './setup-bar';
 import { SetupDialog } from './setup-form';
 import { SolidDialog } from './solid';
 import { initialProgram, mergedSetup, neutralSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
 import { Switches } from './switches';
+import { Views, type Pictures } from './views';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
 import setupStyles from './setup.css?inline';
@@ -70,6 +73,8 @@ interface Line {
   readonly pointer: Newest<'pick'>;
   readonly tool: Newest<'playhead'>;
   readonly section: Newest<'section'>;
+  readonly onFace: Newest<'pickOnFace'>;
+  readonly edge: Newest<'dimension'>;
 }
 
 export interface OpenedProgram {
@@ -84,6 +89,9 @@ export class GcodePlayground extends HTMLElement {
   #line: Line | undefined;
   #strings: Strings = strings('en');
   #drawing!: Drawing;
+  #face!: Drawing;
+  #views!: Views;
+  #pictures!: HTMLElement;
   #playback!: Playback;
   #problems!: Problems;
   #status!: StatusLine;
@@ -237,6 +245,14 @@ export class GcodePlayground extends HTMLElement {
     return { clientX: origin.x + place.x, clientY: origin.y + place.y };
   }
 
+  /** The same of the end face: X a diameter, C in mm. */
+  async locateOnFace(x: number, c: number): Promise<{ clientX: number; clientY: number }> {
+    if (this.#line === undefined) throw new Error('the playground is not in a document');
+    const place = await this.#line.client.ask('locateOnFace', { x, c });
+    const origin = this.#face.origin;
+    return { clientX: origin.x + place.x, clientY: origin.y + place.y };
+  }
+
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async openFile(file: File): Promise<void> {
     const editor = this.#editor;
@@ -304,13 +320,21 @@ export class GcodePlayground extends HTMLElement {
       fit: () => this.#line?.client.send({ kind: 'fit' }),
       pan: (dx, dy) => this.#line?.client.send({ kind: 'pan', dx, dy }),
       zoom: (factor, x, y) => this.#line?.client.send({ kind: 'zoom', factor, x, y }),
-      pointed: (x, y) => this.#line?.pointer.ask({ x, y }),
+      pointed: (x, y) => {
+        this.#line?.pointer.ask({ x, y });
+        this.#line?.edge.ask({ x, y });
+      },
       left: () => {
         this.#line?.pointer.forget();
+        this.#line?.edge.forget();
+        this.#line?.client.send({ kind: 'leave-edge' });
+        this.#drawing.showEdge(undefined);
         this.#showHovered(undefined);
       },
-      clicked: (x, y, keepFocus) => void this.#clicked(x, y, keepFocus),
+      clicked: (x, y, keepFocus) => void this.#clicked('pick', x, y, keepFocus),
+      companion: () => this.#face,
     });
+    this.#buildViews(texts);
     this.#playback = new Playback(texts, {
       moveTo: (distance) => this.#line?.tool.ask({ distance }),
       step: (distance, direction) =>
@@ -351,7 +375,7 @@ export class GcodePlayground extends HTMLElement {
       'div',
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
-      make('div', { className: 'shown' }, this.#drawing.element, this.#setupBar.element, this.#playback.element),
+      make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#setupBar.element, this.#playback.element),
       make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
@@ -369,6 +393,40 @@ export class GcodePlayground extends HTMLElement {
     const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
     editor.setText(programText(text), file, 'final');
     this.#lengthBefore = editor.length;
+  }
+
+  /** The end face beside the section, and the row that chooses between them. */
+  #buildViews(texts: Strings): void {
+    const onFace = (what: CanvasCommand): void => this.#line?.client.send({ kind: 'on-face', what });
+    this.#face = new Drawing(
+      texts,
+      {
+        resized: (size) => onFace({ kind: 'resize', size }),
+        fit: () => onFace({ kind: 'fit' }),
+        pan: (dx, dy) => onFace({ kind: 'pan', dx, dy }),
+        zoom: (factor, x, y) => onFace({ kind: 'zoom', factor, x, y }),
+        pointed: (x, y) => this.#line?.onFace.ask({ x, y }),
+        left: () => {
+          this.#line?.onFace.forget();
+          this.#showHovered(undefined, this.#face);
+        },
+        clicked: (x, y, keepFocus) => void this.#clicked('pickOnFace', x, y, keepFocus),
+      },
+      (words) => words.views.faceDrawing,
+    );
+    this.#views = new Views(texts, {
+      chosen: (pictures) => this.#showPictures(pictures),
+      turned: (side) => this.#line?.client.send({ kind: 'turret', side }),
+      kept: () => this.#line?.client.send({ kind: 'keep' }),
+      ended: () => this.#line?.client.send({ kind: 'end-comparison' }),
+    });
+    this.#pictures = make('div', { className: 'pictures' }, this.#drawing.element, this.#face.element);
+    this.#showPictures('section');
+  }
+
+  #showPictures(pictures: Pictures): void {
+    this.#drawing.element.hidden = pictures === 'face';
+    this.#face.element.hidden = pictures === 'section';
   }
 
   #key(event: KeyboardEvent): void {
@@ -397,6 +455,9 @@ export class GcodePlayground extends HTMLElement {
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
       tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
       section: new Newest(client, 'section', (pieces) => (this.#solid.section = pieces)),
+      onFace: new Newest(client, 'pickOnFace', (stroke) => this.#showHovered(stroke, this.#face)),
+      edge: new Newest(client, 'dimension', (edge) =>
+        this.#drawing.showEdge(edge === undefined ? undefined : dimensionText(this.#strings, edge))),
     };
     this.#editor?.unsend();
     client.send({ kind: 'language', tag: this.language });
@@ -406,6 +467,8 @@ export class GcodePlayground extends HTMLElement {
       size: this.#drawing.size,
       palette: this.#drawing.palette,
     });
+    const { size, palette } = this.#face;
+    client.send({ kind: 'on-face', what: { kind: 'canvas', canvas: this.#face.handOverCanvas(), size, palette } });
     this.#sendSetup();
   }
 
@@ -416,6 +479,9 @@ export class GcodePlayground extends HTMLElement {
         break;
       case 'progress':
         if (event.revision === this.#editor?.revision) this.#status.progress(event.work, event.done);
+        break;
+      case 'views':
+        this.#views.state = event.views;
         break;
       case 'switches':
         this.#switches.inText = event.inText;
@@ -494,8 +560,8 @@ export class GcodePlayground extends HTMLElement {
     if (editor.revision === revision) editor.tokens = tokens;
   }
 
-  async #clicked(x: number, y: number, keepFocus: boolean): Promise<void> {
-    const stroke = await this.#line?.client.ask('pick', { x, y });
+  async #clicked(about: 'pick' | 'pickOnFace', x: number, y: number, keepFocus: boolean): Promise<void> {
+    const stroke = await this.#line?.client.ask(about, { x, y });
     if (stroke === undefined) return;
     this.#cursorKnown = true;
     this.#editor?.select(stroke);
@@ -654,8 +720,8 @@ export class GcodePlayground extends HTMLElement {
     this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
   }
 
-  #showHovered(stroke: Stroke | undefined): void {
-    this.#drawing.showTip(stroke);
+  #showHovered(stroke: Stroke | undefined, where = this.#drawing): void {
+    where.showTip(stroke);
     if (stroke?.motion === this.#hovered) return;
     this.#hovered = stroke?.motion;
     this.#line?.client.send({ kind: 'hover', motion: stroke?.motion });
@@ -675,7 +741,7 @@ export class GcodePlayground extends HTMLElement {
     const language = this.language;
     const texts = (this.#strings = strings(language));
     for (const shown of [
-      this.#drawing, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
+      this.#drawing, this.#face, this.#views, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
       this.#writtenOut, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid,
     ]) {
       shown.strings = texts;

@@ -6,6 +6,7 @@
 
 import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
+import { viewStrings, type ViewStrings } from './i18n-views';
 
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -40,6 +41,7 @@ export interface Strings {
   readonly rapid: string;
   readonly feed: string;
   readonly thread: string;
+  readonly views: ViewStrings;
   // playing
   readonly playback: string;
   readonly play: string;
@@ -171,6 +173,7 @@ const en: Strings = {
   rapid: 'rapid',
   feed: 'cutting',
   thread: 'thread',
+  views: viewStrings.en,
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
@@ -297,6 +300,7 @@ const zh: Strings = {
   rapid: '快速移动',
   feed: '切削进给',
   thread: '螺纹切削',
+  views: viewStrings.zh,
   playback: '播放',
   play: '播放',
   pause: '暂停',
@@ -424,6 +428,7 @@ const ru: Strings = {
   rapid: 'ускоренный ход',
   feed: 'рабочий ход',
   thread: 'резьба',
+  views: viewStrings.ru,
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',

@@ -7,6 +7,7 @@
 import type {
   Codes, Diagnostic, Fitted, Palette, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary,
 } from '../pkg/gcode_playground.js';
+import type { ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 import type { SwitchesInText } from './switches-in-text';
 
 export type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary };
@@ -32,6 +33,7 @@ export type Command =
   | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
+  | ViewCommand
   | { readonly kind: 'fit' }
   /** CSS pixels. */
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
@@ -67,7 +69,7 @@ export const FILE_FORMATS = ['card', 'svg', 'png', 'csv', 'dxf', 'stl', 'program
 export type FileFormat = (typeof FILE_FORMATS)[number];
 
 /** Every question with what it asks and what it is answered. */
-export interface Questions {
+export interface Questions extends ViewQuestions {
   ping: { ask: undefined; answer: true };
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
@@ -125,6 +127,7 @@ export type WorkerEvent =
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly revision: number; readonly work: Work; readonly done: number }
+  | { readonly kind: 'views'; readonly views: ViewsState }
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'setup-rejected'; readonly reason: string }
   | { readonly kind: 'setup-accepted' }

@@ -11,6 +11,7 @@ import type {
   Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
 } from './protocol';
 import { handIn } from './text-in';
+import { answerView, doView, drawAll, viewsState } from './worker-views';
 
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
@@ -27,7 +28,7 @@ const WAIT_FOR_PART_MS = 8;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
-const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom']);
+const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom', 'on-face', 'turret']);
 
 interface Run {
   readonly startedAt: number;
@@ -120,6 +121,13 @@ function receive(message: Command | Question): void {
     case 'hover':
       core.setHover(message.motion);
       break;
+    case 'on-face':
+    case 'turret':
+    case 'keep':
+    case 'end-comparison':
+    case 'leave-edge':
+      if (doView(core, message)) send({ kind: 'views', views: viewsState(core) });
+      break;
     case 'fit':
       core.fit();
       break;
@@ -171,6 +179,11 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       const [px = 0, py = 0] = playground.screenOf(x, z);
       return { x: px, y: py };
     }
+    case 'pickOnFace':
+    case 'dimension':
+    case 'locateOnFace':
+      if (question.about === 'dimension') wantDraw();
+      return answerView(playground, question.about, question.ask as Questions[typeof question.about]['ask']);
     case 'expand':
       return writtenOut(playground);
     case 'codes':
@@ -331,6 +344,7 @@ function report(playground: Playground): void {
       stage,
     },
   });
+  send({ kind: 'views', views: viewsState(playground) });
 }
 
 // ---- the tool -------------------------------------------------------------------------------------
@@ -382,7 +396,7 @@ function wantDraw(): void {
 }
 
 function draw(playground: Playground): void {
-  const drawn = playground.draw();
+  const drawn = drawAll(playground);
   drawing = drawn === Drawn.Part;
   if (drawing) queueSlice();
   if (drawn === Drawn.Moved) wantDraw();

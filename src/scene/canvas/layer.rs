@@ -101,6 +101,11 @@ impl StrokeLayer {
         if self.shown.as_ref().is_some_and(same) {
             return Ok(Progress::Done);
         }
+        // An image with X the other way cannot be moved into place.
+        let turned = |shown: &Target| shown.view.camera().x_plus() != view.camera().x_plus();
+        if self.shown.as_ref().is_some_and(turned) {
+            self.shown = None;
+        }
         let target = Target { view: view.bare(), outline };
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =

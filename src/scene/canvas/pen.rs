@@ -52,12 +52,12 @@ impl Pen {
         self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)
     }
 
-    /// From here on, paths are in mm, with Z to the right and X up; `width` and `dash` stay in CSS pixels.
+    /// From here on, paths are in mm, with Z to the right and X up (down for a front turret); `width` and `dash` stay in CSS pixels.
     pub fn world(&self, view: &View, width: f64, dash: Dash, colour: &str) -> Result<(), JsValue> {
         let (camera, ratio) = (view.camera(), view.pixel_ratio());
         let zero = camera.to_screen(Default::default());
-        let scale = camera.scale() * ratio;
-        self.context.set_transform(scale, 0.0, 0.0, -scale, zero.x * ratio, zero.y * ratio)?;
+        let (across, up) = (camera.scale() * ratio, camera.upward() * ratio);
+        self.context.set_transform(across, 0.0, 0.0, -up, zero.x * ratio, zero.y * ratio)?;
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width / camera.scale());
         self.dash(dash, 1.0 / camera.scale())

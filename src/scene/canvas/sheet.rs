@@ -5,13 +5,13 @@
 use wasm_bindgen::JsValue;
 
 use super::super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size};
-use super::super::hatch::hatch;
+use super::super::hatch::{Slant, hatch, hatch_slanted};
 use super::super::ink::Ink;
 use super::super::palette::Palette;
 use super::super::ruler::{Axis, Tick, TickWeight, ticks};
 use super::super::view::View;
 use super::super::work::{Outlines, closed, edges};
-use super::super::{Scene, StrokeStyle};
+use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
 use crate::shop::fitting::Known;
@@ -56,16 +56,15 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::default(), Pixel::new(width, height));
     pen.clip(view)?;
     let major = |tick: &Tick| tick.weight == TickWeight::Major;
-    let along = ticks(Axis::Z, camera);
+    let [along, across] = scene.plane().axes().map(|axis| ticks(axis, camera));
     let upright =
         along.iter().filter(|tick| major(tick)).map(|tick| from_to((tick.pixel, 0.0), (tick.pixel, height)));
     pen.hairlines(view, &palette.grid, Dash::Solid, upright)?;
-    let across = ticks(Axis::X, camera);
     let level =
         across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
     pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
     work(pen, scene, view)?;
-    center_line(pen, view)?;
+    center_lines(pen, scene.plane(), view)?;
     pen.unclip();
     Ok(())
 }
@@ -75,25 +74,46 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let Some(work) = scene.work() else { return Ok(()) };
     let (camera, palette) = (view.camera(), &view.palette);
     pen.page(view)?;
-    for side in [1.0, -1.0] {
+    for side in scene.plane().sides() {
         let seen = |outlines: &Outlines| -> Vec<Vec<Pixel>> {
             let place = |at: &Point| held(camera, Point::new(side * at.x, at.z));
             outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
         };
         let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
-        let edges = [&work.blank, &work.part].map(|outlines| seen(&edges(outlines)));
+        let edges = [&work.blank, &work.part].map(|outlines| match scene.plane() {
+            Plane::Section => seen(&edges(outlines)),
+            Plane::Face => seen(&closed(outlines)),
+        });
         pen.opacity(1.0);
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
         pen.polylines(&palette.stock_edge, &edges[0], 1.0, blank_dash(work.known))?;
         pen.fill(&palette.part, part.iter().map(Vec::as_slice));
-        pen.opacity(0.35);
-        let lines = hatch(&part, camera.to_screen(Point::default()), camera.size());
-        pen.lines(&palette.part_edge, 1.0, lines.into_iter());
+        // What is looked at from outside is not cut through.
+        if scene.plane() == Plane::Section {
+            pen.opacity(0.35);
+            let lines = hatch(&part, camera.to_screen(Point::default()), camera.size());
+            pen.lines(&palette.part_edge, 1.0, lines.into_iter());
+        }
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         pen.opacity(1.0);
         pen.polylines(&palette.part_edge, &edges[1], 1.5, Dash::Solid)?;
         pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
+        let [first, second] =
+            work.compared.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
+        for (only, colour, slant) in
+            [(first, &palette.only_first, Slant::Falling), (second, &palette.only_second, Slant::Rising)]
+        {
+            let Some(only) = only else { continue };
+            let pieces = seen(only);
+            pen.opacity(0.16);
+            pen.fill(colour, pieces.iter().map(Vec::as_slice));
+            pen.opacity(0.8);
+            let lines = hatch_slanted(&pieces, camera.to_screen(Point::default()), camera.size(), slant);
+            pen.lines(colour, 1.0, lines.into_iter());
+            pen.opacity(1.0);
+            pen.polylines(colour, &seen(&closed(only)), 1.25, Dash::Solid)?;
+        }
     }
     Ok(())
 }
@@ -106,14 +126,16 @@ fn blank_dash(known: Known) -> Dash {
     }
 }
 
-fn center_line(pen: &Pen, view: &View) -> Result<(), JsValue> {
-    let y = view.camera().to_screen(Point::default()).y;
-    let line = from_to((LEFT_RULER, y), (view.camera().size().width, y));
-    pen.hairlines(view, &view.palette.axis, Dash::Center([16.0, 4.0, 2.0, 4.0]), [line].into_iter())
+fn center_lines(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
+    let (zero, Size { width, height }) = (view.camera().to_screen(Point::default()), view.camera().size());
+    let level = from_to((LEFT_RULER, zero.y), (width, zero.y));
+    let upright = (plane == Plane::Face).then(|| from_to((zero.x, 0.0), (zero.x, height)));
+    let lines = [level].into_iter().chain(upright);
+    pen.hairlines(view, &view.palette.axis, Dash::Center([16.0, 4.0, 2.0, 4.0]), lines)
 }
 
 /// Draws the rulers over the edges of the picture.
-pub fn rulers(pen: &Pen, view: &View) -> Result<(), JsValue> {
+pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
     let (camera, palette) = (view.camera(), &view.palette);
     let Size { width, height } = camera.size();
     let (left, bottom) = (LEFT_RULER, height - BOTTOM_RULER);
@@ -122,11 +144,10 @@ pub fn rulers(pen: &Pen, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::new(0.0, bottom), Pixel::new(width, height));
     let edges = [from_to((left, 0.0), (left, bottom)), from_to((left, bottom), (width, bottom))];
     pen.hairlines(view, &palette.axis, Dash::Solid, edges.into_iter())?;
-    let along = ticks(Axis::Z, camera);
+    let [along, across] = plane.axes().map(|axis| ticks(axis, camera));
     let lines =
         along.iter().map(|tick| from_to((tick.pixel, bottom), (tick.pixel, bottom + tick.weight.length())));
     pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
-    let across = ticks(Axis::X, camera);
     let lines =
         across.iter().map(|tick| from_to((left - tick.weight.length(), tick.pixel), (left, tick.pixel)));
     pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
@@ -136,8 +157,9 @@ pub fn rulers(pen: &Pen, view: &View) -> Result<(), JsValue> {
     for tick in &across {
         label(pen, tick, "right", Pixel::new(left - 10.0, tick.pixel), palette)?;
     }
-    name(pen, Axis::X, "left", Pixel::new(left + 7.0, 12.0), palette)?;
-    name(pen, Axis::Z, "right", Pixel::new(width - 8.0, height - 10.0), palette)
+    let [level, upright] = plane.axes();
+    name(pen, upright, "left", Pixel::new(left + 7.0, 12.0), palette)?;
+    name(pen, level, "right", Pixel::new(width - 8.0, height - 10.0), palette)
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {

@@ -1,0 +1,107 @@
+//! Two programs' parts laid over each other, as text, JSON or a picture.
+//!
+//! In: two programs that were run. Out: what only one of the parts has, measured. Diameters are told as X.
+
+use std::io::{self, Write};
+
+use super::{Format, Program, write_row};
+use crate::api;
+use crate::motion::Motions;
+use crate::scene::Scene;
+use crate::scene::camera::XPlus;
+use crate::scene::outline::Outline;
+use crate::scene::svg::{SvgOptions, svg};
+use crate::scene::work::Work;
+use crate::shop::Shop;
+use crate::shop::compare::{Comparison, Side, parts};
+use crate::shop::region::Region;
+
+/// Two parts.
+pub(super) struct Compared<'a> {
+    programs: [&'a Program; 2],
+    comparison: Comparison,
+    second: Region,
+}
+
+impl<'a> Compared<'a> {
+    /// Compares the parts of two programs; nothing where there is no blank.
+    pub(super) fn of(programs: [&'a Program; 2]) -> Option<Self> {
+        let [first, second] =
+            parts(programs.map(|program| (&program.analysis.motions, &program.analysis.setup)));
+        let second = second?;
+        Some(Self { programs, comparison: Comparison::of(&first?, &second), second })
+    }
+
+    /// Writes the differences.
+    pub(super) fn write(&self, out: &mut dyn Write, format: Format) -> io::Result<()> {
+        let row = api::Comparison::new(&self.comparison);
+        match format {
+            Format::Json => write_row(out, &row),
+            Format::Text => self.write_text(out, &row),
+        }
+    }
+
+    fn write_text(&self, out: &mut dyn Write, row: &api::Comparison) -> io::Result<()> {
+        if row.differences.is_empty() {
+            return writeln!(out, "The parts are the same.");
+        }
+        for (side, name) in ["first", "second"].iter().zip(self.names()) {
+            let own: Vec<_> = row.differences.iter().filter(|difference| difference.only == *side).collect();
+            if own.is_empty() {
+                continue;
+            }
+            let area: f64 = own.iter().map(|difference| difference.area).sum();
+            writeln!(out, "Only in {name}: {} mm² of the half-section", short(area))?;
+            for difference in own {
+                let [x, z] = [difference.x, difference.z].map(|ends| ends.map(short).join(" to "));
+                let (radial, axial) = (&difference.radial, &difference.axial);
+                let across = [radial.from.x, radial.to.x].map(short).join(" to X");
+                let along = [axial.from.z, axial.to.z].map(short).join(" to Z");
+                writeln!(out, "  X{x}, Z{z}: {} mm²", short(difference.area))?;
+                writeln!(
+                    out,
+                    "    radially {} mm at Z{}: X{across}",
+                    short(radial.length),
+                    short(radial.from.z)
+                )?;
+                writeln!(
+                    out,
+                    "    axially {} mm at X{}: Z{along}",
+                    short(axial.length),
+                    short(axial.from.x)
+                )?;
+            }
+        }
+        Ok(())
+    }
+
+    fn names(&self) -> [String; 2] {
+        let [first, second] = self.programs;
+        [first.name_beside(second), second.name_beside(first)]
+    }
+
+    /// The picture: the second part, and what only one of them has.
+    pub(super) fn svg(&self) -> String {
+        let analysis = &self.programs[1].analysis;
+        let shop = Shop::done(&analysis.motions, &analysis.setup);
+        let work = Work::of(&shop, &analysis.motions, None)
+            .map(|work| work.with_part(&self.second).compared_with(&self.comparison));
+        let legend = [Side::First, Side::Second]
+            .into_iter()
+            .zip(self.names())
+            .filter(|(side, _)| self.comparison.only(*side).next().is_some())
+            .map(|(side, name)| (side, format!("only in {name}")))
+            .collect();
+        let (none, outline) = (Motions::default(), Outline::new());
+        let scene = Scene::new(&none, &outline, work.as_ref());
+        let x_plus = XPlus::from(analysis.setup.machine.turret);
+        svg(&scene, &SvgOptions { legend, x_plus, ..SvgOptions::default() })
+    }
+}
+
+/// At most three decimals, and no more than needed.
+fn short(value: f64) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}

@@ -1,0 +1,131 @@
+//! The steps of a single cycle as manuals print them: 1R 2F 3F 4R, R for rapid, F for feed.
+//!
+//! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or G94. Must not know
+//! canvases.
+
+use std::ops::Range;
+
+use super::camera::{Camera, Pixel};
+use crate::geometry::Point;
+use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Motions, Step};
+
+/// From a stroke to the middle of its label, CSS pixels.
+const BESIDE: f64 = 13.0;
+/// Strokes shorter than this bear no label, CSS pixels.
+const LEAST: f64 = 10.0;
+/// No pass of these cycles has more motions.
+const MOST: usize = 8;
+
+/// The label of a stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLabel {
+    /// What it says.
+    pub text: &'static str,
+    from: Point,
+    to: Point,
+    /// The middle of the pass: labels stand on the other side of their strokes.
+    middle: Point,
+}
+
+impl StepLabel {
+    /// Where its middle stands in the picture; nothing where the stroke is too short to be told.
+    pub fn place(&self, camera: &Camera) -> Option<Pixel> {
+        let [from, to, middle] = [self.from, self.to, self.middle].map(|at| camera.to_screen(at));
+        let length = from.distance(to);
+        if length < LEAST {
+            return None;
+        }
+        let half = Pixel::new((from.x + to.x) / 2.0, (from.y + to.y) / 2.0);
+        let (mut nx, mut ny) = ((to.y - from.y) / length, (from.x - to.x) / length);
+        if nx * (half.x - middle.x) + ny * (half.y - middle.y) < 0.0 {
+            (nx, ny) = (-nx, -ny);
+        }
+        Some(Pixel::new(half.x + BESIDE * nx, half.y + BESIDE * ny))
+    }
+}
+
+/// The labels of one pass among the motions picked out: the pass that the motion `pointed` belongs to, else the first.
+pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>) -> Vec<StepLabel> {
+    let holds = |index: usize| picked.iter().any(|range| range.contains(&index));
+    let pass_of =
+        |index: usize| Some(motions.get(index).cycle.filter(is_single)?).map(|own| (own.cycle, own.pass));
+    let first = picked.first().map(|range| range.start);
+    let Some(at) = pointed.filter(|&index| holds(index)).or(first).filter(|&index| index < motions.len())
+    else {
+        return Vec::new();
+    };
+    let Some(pass) = pass_of(at) else { return Vec::new() };
+    let is_of_pass = |index: &usize| holds(*index) && pass_of(*index) == Some(pass);
+    let begin = (at.saturating_sub(MOST)..=at).rev().take_while(is_of_pass).last().unwrap_or(at);
+    let end = motions.len().min(begin + MOST);
+    let own: Vec<Motion> = (begin..end).take_while(is_of_pass).map(|index| motions.get(index)).collect();
+    let ends = own.iter().fold((0.0, 0.0), |sum, motion| (sum.0 + motion.to.x, sum.1 + motion.to.z));
+    let count = own.len() as f64;
+    let middle = Point::new(ends.0 / count, ends.1 / count);
+    let label = |motion: &Motion| {
+        let text = text(motion)?;
+        Some(StepLabel { text, from: motion.from, to: motion.to, middle })
+    };
+    own.iter().filter_map(label).collect()
+}
+
+fn is_single(step: &CycleStep) -> bool {
+    matches!(step.cycle, Cycle::Turning | Cycle::Threading | Cycle::Facing)
+}
+
+/// What a step of these cycles is called: its number, and R or F by how it runs.
+fn text(motion: &Motion) -> Option<&'static str> {
+    let [rapid, feed] = match motion.cycle?.step {
+        Step::Infeed => ["1R", "1F"],
+        Step::Cut => ["2R", "2F"],
+        Step::Retract => ["3R", "3F"],
+        Step::Return => ["4R", "4F"],
+        // Leaving the thread is a part of the second step.
+        _ => return None,
+    };
+    Some(if motion.kind == MotionKind::Rapid { rapid } else { feed })
+}
+
+#[cfg(test)]
+#[allow(clippy::single_range_in_vec_init, reason = "one range of motions is picked out")]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::control::setup::Setup;
+    use crate::geometry::bounds::Bounds;
+    use crate::scene::camera::Size;
+
+    fn motions(program: &str) -> Motions {
+        analyze(program.as_bytes(), &Setup::default()).motions
+    }
+
+    fn said(labels: &[StepLabel]) -> Vec<&str> {
+        labels.iter().map(|label| label.text).collect()
+    }
+
+    #[test]
+    fn a_pass_reads_as_in_the_manual() {
+        let list = motions("G00 X62 Z2\nG90 X50 Z-30 F0.2\nX46\nG00 X100");
+        assert_eq!(said(&labels(&list, &[1..5], None)), ["1R", "2F", "3F", "4R"]);
+        let second = labels(&list, &[1..9], Some(7));
+        assert_eq!(said(&second), ["1R", "2F", "3F", "4R"]);
+        assert!((second[1].to.x - 23.0).abs() < 1e-9);
+        assert!(labels(&list, &[0..1], None).is_empty() && labels(&list, &[], None).is_empty());
+        let thread = motions("G97 S500 M03\nG00 X32 Z5\nG92 X29 Z-30 F2");
+        assert_eq!(said(&labels(&thread, &[1..thread.len()], None)), ["1R", "2F", "3R", "4R"]);
+    }
+
+    #[test]
+    fn labels_stand_outside_of_the_pass() {
+        let list = motions("G00 X62 Z2\nG90 X50 Z-30 F0.2");
+        let camera = Camera::fit(
+            Bounds::around(Point::new(0.0, -40.0), Point::new(40.0, 10.0)),
+            Size { width: 800.0, height: 600.0 },
+        );
+        let places: Vec<Point> = labels(&list, &[1..5], None)
+            .iter()
+            .map(|label| camera.to_world(label.place(&camera).expect("room")))
+            .collect();
+        assert!(places[0].z > 2.0 && places[1].x < 25.0 && places[2].z < -30.0 && places[3].x > 31.0);
+    }
+}

@@ -1,0 +1,234 @@
+//! Two parts laid over each other: what is only in one of them, how much, and where.
+//!
+//! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s measured along and across the spindle
+//! axis. What is thinner than [`SAME_PART`] is no difference: arcs are chords. Must not know the programs' texts.
+
+use super::Shop;
+use super::fitting::{Fitting, Known};
+use super::region::{Piece, Region};
+use crate::control::setup::{Setup, Stock};
+use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::motion::Motions;
+
+/// Parts that differ by less than this, mm, are the same.
+pub const SAME_PART: f64 = 0.005;
+
+/// How far beside a corner a piece is measured, mm: on it, it may have no width.
+const BESIDE: f64 = 1e-5;
+
+/// No more places than this are measured on one piece.
+const MOST_PLACES: usize = 2000;
+
+/// Which of the two parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The first, or the one that was kept.
+    First,
+    /// The second, or the one that is there now.
+    Second,
+}
+
+/// A straight measure through a piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// One end, the nearer to the axis or to −Z: radius and Z, mm.
+    pub from: Point,
+    /// The other end.
+    pub to: Point,
+}
+
+impl Measure {
+    /// Its length, mm.
+    pub fn length(&self) -> f64 {
+        self.from.distance(self.to)
+    }
+}
+
+/// A connected piece of material that only one part has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Which part has it.
+    pub side: Side,
+    /// Its outline in the half-section.
+    pub piece: Piece,
+    /// Its area in the half-section, mm².
+    pub area: f64,
+    /// The box around it.
+    pub bounds: Bounds,
+    /// Where it is thickest across the spindle axis.
+    pub radial: Measure,
+    /// Where it is longest along the spindle axis.
+    pub axial: Measure,
+}
+
+/// What two parts do not have in common, the largest pieces first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Comparison {
+    /// The pieces.
+    pub differences: Vec<Difference>,
+}
+
+impl Comparison {
+    /// Lays two half-sections over each other.
+    pub fn of(first: &Region, second: &Region) -> Self {
+        let sides = [(Side::First, first.without(second)), (Side::Second, second.without(first))];
+        let pieces = sides.iter().flat_map(|(side, region)| region.pieces().map(|piece| (*side, piece)));
+        let mut differences: Vec<_> = pieces.filter_map(|(side, piece)| measure(side, piece)).collect();
+        differences.sort_by(|a, b| b.area.total_cmp(&a.area));
+        Self { differences }
+    }
+
+    /// Whether the parts are the same.
+    pub fn is_empty(&self) -> bool {
+        self.differences.is_empty()
+    }
+
+    /// The pieces that only one part has.
+    pub fn only(&self, side: Side) -> impl Iterator<Item = &Difference> {
+        self.differences.iter().filter(move |difference| difference.side == side)
+    }
+
+    /// Area of what only one part has, mm².
+    pub fn area(&self, side: Side) -> f64 {
+        self.only(side).map(|difference| difference.area).sum()
+    }
+
+    /// The largest measure across the spindle axis.
+    pub fn radial(&self) -> Option<Measure> {
+        longest(self.differences.iter().map(|difference| difference.radial))
+    }
+
+    /// The largest measure along it.
+    pub fn axial(&self) -> Option<Measure> {
+        longest(self.differences.iter().map(|difference| difference.axial))
+    }
+}
+
+/// The parts of two programs. A blank that was only guessed is that of the other program, or of two guesses what they have
+/// in common: else the guess would be the difference.
+pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
+    let blanks = programs.map(|(motions, setup)| Fitting::new(motions, setup).stock());
+    let [first, second] = blanks;
+    let chosen = match (first, second) {
+        (Some((a, Known::Given)), Some((b, Known::Given))) => [Some(a), Some(b)],
+        (Some((given, Known::Given)), _) | (_, Some((given, Known::Given))) => [Some(given); 2],
+        (Some((a, _)), Some((b, _))) => [Some(in_both(a, b)); 2],
+        (a, b) => [a.or(b).map(|(stock, _)| stock); 2],
+    };
+    [0, 1].map(|index| {
+        let (motions, setup) = programs[index];
+        let setup = Setup { stock: chosen[index], ..setup.clone() };
+        Shop::done(motions, &setup).finished()
+    })
+}
+
+/// What two blanks have in common.
+fn in_both(a: Stock, b: Stock) -> Stock {
+    let face = a.face.min(b.face);
+    Stock {
+        diameter: a.diameter.min(b.diameter),
+        bore: a.bore.max(b.bore),
+        face,
+        length: (face - a.back().max(b.back())).max(0.0),
+        grip: a.grip.or(b.grip),
+    }
+}
+
+fn measure(side: Side, piece: Piece) -> Option<Difference> {
+    let edges: Vec<(Point, Point)> = [&piece.outline]
+        .into_iter()
+        .chain(&piece.holes)
+        .flat_map(|corners| corners.iter().copied().zip(corners.iter().copied().cycle().skip(1)))
+        .collect();
+    let bounds = piece.outline.iter().fold(Bounds::of(*piece.outline.first()?), |all, at| all.with(*at));
+    let area = edges.iter().map(|(a, b)| (a.z * b.x - b.z * a.x) / 2.0).sum();
+    let radial = thickest(&edges, |at| (at.z, at.x), |at, along| Point::new(along, at))?;
+    let axial = thickest(&edges, |at| (at.x, at.z), Point::new)?;
+    let is_worth_it = radial.length() >= SAME_PART && axial.length() >= SAME_PART;
+    is_worth_it.then_some(Difference { side, piece, area, bounds, radial, axial })
+}
+
+/// The longest straight stretch inside some edges. `split` says of a point where a line of measure crosses it and where on
+/// that line it is; `join` makes a point of the two again.
+fn thickest(
+    edges: &[(Point, Point)],
+    split: impl Fn(Point) -> (f64, f64),
+    join: impl Fn(f64, f64) -> Point,
+) -> Option<Measure> {
+    // Between two corners the thickness changes evenly, so it is greatest beside one.
+    let step = edges.len().div_ceil(MOST_PLACES);
+    let corners = edges.iter().step_by(step).map(|(corner, _)| split(*corner).0);
+    let mut best: Option<Measure> = None;
+    for corner in corners {
+        for place in [corner - BESIDE, corner + BESIDE] {
+            let mut crossings: Vec<f64> = edges
+                .iter()
+                .map(|(a, b)| (split(*a), split(*b)))
+                .filter(|(a, b)| (a.0 < place) != (b.0 < place))
+                .map(|(a, b)| a.1 + (place - a.0) / (b.0 - a.0) * (b.1 - a.1))
+                .collect();
+            crossings.sort_unstable_by(f64::total_cmp);
+            let own = crossings
+                .chunks_exact(2)
+                .map(|pair| Measure { from: join(corner, pair[0]), to: join(corner, pair[1]) });
+            best = longest(own.chain(best));
+        }
+    }
+    best
+}
+
+fn longest(measures: impl Iterator<Item = Measure>) -> Option<Measure> {
+    measures.max_by(|a, b| a.length().total_cmp(&b.length()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rectangle(z: (f64, f64), x: (f64, f64)) -> Vec<Point> {
+        vec![Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
+    }
+
+    fn section(cuts: &[Vec<Point>]) -> Region {
+        let mut region = Region::inside(&rectangle((-50.0, 0.0), (0.0, 20.0)));
+        region.cut(cuts);
+        region
+    }
+
+    #[test]
+    fn each_side_has_its_own_pieces() {
+        let first = section(&[rectangle((-10.0, 5.0), (15.0, 30.0))]);
+        let second =
+            section(&[rectangle((-10.0, 5.0), (17.0, 30.0)), rectangle((-30.0, -26.0), (12.0, 30.0))]);
+        let comparison = Comparison::of(&first, &second);
+        assert_eq!(comparison.differences.len(), 2);
+        let [groove, step] = &comparison.differences[..] else { panic!("two pieces") };
+        assert_eq!((groove.side, step.side), (Side::First, Side::Second));
+        assert!((groove.area - 32.0).abs() < 1e-3 && (step.area - 20.0).abs() < 1e-3);
+        assert!((groove.radial.length() - 8.0).abs() < 1e-3 && (groove.axial.length() - 4.0).abs() < 1e-3);
+        assert!((step.radial.length() - 2.0).abs() < 1e-3 && (step.axial.length() - 10.0).abs() < 1e-3);
+        assert!((comparison.area(Side::First) - 32.0).abs() < 1e-3);
+        assert!((comparison.axial().expect("one").length() - 10.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_part_does_not_differ_from_itself_nor_by_a_hair() {
+        let part = section(&[rectangle((-10.0, 5.0), (15.0, 30.0))]);
+        assert!(Comparison::of(&part, &part).is_empty());
+        let hair = section(&[rectangle((-10.0, 5.0), (15.002, 30.0))]);
+        assert!(Comparison::of(&part, &hair).is_empty());
+        let more = section(&[rectangle((-10.0, 5.0), (15.01, 30.0))]);
+        assert_eq!(Comparison::of(&part, &more).differences.len(), 1);
+    }
+
+    #[test]
+    fn guessed_blanks_are_no_difference() {
+        let part = |program: &str| crate::analyze(program.as_bytes(), &Setup::default());
+        let a = part("T0101\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nG00 X100");
+        let b = part("T0101\nG00 X72 Z2\nG90 X50 Z-30 F0.2\nG00 X100");
+        let [first, second] = parts([(&a.motions, &a.setup), (&b.motions, &b.setup)]);
+        let comparison = Comparison::of(&first.expect("a part"), &second.expect("a part"));
+        assert!(comparison.is_empty(), "{:?}", comparison.radial());
+    }
+}

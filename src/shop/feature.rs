@@ -1,0 +1,378 @@
+//! What an edge of the part is: a cylinder, a face, a taper, an arc or a thread, with its dimensions.
+//!
+//! In: the half-section, where arcs are chords, and a place on it. Out: the [`Feature`] that the nearest edge belongs to.
+//! Neighbouring edges that lie on one line or one circle are one feature. Must not know the picture.
+
+use super::fitting::Fitting;
+use super::region::Region;
+use crate::control::setup::Side;
+use crate::geometry::{Point, SAME};
+use crate::motion::{MotionKind, Motions};
+
+/// How far corners may lie off the line or circle of their feature, mm: chords, and the nose's own chords.
+const OFF: f64 = 0.006;
+/// A circle that fits fewer chords than this is none.
+const LEAST_CHORDS: usize = 4;
+/// Nor one that turns less than this, radians.
+const LEAST_SWEEP: f64 = 0.05;
+/// Larger arcs are lines, mm.
+const LARGEST_RADIUS: f64 = 5000.0;
+/// Edges looked at on either side.
+const MOST_EDGES: usize = 600;
+
+/// What an edge is. Radii, mm; Z, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Parallel to the spindle axis.
+    Cylinder,
+    /// Square to it.
+    Face,
+    /// Straight and neither.
+    Taper {
+        /// Angle to the spindle axis, radians: half of the cone's.
+        half_angle: f64,
+        /// n of the ratio 1:n, the change of diameter along the length.
+        ratio: Option<f64>,
+    },
+    /// Round.
+    Arc {
+        /// Radius, mm.
+        radius: f64,
+    },
+    /// A thread; `from` and `to` are its ends at the crests.
+    Thread {
+        /// Lead, mm.
+        lead: f64,
+        /// Radius at the roots of an outside thread or the crests of an inside one, mm.
+        minor: f64,
+        /// Radius at the crests of an outside thread or the roots of an inside one, mm.
+        major: f64,
+    },
+}
+
+/// A feature of the part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feature {
+    /// What it is.
+    pub shape: Shape,
+    /// Its corners from one end to the other.
+    pub corners: Vec<Point>,
+}
+
+impl Feature {
+    /// The two ends.
+    pub fn ends(&self) -> [Point; 2] {
+        [self.corners.first(), self.corners.last()].map(|end| end.copied().unwrap_or_default())
+    }
+}
+
+/// A thread that a program cuts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thread {
+    /// Lead, mm a turn.
+    pub lead: f64,
+    /// Least and greatest Z of its passes, mm.
+    pub z: [f64; 2],
+    /// The deepest radius of its passes, mm: least of an outside thread, greatest of an inside one.
+    pub depth: f64,
+    /// Which side of the work it is on.
+    pub side: Side,
+}
+
+/// The threads of a program along the spindle axis.
+pub fn threads(motions: &Motions, fitting: &Fitting) -> Vec<Thread> {
+    let mut threads: Vec<Thread> = Vec::new();
+    for chunk in motions.chunks() {
+        for index in (0..chunk.len()).filter(|&index| chunk.kind(index) == MotionKind::Thread) {
+            let motion = chunk.get(index);
+            let (low, high) = (motion.from.z.min(motion.to.z), motion.from.z.max(motion.to.z));
+            let Some(lead) = motion.lead.filter(|_| high - low > (motion.to.x - motion.from.x).abs()) else {
+                continue;
+            };
+            let side = fitting.tool(&motion).tool.side.unwrap_or_default();
+            let depth = match side {
+                Side::Inside => motion.from.x.max(motion.to.x),
+                Side::Outside | Side::Face => motion.from.x.min(motion.to.x),
+            };
+            let same = threads.iter_mut().find(|thread| {
+                thread.side == side
+                    && (thread.lead - lead).abs() < SAME
+                    && thread.z[0] < high
+                    && low < thread.z[1]
+            });
+            match same {
+                Some(thread) => {
+                    thread.z = [thread.z[0].min(low), thread.z[1].max(high)];
+                    thread.depth = match side {
+                        Side::Inside => thread.depth.max(depth),
+                        Side::Outside | Side::Face => thread.depth.min(depth),
+                    };
+                }
+                None => threads.push(Thread { lead, z: [low, high], depth, side }),
+            }
+        }
+    }
+    threads
+}
+
+/// The feature whose edge is nearest to a place, no further away than `reach`, mm.
+pub fn at(part: &Region, threads: &[Thread], place: Point, reach: f64) -> Option<Feature> {
+    let outlines: Vec<Vec<Point>> = part.outlines().map(Iterator::collect).collect();
+    let distances = outlines.iter().enumerate().flat_map(|(outline, corners)| {
+        (0..corners.len()).map(move |edge| {
+            let (a, b) = (corners[edge], corners[(edge + 1) % corners.len()]);
+            (distance(place, a, b), outline, edge)
+        })
+    });
+    // Between two crests no edge is near.
+    let on_thread =
+        |corners: &Vec<Point>| threads.iter().find_map(|thread| thread_at(thread, corners, place, reach));
+    if let Some(thread) = outlines.iter().find_map(on_thread) {
+        return Some(thread);
+    }
+    let (near, outline, edge) = distances.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    if near > reach {
+        return None;
+    }
+    let corners = &outlines[outline];
+    let feature = edge_feature(corners, edge)?;
+    // The spindle axis is no edge of the part.
+    let [from, to] = feature.ends();
+    (from.x.abs() > SAME || to.x.abs() > SAME).then_some(feature)
+}
+
+/// The thread, if a place is on it, or no further away than `reach`, mm.
+fn thread_at(thread: &Thread, corners: &[Point], place: Point, reach: f64) -> Option<Feature> {
+    let [low, high] = thread.z;
+    if !(low..=high).contains(&place.z) {
+        return None;
+    }
+    let tooth = 1.5 * thread.lead;
+    let near = |at: &&Point| (low..=high).contains(&at.z) && (at.x - thread.depth).abs() < tooth;
+    let own = corners.iter().filter(near);
+    let inside = thread.side == Side::Inside;
+    let crest = own.clone().map(|at| at.x).reduce(if inside { f64::min } else { f64::max })?;
+    let (minor, major) = if inside { (crest, thread.depth) } else { (thread.depth, crest) };
+    let slack = 0.05 * thread.lead;
+    if !(minor - reach..=major + reach).contains(&place.x) || major - minor < slack {
+        return None;
+    }
+    let on_crest = own.filter(|at| (at.x - crest).abs() < slack);
+    let (from, to) = on_crest.fold((high, low), |(a, b), at| (a.min(at.z), b.max(at.z)));
+    let corners = vec![Point::new(crest, from), Point::new(crest, to)];
+    Some(Feature { shape: Shape::Thread { lead: thread.lead, minor, major }, corners })
+}
+
+/// The line or the circle that an edge is a part of.
+fn edge_feature(corners: &[Point], edge: usize) -> Option<Feature> {
+    let line = grown(corners, edge, |run| run.len() < 3 || lie_on_line(run));
+    let arc = grown(corners, edge, |run| run.len() < 4 || circle_of(run).is_some());
+    if let Some((center, radius)) = circle_of(&arc).filter(|_| arc.len() > LEAST_CHORDS) {
+        let sweep: f64 = arc.windows(2).map(|ends| angle(center, ends[0], ends[1])).sum();
+        if sweep.abs() >= LEAST_SWEEP && length(&arc) > 1.5 * length(&line) {
+            return Some(Feature { shape: Shape::Arc { radius: tidy(radius) }, corners: arc });
+        }
+    }
+    let (from, to) = (*line.first()?, *line.last()?);
+    let (dx, dz) = (to.x - from.x, to.z - from.z);
+    let shape = if dx.abs() < OFF / 2.0 && dz.abs() > dx.abs() {
+        Shape::Cylinder
+    } else if dz.abs() < OFF / 2.0 {
+        Shape::Face
+    } else {
+        let ratio = dz.abs() / (2.0 * dx.abs());
+        let is_near = (ratio - ratio.round()).abs() < 0.002 * ratio && (1.0..=200.0).contains(&ratio.round());
+        let half_angle = dx.abs().atan2(dz.abs());
+        Shape::Taper { half_angle, ratio: is_near.then(|| ratio.round()) }
+    };
+    Some(Feature { shape, corners: line })
+}
+
+/// The corners from an edge on to both sides, as long as they fit.
+fn grown(corners: &[Point], edge: usize, fits: impl Fn(&[Point]) -> bool) -> Vec<Point> {
+    let count = corners.len();
+    let corner = |index: usize| corners[index % count];
+    let mut run = vec![corner(edge), corner(edge + 1)];
+    let most = MOST_EDGES.min(count.saturating_sub(2));
+    let mut forward = 0;
+    while forward < most {
+        run.push(corner(edge + 2 + forward));
+        if !fits(&run) {
+            run.pop();
+            break;
+        }
+        forward += 1;
+    }
+    run.reverse();
+    for back in 1..=most - forward {
+        run.push(corner(edge + count - back));
+        if !fits(&run) {
+            run.pop();
+            break;
+        }
+    }
+    run.reverse();
+    run
+}
+
+fn lie_on_line(run: &[Point]) -> bool {
+    let (from, to) = (run[0], run[run.len() - 1]);
+    // Where it turns back it is another edge.
+    let forward = run.windows(2).all(|ends| {
+        (ends[1].x - ends[0].x) * (to.x - from.x) + (ends[1].z - ends[0].z) * (to.z - from.z) >= 0.0
+    });
+    forward && run.iter().all(|at| distance(*at, from, to) <= OFF / 2.0)
+}
+
+/// The circle that corners and the middles of the chords between them lie on: centre and radius, mm.
+fn circle_of(run: &[Point]) -> Option<(Point, f64)> {
+    let count = run.len() as f64;
+    let mean = |of: &dyn Fn(&Point) -> f64| run.iter().map(of).sum::<f64>() / count;
+    let (mx, mz) = (mean(&|at| at.x), mean(&|at| at.z));
+    // Least squares of x² + z² − 2·a·x − 2·b·z − c (Kåsa), about the middle of the corners.
+    let [mut xx, mut zz, mut xz, mut xr, mut zr] = [0.0; 5];
+    for at in run {
+        let (x, z) = (at.x - mx, at.z - mz);
+        let square = x * x + z * z;
+        xx += x * x;
+        zz += z * z;
+        xz += x * z;
+        xr += x * square / 2.0;
+        zr += z * square / 2.0;
+    }
+    let determinant = xx * zz - xz * xz;
+    if determinant.abs() <= 1e-12 * (xx + zz) * (xx + zz) {
+        return None;
+    }
+    let (a, b) = ((xr * zz - zr * xz) / determinant, (zr * xx - xr * xz) / determinant);
+    let radius = (a * a + b * b + (xx + zz) / count).sqrt();
+    let center = Point::new(mx + a, mz + b);
+    let off = |at: Point| (at.distance(center) - radius).abs();
+    let middle = |ends: &[Point]| Point::new((ends[0].x + ends[1].x) / 2.0, (ends[0].z + ends[1].z) / 2.0);
+    // A circle is gone around one way.
+    let turns = run.windows(2).map(|ends| angle(center, ends[0], ends[1]));
+    let one_way = turns.clone().all(|turn| turn > -1e-6) || turns.clone().all(|turn| turn < 1e-6);
+    let fits = run.iter().all(|at| off(*at) <= OFF) && run.windows(2).all(|ends| off(middle(ends)) <= OFF);
+    (fits && one_way && radius < LARGEST_RADIUS).then_some((center, radius))
+}
+
+/// Angle from one point to another about a centre, radians, counter-clockwise.
+fn angle(center: Point, from: Point, to: Point) -> f64 {
+    let (ax, az) = (from.x - center.x, from.z - center.z);
+    let (bx, bz) = (to.x - center.x, to.z - center.z);
+    (az * bx - ax * bz).atan2(az * bz + ax * bx)
+}
+
+/// A radius that is fitted is right to a few micrometres: the round figure near by is meant.
+fn tidy(radius: f64) -> f64 {
+    let round = (radius * 100.0).round() / 100.0;
+    if (round - radius).abs() < OFF { round } else { radius }
+}
+
+fn length(run: &[Point]) -> f64 {
+    run.windows(2).map(|ends| ends[0].distance(ends[1])).sum()
+}
+
+fn nearest(place: Point, a: Point, b: Point) -> Point {
+    let (dx, dz) = (b.x - a.x, b.z - a.z);
+    let square = dx * dx + dz * dz;
+    let share = if square > 0.0 { ((place.x - a.x) * dx + (place.z - a.z) * dz) / square } else { 0.0 };
+    let share = crate::geometry::within(share, 0.0, 1.0);
+    Point::new(a.x + share * dx, a.z + share * dz)
+}
+
+fn distance(place: Point, a: Point, b: Point) -> f64 {
+    place.distance(nearest(place, a, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::control::setup::Setup;
+    use crate::shop::Shop;
+
+    const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 20, "length": 80},
+        "tools": {"T0101": {"type": "turning", "noseRadius": NOSE, "tip": 3}, "T0303": {"type": "threading"}}}"#;
+
+    fn feature_with(nose: &str, program: &str, diameter: f64, z: f64) -> Option<Feature> {
+        let setup = Setup::from_json(&SETUP.replace("NOSE", nose)).expect("a setup");
+        let analysis = analyze(program.as_bytes(), &setup);
+        let shop = Shop::done(&analysis.motions, &setup);
+        let threads = threads(&analysis.motions, shop.fitting());
+        at(&shop.finished().expect("a part"), &threads, Point::new(diameter / 2.0, z), 0.3)
+    }
+
+    fn feature(program: &str, diameter: f64, z: f64) -> Feature {
+        feature_with("0", program, diameter, z).expect("an edge")
+    }
+
+    const PROFILE: &str = "T0101\nG00 X40 Z2\nG01 Z-10 F0.2\nX44\nX48 Z-30\nG02 X58 Z-35 R5\nG00 X70";
+
+    #[test]
+    fn straight_edges_are_told_apart() {
+        let cylinder = feature(PROFILE, 40.0, -5.0);
+        assert_eq!(cylinder.shape, Shape::Cylinder);
+        let [from, to] = cylinder.ends();
+        assert!(((from.z - to.z).abs() - 10.0).abs() < 1e-3 && (from.x - 20.0).abs() < 1e-3);
+        assert_eq!(feature(PROFILE, 42.0, -10.0).shape, Shape::Face);
+        let Shape::Taper { half_angle, ratio } = feature(PROFILE, 46.0, -20.0).shape else {
+            panic!("a taper")
+        };
+        assert!((half_angle - 0.1f64.atan()).abs() < 1e-5);
+        assert_eq!(ratio, Some(5.0));
+        assert_eq!(feature(PROFILE, 20.0, -40.0).shape, Shape::Cylinder);
+        assert_eq!(feature_with("0", PROFILE, 30.0, -5.0), None);
+    }
+
+    #[test]
+    fn chords_are_the_arc_they_stand_for() {
+        for degrees in [10.0, 45.0, 80.0f64] {
+            let angle = degrees.to_radians();
+            let on = (58.0 - 10.0 * angle.cos(), -30.0 - 5.0 * angle.sin());
+            let arc = feature(PROFILE, on.0, on.1);
+            assert_eq!(arc.shape, Shape::Arc { radius: 5.0 }, "{degrees}");
+            let [from, to] = arc.ends();
+            assert!((from.distance(to) - 50f64.sqrt()).abs() < 0.02, "{from:?} {to:?}");
+        }
+        let large = "T0101\nG00 X30 Z0\nG03 X50 Z-20 R60 F0.2\nG00 X70 Z2";
+        let chord = feature(large, 41.86, -9.53);
+        assert!(
+            matches!(chord.shape, Shape::Arc { radius } if (radius - 60.0).abs() < 0.05),
+            "{:?}",
+            chord.shape
+        );
+    }
+
+    #[test]
+    fn a_nose_makes_its_own_radius() {
+        // Compensated, the arc is the programmed one; the corner at its foot is that of the nose.
+        let program =
+            "T0101\nG00 X70 Z2\nG42 G00 X40\nG01 Z-20 F0.2\nG02 X50 Z-25 R5\nG01 X64\nG40 G00 X70 Z2";
+        let angle = 45f64.to_radians();
+        let arc = feature_with("0.8", program, 50.0 - 10.0 * angle.cos(), -20.0 - 5.0 * angle.sin());
+        assert!(matches!(arc.expect("an edge").shape, Shape::Arc { radius: 5.0 }));
+        let corner = "T0101\nG00 X40 Z2\nG01 Z-20 F0.2\nX64\nG00 Z2";
+        let found = feature_with("0.8", corner, 40.47, -19.77).expect("an edge");
+        assert!(
+            matches!(found.shape, Shape::Arc { radius } if (radius - 0.8).abs() < 0.01),
+            "{:?}",
+            found.shape
+        );
+    }
+
+    #[test]
+    fn a_thread_has_lead_and_diameters() {
+        let program = "T0101\nG00 X40 Z2\nG01 Z-30 F0.2\nX64\nG00 Z2\nT0303\nG97 S300 M03\nG00 X44 Z5\nG92 X39 Z-20 F2\nX38\nX37.4";
+        let thread = feature(program, 38.0, -10.0);
+        let Shape::Thread { lead, minor, major } = thread.shape else {
+            panic!("a thread: {:?}", thread.shape)
+        };
+        assert!(
+            (lead - 2.0).abs() < 1e-9
+                && (2.0 * minor - 37.4).abs() < 1e-3
+                && (2.0 * major - 40.0).abs() < 1e-3
+        );
+        assert_eq!(feature(program, 40.0, -26.0).shape, Shape::Cylinder);
+    }
+}

@@ -1,0 +1,65 @@
+// The views beside the section: the end face, the turret's side, dimensions of an edge, and two parts compared.
+import { expect, test, type Page } from '@playwright/test';
+import { editor, locate, open, program, status, tooltip, type } from './page';
+
+interface Playground extends HTMLElement {
+  locateOnFace(x: number, c: number): Promise<{ clientX: number; clientY: number }>;
+}
+
+const face = (page: Page) => page.getByRole('img', { name: /end face/ });
+const section = (page: Page) => page.getByRole('img', { name: /tool path/ });
+
+test('a square milled on the face is shown in its own picture, and picked there', async ({ page }) => {
+  await open(page, '#s002-g121-square');
+  await expect(face(page)).toBeVisible();
+  await expect(section(page)).toBeVisible();
+  const place = await page
+    .locator('gcode-playground')
+    .evaluate((element) => (element as Playground).locateOnFace(70, 12));
+  await page.mouse.move(place.clientX, place.clientY);
+  await expect(tooltip(page)).toContainText('line 12');
+  await page.mouse.click(place.clientX, place.clientY);
+  await expect(editor(page)).toBeFocused();
+  await page.getByRole('radio', { name: 'Section' }).click();
+  await expect(face(page)).toBeHidden();
+  await page.keyboard.press('ArrowRight');
+  await expect(face(page)).toBeVisible();
+  await expect(section(page)).toBeHidden();
+  await type(page, program('s003-g71'));
+  await expect(section(page)).toBeVisible();
+  await expect(page.getByRole('radiogroup', { name: 'View' })).toBeHidden();
+});
+
+test('a front turret has X+ below the axis', async ({ page }) => {
+  await open(page, '#s003-g71');
+  const below = async () => (await locate(page, 30, -20)).y > (await locate(page, 0, -20)).y;
+  expect(await below()).toBe(false);
+  const turret = page.getByRole('button', { name: 'Front turret' });
+  await turret.focus();
+  await page.keyboard.press('Space');
+  await expect(turret).toHaveAttribute('aria-pressed', 'true');
+  expect(await below()).toBe(true);
+  await turret.click();
+  await expect(turret).toHaveAttribute('aria-pressed', 'false');
+  await type(page, '(MACHINE TURRET=FRONT)\nG00 X50 Z2\nG01 Z-30 F0.2\n');
+  await expect(status(page)).toContainText('2 motions');
+});
+
+test('an edge of the part tells its dimensions', async ({ page }) => {
+  await open(page, '#s001-o6003');
+  const place = await locate(page, -(31 - (11 * 13) / 33), -10);
+  await page.mouse.move(place.x, place.y);
+  await expect(tooltip(page)).toContainText('Taper ⌀20 to ⌀30');
+  await expect(tooltip(page)).toContainText('9.462° to the axis, 1:3');
+});
+
+test('a kept part is laid over the next one, and the difference is measured', async ({ page }) => {
+  await open(page, '#s004-g94-wrong');
+  await page.getByRole('button', { name: 'Keep this part to compare' }).click();
+  await expect(page.getByText('Same as the kept part')).toBeVisible();
+  await page.getByLabel('Example').selectOption('s004-g94-right');
+  await expect(page.getByText('only in the kept part')).toBeVisible();
+  await expect(page.getByText('1.667 mm in radius at Z−16.667; 3.333 mm along Z at X50')).toBeVisible();
+  await page.getByRole('button', { name: 'End comparison' }).click();
+  await expect(page.getByText('only in the kept part')).toBeHidden();
+});

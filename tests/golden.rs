@@ -1,0 +1,71 @@
+//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test golden` writes them anew; look at each
+//! that has changed before it is committed.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::path::PathBuf;
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::run::Analysis;
+use gcode_playground::scene::Scene;
+use gcode_playground::scene::face::Face;
+use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::svg::{SvgOptions, svg};
+use gcode_playground::scene::work::Work;
+use gcode_playground::shop::Shop;
+
+/// No picture of the gallery is larger, bytes.
+const LARGEST: usize = 40_000;
+
+fn read(path: &str) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+fn programs() -> Vec<String> {
+    serde_json::from_str(&read("tests/programs/gallery.json")).expect("a list")
+}
+
+fn analysis(id: &str) -> Analysis {
+    let setup = Setup::from_json(&read(&format!("tests/programs/{id}/setup.json"))).expect("a setup");
+    analyze(read(&format!("tests/programs/{id}/program.nc")).as_bytes(), &setup)
+}
+
+fn section(Analysis { motions, setup, .. }: &Analysis) -> String {
+    let outline = Outline::of(motions);
+    let work = Work::of(&Shop::done(motions, setup), motions, None);
+    let x_plus = setup.machine.turret.into();
+    svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
+}
+
+fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
+    let shop = Shop::done(motions, setup);
+    let face = Face::of(motions, &shop)?;
+    let work = face.work(&shop, None);
+    Some(svg(&face.scene(work.as_ref()), &SvgOptions { width: 720.0, ..SvgOptions::default() }))
+}
+
+#[test]
+fn pictures_are_the_committed_ones() {
+    let mut changed = Vec::new();
+    let mut names = Vec::new();
+    for id in programs() {
+        let analysis = analysis(&id);
+        let pictures = [(id.clone(), Some(section(&analysis))), (format!("{id}.face"), face(&analysis))];
+        for (name, picture) in pictures {
+            let Some(picture) = picture else { continue };
+            assert!(picture.len() < LARGEST, "{name}: {} bytes", picture.len());
+            let path = PathBuf::from(format!("tests/golden/{name}.svg"));
+            if std::env::var_os("UPDATE").is_some() {
+                std::fs::write(&path, &picture).expect("a file");
+            } else if std::fs::read_to_string(&path).ok().as_ref() != Some(&picture) {
+                changed.push(name.clone());
+            }
+            names.push(format!("{name}.svg"));
+        }
+    }
+    assert!(changed.is_empty(), "{changed:?}: run with UPDATE=1, and look at them");
+    let files = std::fs::read_dir("tests/golden").expect("a folder");
+    let mut left: Vec<_> = files.filter_map(|file| file.ok()?.file_name().into_string().ok()).collect();
+    left.retain(|file| !names.contains(file));
+    assert!(left.is_empty(), "of no program: {left:?}");
+}
