@@ -4,6 +4,8 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+mod playback;
+
 use std::cell::OnceCell;
 use std::ops::Range;
 
@@ -28,6 +30,7 @@ use crate::scene::pick::pick;
 use crate::scene::view::{Mark, View};
 use crate::scene::work::{Moment, Work};
 use crate::shop::Shop;
+use crate::shop::clock::Clock;
 use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
 use crate::text::source::{LineIndex, Span};
@@ -58,6 +61,8 @@ pub struct Playground {
     work: Option<Work>,
     /// The moment it is shown at.
     moment: Option<Moment>,
+    /// The clock of the motions as they are now; made when first asked for.
+    clock: OnceCell<Clock>,
 }
 
 #[wasm_bindgen]
@@ -86,6 +91,7 @@ impl Playground {
             shop: None,
             work: None,
             moment: None,
+            clock: OnceCell::new(),
         }
     }
 
@@ -164,6 +170,7 @@ impl Playground {
     /// Runs at most so many blocks; true when the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
         self.measured = false;
+        self.clock = OnceCell::new();
         self.run.advance(blocks as usize)
     }
 
@@ -333,35 +340,11 @@ impl Playground {
             motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
     }
 
-    /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
-    #[wasm_bindgen(js_name = setPlayhead)]
-    pub fn set_playhead(&mut self, distance: Option<f64>) {
-        self.view.playhead = distance;
-    }
-
     /// Length of the whole path, mm.
     #[wasm_bindgen(js_name = pathLength)]
     pub fn path_length(&mut self) -> f64 {
         self.measure();
         self.outline.length()
-    }
-
-    /// Length of the path before a motion, mm.
-    #[wasm_bindgen(js_name = lengthBefore)]
-    pub fn length_before(&mut self, motion: u32) -> f64 {
-        self.measure();
-        Scene::new(self.run.motions(), &self.outline, None).length_before(motion as usize)
-    }
-
-    /// The stroke the tool is on.
-    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
-    pub fn playhead(&mut self) -> Result<JsValue, JsValue> {
-        self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, None);
-        match self.view.playhead.and_then(|length| scene.at_length(length)) {
-            Some(place) => self.stroke(place.motion, place.at),
-            None => Ok(JsValue::UNDEFINED),
-        }
     }
 
     /// The stroke at a place of the picture, CSS pixels.
@@ -423,6 +406,7 @@ impl Playground {
     /// Forgets what was picked out of the motions, which are others now.
     fn forget(&mut self) {
         (self.shop, self.work, self.moment) = (None, None, None);
+        self.clock = OnceCell::new();
         self.measured = false;
         self.view.playhead = None;
         self.view.hover = None;
@@ -465,8 +449,8 @@ impl Playground {
     fn show_work(&mut self) {
         let Some(shop) = &self.shop else { return };
         let motions = self.run.motions();
-        let place =
-            self.view.playhead.and_then(|length| Scene::new(motions, &self.outline, None).at_length(length));
+        let scene = Scene::new(motions, &self.outline, None);
+        let place = self.view.playhead.and_then(|playhead| scene.place(playhead));
         let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
         if self.work.is_none() || moment != self.moment {
             self.moment = moment;

@@ -113,8 +113,8 @@ impl Painter {
         }
         match (scene.work().and_then(|work| work.tool.as_ref()), view.playhead) {
             (Some(tool), _) => self.real_tool(view, tool)?,
-            (None, Some(length)) => {
-                if let Some(place) = scene.at_length(length) {
+            (None, Some(playhead)) => {
+                if let Some(place) = scene.place(playhead) {
                     self.tool(view, place)?;
                 }
             }

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::geometry::Point;
+use crate::shop::clock::Playhead;
 
 use super::Scene;
 use super::camera::{Camera, Pixel, Size};
@@ -43,8 +44,8 @@ pub struct View {
     pub marks: Vec<Mark>,
     /// The motion under the pointer.
     pub hover: Option<usize>,
-    /// How far the tool has come, mm along the whole path; `None` shows everything drawn and no tool.
-    pub playhead: Option<f64>,
+    /// How far the tool has come; `None` shows everything drawn and no tool.
+    pub playhead: Option<Playhead>,
 }
 
 impl View {

@@ -3,11 +3,13 @@
 //! In: the motions and the setup. Out: [`Shop`], with the work at any moment and the findings. Comes after the control and
 //! before the picture; must not know the text of the program.
 
+pub mod clock;
 pub mod danger;
 pub mod fitting;
 pub mod guess;
 pub mod part;
 pub mod region;
+pub mod steps;
 pub mod sweep;
 pub mod tally;
 pub mod timing;

@@ -4,6 +4,8 @@
 //! taken off in slices (`advance`), so that a long program holds nothing up; now and then the state is kept, so that any
 //! moment is near one that is known.
 
+use std::cell::RefCell;
+
 use super::fitting::{Fitted, Fitting};
 use super::region::Region;
 use super::sweep::chords;
@@ -40,6 +42,8 @@ pub struct Part {
     kept_corners: usize,
     /// Motions from one to the next, at least.
     stride: usize,
+    /// The state that was asked for last: so many motions were done. The next one asked for is often a little later.
+    last: RefCell<Option<(usize, Region)>>,
 }
 
 impl Part {
@@ -112,21 +116,34 @@ impl Part {
     /// The work when so many motions are done, and of the next one the fraction `share`.
     pub fn at(&self, motions: &Motions, fitting: &Fitting, count: usize, share: f64) -> Region {
         let count = count.min(self.done);
-        let kept = self.kept.partition_point(|state| state.0 <= count);
-        let (from, mut region) = match kept.checked_sub(1) {
-            Some(index) => (self.kept[index].0, self.kept[index].1.clone()),
-            None => (0, self.blank.clone()),
-        };
+        let (from, mut region) = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
         for motion in (from..count).map(|index| motions.get(index)) {
             outlines.extend(cut(&motion, fitting.tool(&motion)));
         }
-        if count < motions.len() && count < self.done && share > 0.0 {
-            let motion = part_of(&motions.get(count), share);
-            outlines.extend(cut(&motion, fitting.tool(&motion)));
+        if !outlines.is_empty() {
+            region.cut(&outlines);
         }
-        region.cut(&outlines);
+        self.last.replace(Some((count, region.clone())));
+        if count < motions.len() && count < self.done && share > 0.0 {
+            let motion = motions.get(count).first_part(share);
+            let outlines = cut(&motion, fitting.tool(&motion));
+            if !outlines.is_empty() {
+                region.cut(&outlines);
+            }
+        }
         region
+    }
+
+    /// The latest known state that is not behind so many motions.
+    fn near(&self, count: usize) -> (usize, Region) {
+        let kept = self.kept.partition_point(|state| state.0 <= count).checked_sub(1);
+        let from = kept.map_or(0, |index| self.kept[index].0);
+        match (self.last.take().filter(|last| (from..=count).contains(&last.0)), kept) {
+            (Some(last), _) => last,
+            (None, Some(index)) => self.kept[index].clone(),
+            (None, None) => (0, self.blank.clone()),
+        }
     }
 
     fn settle(&mut self) {
@@ -150,7 +167,7 @@ pub fn cut(motion: &Motion, tool: &Fitted) -> Vec<Vec<Point>> {
         let turns = long / lead.abs();
         if turns.is_finite() && turns <= MOST_TURNS {
             return (0..=(turns + SAME) as u32)
-                .map(|turn| edge.at(between(motion, f64::from(turn) / turns.max(SAME))))
+                .map(|turn| edge.at(motion.between(f64::from(turn) / turns.max(SAME))))
                 .collect();
         }
     }
@@ -158,21 +175,4 @@ pub fn cut(motion: &Motion, tool: &Fitted) -> Vec<Vec<Point>> {
         Some(arc) => edge.along(&chords(&arc)).collect(),
         None => vec![edge.along_line(motion.from, motion.to)],
     }
-}
-
-/// The first part of a motion.
-fn part_of(motion: &Motion, share: f64) -> Motion {
-    let to = match motion.arc() {
-        Some(arc) => arc.at(share),
-        None => between(motion, share),
-    };
-    // An arc that comes back to its start is a full circle.
-    let center = motion.center.filter(|_| !to.is_same(motion.from));
-    let kind = if motion.center.is_some() && center.is_none() { MotionKind::Feed } else { motion.kind };
-    Motion { kind, to, center, ..*motion }
-}
-
-fn between(motion: &Motion, share: f64) -> Point {
-    let Motion { from, to, .. } = motion;
-    Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
 }

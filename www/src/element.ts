@@ -43,15 +43,16 @@ import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { Report, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import type { Readout, Report, Stroke, Summary, WorkerEvent } from './protocol';
 import { initialProgram, mergedSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
 import { Switches } from './switches';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
+import playbackStyles from './playback.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles].map((text) => {
+const sheets = [colours, styles, playbackStyles].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;
@@ -63,7 +64,7 @@ const SEND_AFTER_MS = 30;
 interface Line {
   readonly client: CoreClient;
   readonly pointer: Newest<'pick'>;
-  readonly tool: Newest<'playhead'>;
+  readonly tool: Newest<'seek'>;
 }
 
 export interface OpenedProgram {
@@ -295,10 +296,17 @@ export class GcodePlayground extends HTMLElement {
       clicked: (x, y, keepFocus) => void this.#clicked(x, y, keepFocus),
     });
     this.#playback = new Playback(texts, {
-      moveTo: (distance) => this.#line?.tool.ask({ distance }),
-      step: (distance, direction) =>
-        void this.#line?.client.ask('step', { distance, direction }).then((place) => this.#showTool(place)),
-      wholePath: () => this.#line?.tool.ask({ distance: undefined }),
+      play: async (from, seconds, pace, stops) => {
+        const place = await this.#line?.client.ask('play', { from, seconds, pace, stops });
+        this.#markRunning(place);
+        return place;
+      },
+      seek: (share) => this.#line?.tool.ask({ share }),
+      step: (unit, direction) => {
+        editor.follow();
+        void this.#line?.client.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+      },
+      wholePath: () => this.#line?.tool.ask({ share: undefined }),
     });
     this.#problems = new Problems(texts, {
       chosen: (diagnostic) => editor.show(diagnostic),
@@ -348,7 +356,7 @@ export class GcodePlayground extends HTMLElement {
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
     else if (event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey) this.saveFile();
-    else if (event.key === 'F9') this.#playback.step(event.shiftKey ? 'previous' : 'next');
+    else if (event.key === 'F9') this.#playback.step(event.ctrlKey || event.metaKey ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else if (event.key === 'F8') this.#editor?.nextProblem(event.shiftKey ? 'previous' : 'next');
     else if (event.key === '?' && !typing) this.#help.toggle();
     else return;
@@ -366,7 +374,7 @@ export class GcodePlayground extends HTMLElement {
     this.#line = {
       client,
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
-      tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
+      tool: new Newest(client, 'seek', (place) => this.#showTool(place)),
     };
     this.#editor?.unsend();
     client.send({ kind: 'language', tag: this.language });
@@ -404,7 +412,7 @@ export class GcodePlayground extends HTMLElement {
   /** A new worker, waiting for the reader's next change: the same text would only fail again. */
   #lost(loss: Loss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
-    this.#playback.length = 0;
+    this.#playback.program(0, 0);
     this.#drawing.summary = undefined;
     this.#writtenOut.available = false;
     this.#drawing.showTip(undefined);
@@ -538,12 +546,12 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, pathLength } = report;
+    const { summary, diagnostics } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
     this.#writtenOut.available = summary.finished && summary.motions > 0;
     this.#problems.diagnostics = diagnostics;
-    this.#playback.length = pathLength;
+    this.#playback.program(summary.motions, summary.optionalStops);
     this.#showTool(undefined);
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
     this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
@@ -557,12 +565,17 @@ export class GcodePlayground extends HTMLElement {
     if (this.#editor !== undefined) this.#editor.hovered = stroke;
   }
 
-  #showTool(place: ToolPlace | undefined): void {
+  #showTool(place: Readout | undefined): void {
     this.#playback.place = place;
-    const from = place?.stroke?.from;
-    if (from === this.#running) return;
-    this.#running = from;
-    if (this.#editor !== undefined) this.#editor.running = place?.stroke;
+    this.#markRunning(place);
+  }
+
+  /** The block that runs, or that holds the tool, is marked in the text. */
+  #markRunning(place: Readout | undefined): void {
+    const block = place?.stop ?? place?.stroke;
+    if (block?.from === this.#running) return;
+    this.#running = block?.from;
+    if (this.#editor !== undefined) this.#editor.running = block;
   }
 
   #showLanguage(): void {

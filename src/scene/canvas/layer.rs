@@ -155,7 +155,7 @@ impl StrokeLayer {
                 (target.clone(), plot, 0)
             }
         };
-        let place = of.view.playhead.and_then(|length| scene.at_length(length));
+        let place = of.view.playhead.and_then(|playhead| scene.place(playhead));
         let until = now() + SLICE;
         while let Some(stretch) = in_view.get(next) {
             plot_stretch(&mut plot, scene, stretch, place);
@@ -217,7 +217,7 @@ impl StrokeLayer {
                 self.paths.push((stretch.key, Paths::of(scene.strokes_of(stretch.motions.clone()))?));
             }
         }
-        let place = view.playhead.and_then(|length| scene.at_length(length));
+        let place = view.playhead.and_then(|playhead| scene.place(playhead));
         match place {
             Some(place) => self.stroke_until(scene, view, in_view, place)?,
             None => self.ink(view, &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch)))?,
