@@ -92,7 +92,7 @@ impl Painter {
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
-        self.strokes.copy_to(&self.sheet, view)?;
+        self.strokes.copy_to(&self.sheet, scene, view)?;
         self.sheet.unclip();
         sheet::rulers(&self.sheet, view)
     }

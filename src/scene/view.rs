@@ -92,9 +92,10 @@ impl View {
             && (palette, playhead) == (&other.palette, &other.playhead)
     }
 
-    /// The same view with nothing picked out.
-    pub fn bare(&self) -> View {
-        View { palette: self.palette.clone(), highlight: Vec::new(), marks: Vec::new(), hover: None, ..*self }
+    /// The same view with nothing picked out, and the tool somewhere else.
+    pub fn bare(&self, playhead: Option<Playhead>) -> View {
+        let (palette, highlight, marks) = (self.palette.clone(), Vec::new(), Vec::new());
+        View { palette, highlight, marks, hover: None, playhead, ..*self }
     }
 
     /// Shows all that is worth looking at.

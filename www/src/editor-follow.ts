@@ -15,9 +15,15 @@ export class Follower {
 
   constructor(view: EditorView) {
     this.#view = view;
-    for (const type of ['wheel', 'touchmove', 'pointerdown', 'keydown'] as const) {
-      view.dom.addEventListener(type, () => (this.#leftAloneUntil = performance.now() + LEFT_ALONE), { passive: true });
-    }
+    const leaveAlone = (): void => {
+      this.#leftAloneUntil = performance.now() + LEFT_ALONE;
+    };
+    for (const type of ['wheel', 'touchmove', 'keydown'] as const) view.dom.addEventListener(type, leaveAlone, { passive: true });
+    view.dom.addEventListener('pointerdown', () => {
+      // The scroll bar may be held for long.
+      this.#leftAloneUntil = Infinity;
+      for (const type of ['pointerup', 'pointercancel'] as const) addEventListener(type, leaveAlone, { once: true });
+    });
   }
 
   /** The reader has asked to see what runs. */

@@ -304,6 +304,8 @@ export class GcodePlayground extends HTMLElement {
       seek: (share) => this.#line?.tool.ask({ share }),
       step: (unit, direction) => {
         editor.follow();
+        // The block is shown even if it is the same one.
+        this.#running = undefined;
         void this.#line?.client.ask('step', { unit, direction }).then((place) => this.#showTool(place));
       },
       wholePath: () => this.#line?.tool.ask({ share: undefined }),
