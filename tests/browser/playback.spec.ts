@@ -189,7 +189,7 @@ test('2,000 motions with their part play smoothly, and nothing runs while paused
   console.log(`playing 2,000 motions: ${text}`);
   info.annotations.push({ type: 'playing', description: text });
   await page.getByRole('button', { name: 'Pause' }).click();
-  await page.waitForTimeout(300);
+  await page.waitForTimeout(500);
   const paused = await count(page, 1000);
   expect(await drawn().then(() => page.waitForTimeout(500)).then(drawn)).toEqual([]);
   expect(paused.asked).toBe(0);

@@ -64,7 +64,8 @@ export class Playback {
     this.element = make(
       'div',
       { className: 'playback', part: 'playback', role: 'group' },
-      make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward, this.#unit),
+      make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward),
+      this.#unit,
       this.#slider,
       make('div', { className: 'place' }, this.#optional, this.#speed, this.#whole),
       this.#board.element,

@@ -32,6 +32,9 @@ const CROWDED: usize = 40_000;
 const QUICK: usize = 4_000;
 /// More motions at once than this are drawn with all others.
 const FEW: usize = 400;
+/// Frames that the tool stands before the strokes that were added one by one are drawn all together: a frame that came
+/// late must not make the next ones late.
+const STANDING: u32 = 12;
 /// How long plotting goes on before others have their turn, ms.
 const SLICE: f64 = 8.0;
 /// The pictures of a plot: what is ahead of the tool, what is done (both by ink), and the programmed path.
@@ -67,6 +70,20 @@ struct Target {
     outline: u64,
 }
 
+/// How an image came about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Made {
+    /// Of all strokes together.
+    AtOnce,
+    /// Strokes were added one after the other as the tool went on: where they lie on one another they are a little darker.
+    Added {
+        /// Where the tool was seen last.
+        tool: Playhead,
+        /// Frames it has been there.
+        frames: u32,
+    },
+}
+
 /// The strokes as an image.
 #[derive(Debug)]
 pub struct StrokeLayer {
@@ -83,6 +100,7 @@ pub struct StrokeLayer {
     plot: Option<(Target, Plot, usize)>,
     /// The camera as it was when the last image was moved instead of being made anew.
     moved: Option<Camera>,
+    made: Made,
     /// Arrow heads of the image: on cuts, and on threads.
     heads: [Vec<[Pixel; 3]>; 2],
 }
@@ -92,7 +110,17 @@ impl StrokeLayer {
     pub fn new() -> Result<Self, JsValue> {
         let image = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let (shown, paths, colours, plot, moved) = (None, Vec::new(), None, None, None);
-        Ok(Self { image, shown, version: 0, paths, colours, plot, moved, heads: Default::default() })
+        Ok(Self {
+            image,
+            shown,
+            version: 0,
+            paths,
+            colours,
+            plot,
+            moved,
+            made: Made::AtOnce,
+            heads: Default::default(),
+        })
     }
 
     /// A number that tells this image from the others of this layer.
@@ -106,8 +134,17 @@ impl StrokeLayer {
         let target = Target { view: view.bare(view.playhead.map(before)), outline };
         let same = |shown: &Target| shown.outline == outline && shown.view.shows_same_ground(&target.view);
         if self.shown.as_ref().is_some_and(same) {
-            return Ok(Progress::Done);
+            match (self.made, view.playhead) {
+                (Made::Added { tool, frames }, Some(now)) if tool != now || frames < STANDING => {
+                    let frames = if tool == now { frames + 1 } else { 0 };
+                    self.made = Made::Added { tool: now, frames };
+                    return Ok(Progress::Waiting);
+                }
+                (Made::Added { .. }, _) => {}
+                (Made::AtOnce, _) => return Ok(Progress::Done),
+            }
         }
+        let tool = view.playhead;
         let view = &target.view;
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
@@ -117,10 +154,11 @@ impl StrokeLayer {
             return self.plot(scene, target, &in_view);
         }
         self.plot = None;
-        if let Some(done) = self.done_since(&target) {
+        if let Some((done, tool)) = self.done_since(&target).zip(tool) {
             self.add(scene, view, done, motions)?;
             self.finish(target);
-            return Ok(Progress::Done);
+            self.made = Made::Added { tool, frames: 0 };
+            return Ok(Progress::Waiting);
         }
         // While the camera moves, what takes long is only moved; it is drawn once the camera has stood for a frame.
         let camera = Some(*view.camera());
@@ -158,7 +196,7 @@ impl StrokeLayer {
     }
 
     fn finish(&mut self, target: Target) {
-        (self.shown, self.moved) = (Some(target), None);
+        (self.shown, self.moved, self.made) = (Some(target), None, Made::AtOnce);
         self.version = self.version.wrapping_add(1);
     }
 
