@@ -3,9 +3,12 @@
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
+mod readout;
 pub mod setup;
 
 use serde::Serialize;
+
+pub use readout::{Readout, Shown, Stop, Time};
 
 use crate::control::codes;
 use crate::control::dialect::CodeList;
@@ -14,7 +17,7 @@ use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
-use crate::motion::{self, MotionKind, Motions};
+use crate::motion::{self, MotionKind, Motions, StopKind};
 use crate::shop::compare;
 use crate::shop::feature::{Feature, Shape};
 use crate::shop::region::{Piece, Region};
@@ -230,6 +233,7 @@ pub struct Stroke {
 /// Counts of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+#[serde(rename_all = "camelCase")]
 pub struct Summary {
     /// Motions of any kind.
     pub motions: u32,
@@ -253,6 +257,8 @@ pub struct Summary {
     pub blocks: u32,
     /// Lines of the text.
     pub lines: u32,
+    /// Optional stops (M01) between motions.
+    pub optional_stops: u32,
     /// Whether the run has ended.
     pub finished: bool,
 }
@@ -272,6 +278,8 @@ impl Summary {
                 }
             }
         }
+        let stops = motions.stops(0..motions.len());
+        summary.optional_stops = stops.filter(|(_, stop)| stop.kind == StopKind::Optional).count() as u32;
         for diagnostic in diagnostics {
             match diagnostic.severity {
                 Severity::Error => summary.errors += 1,

@@ -4,6 +4,7 @@
 //! Motions live in [`Chunk`]s; every place in the source is kept relative to the chunk's own first block, so
 //! that text inserted before a chunk moves the chunk's base and nothing else. Knows nothing of G-code words.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::geometry::virtual_plane::VirtualMove;
@@ -266,6 +267,44 @@ pub struct Programmed {
     pub center: Option<Point>,
 }
 
+/// Whether the operator can let a program run through a stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopKind {
+    /// M00.
+    Always,
+    /// M01: while the switch for optional stops is on.
+    Optional,
+}
+
+impl StopKind {
+    /// Its code.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Always => "M00",
+            Self::Optional => "M01",
+        }
+    }
+}
+
+/// The program waits for the operator before a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// Whether it can be passed over.
+    pub kind: StopKind,
+    /// Bytes of its block.
+    pub span: Span,
+    /// Line of the block, from 0.
+    pub line: u32,
+}
+
+impl Stop {
+    /// Moves its place along, when the text before it has changed.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.line = shift.line(self.line, self.span.start);
+        self.span = shift.span(self.span);
+    }
+}
+
 /// What the C axis does in a motion. Angles are degrees, not brought back to one turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotary {
@@ -331,6 +370,32 @@ impl Motion {
         Some(Motion { from, to, center, programmed: None, ..*self })
     }
 
+    /// The part of it up to the fraction `share` of the way.
+    pub fn first_part(&self, share: f64) -> Motion {
+        let seconds = self.seconds.map(|seconds| share * seconds);
+        if let Some(own) = self.virtual_move() {
+            let (own, _) = own.split(share);
+            let rotary = self.rotary.map(|rotary| Rotary {
+                to: rotary.from + own.surface.turn_along(&own.way),
+                virtual_move: Some(own),
+                ..rotary
+            });
+            return Motion { to: own.at(1.0), rotary, seconds, ..*self };
+        }
+        let rotary = self.rotary.map(|own| Rotary { to: own.from + share * (own.to - own.from), ..own });
+        let to = self.arc().map_or_else(|| self.between(share), |arc| arc.at(share));
+        // An arc that comes back to its start is a full circle.
+        let center = self.center.filter(|_| !to.is_same(self.from));
+        let kind = if self.center.is_some() && center.is_none() { MotionKind::Feed } else { self.kind };
+        Motion { kind, to, center, rotary, seconds, ..*self }
+    }
+
+    /// The point at the fraction `share` of the straight way from its start to its end.
+    pub fn between(&self, share: f64) -> Point {
+        let Motion { from, to, .. } = self;
+        Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z))
+    }
+
     /// Length of the path, mm; 0 for a dwell.
     pub fn length(&self) -> f64 {
         match (self.rotary.and_then(|rotary| rotary.virtual_move), self.arc()) {
@@ -372,6 +437,8 @@ pub struct Chunk {
     programmed: Vec<(u32, Programmed)>,
     /// Motions that C takes part in.
     rotary: Vec<(u32, Rotary)>,
+    /// Motions before which the program stops.
+    stops: Vec<(u32, (StopKind, BlockPlace))>,
     kind: Vec<u8>,
     /// End point, radius in mm.
     x: Vec<f64>,
@@ -402,6 +469,7 @@ impl Chunk {
             starts: Vec::new(),
             programmed: Vec::new(),
             rotary: Vec::new(),
+            stops: Vec::new(),
             kind: Vec::new(),
             x: Vec::new(),
             z: Vec::new(),
@@ -502,11 +570,7 @@ impl Chunk {
         self.kind.push(kind as u8);
         self.x.push(to.x);
         self.z.push(to.z);
-        let place = BlockPlace {
-            start: span.start.wrapping_sub(self.base) as i32,
-            len: span.len() as u32,
-            line: line.wrapping_sub(self.first_line) as i32,
-        };
+        let place = self.place(span, line);
         if self.blocks.last() != Some(&place) {
             self.blocks.push(place);
         }
@@ -523,6 +587,19 @@ impl Chunk {
             }
             None => NONE,
         });
+    }
+
+    /// The program stops before the motion that is pushed next.
+    pub fn stop(&mut self, stop: &Stop) {
+        let place = self.place(stop.span, stop.line);
+        self.stops.push((self.kind.len() as u32, (stop.kind, place)));
+    }
+
+    /// The stops of the program, each with the index of the motion before which it is.
+    pub fn stops(&self) -> impl Iterator<Item = (usize, Stop)> + '_ {
+        self.stops.iter().map(|&(index, (kind, place))| {
+            (index as usize, Stop { kind, span: self.span_of(place), line: self.line_of(place) })
+        })
     }
 
     /// The motion at `index`.
@@ -567,14 +644,29 @@ impl Chunk {
 
     /// Bytes of the block that made the motion at `index`.
     pub fn span(&self, index: usize) -> Span {
-        let place = self.blocks[self.block[index] as usize];
-        let start = self.base.wrapping_add(place.start as u32);
-        Span { start, end: start + place.len }
+        self.span_of(self.blocks[self.block[index] as usize])
     }
 
     /// Line (from 0) of the block that made the motion at `index`.
     pub fn line(&self, index: usize) -> u32 {
-        self.first_line.wrapping_add(self.blocks[self.block[index] as usize].line as u32)
+        self.line_of(self.blocks[self.block[index] as usize])
+    }
+
+    fn place(&self, span: Span, line: u32) -> BlockPlace {
+        BlockPlace {
+            start: span.start.wrapping_sub(self.base) as i32,
+            len: span.len() as u32,
+            line: line.wrapping_sub(self.first_line) as i32,
+        }
+    }
+
+    fn span_of(&self, place: BlockPlace) -> Span {
+        let start = self.base.wrapping_add(place.start as u32);
+        Span { start, end: start + place.len }
+    }
+
+    fn line_of(&self, place: BlockPlace) -> u32 {
+        self.first_line.wrapping_add(place.line as u32)
     }
 
     fn process(&self, index: usize) -> Process {
@@ -689,6 +781,16 @@ impl Motions {
     pub fn line(&self, index: usize) -> u32 {
         let (chunk, at) = self.locate(index);
         chunk.line(at)
+    }
+
+    /// The stops before motions of a range, each with the motion before which it is.
+    pub fn stops(&self, range: Range<usize>) -> impl Iterator<Item = (usize, Stop)> + '_ {
+        let first = self.before.partition_point(|&before| before <= range.start).saturating_sub(1);
+        let chunks = self.chunks[first..].iter().zip(&self.before[first..]);
+        chunks
+            .take_while(move |(_, before)| **before < range.end)
+            .flat_map(|(chunk, before)| chunk.stops().map(move |(index, stop)| (before + index, stop)))
+            .filter(move |(index, _)| range.contains(index))
     }
 
     /// All motions in order.

@@ -5,6 +5,7 @@
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
 mod files;
+mod playback;
 mod setup;
 mod views;
 
@@ -32,6 +33,7 @@ use crate::scene::pick::pick;
 use crate::scene::view::{Mark, View};
 use crate::scene::work::{Moment, Work};
 use crate::shop::Shop;
+use crate::shop::clock::Clock;
 use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
 use crate::text::source::{LineIndex, Span};
@@ -64,6 +66,8 @@ pub struct Playground {
     moment: Option<Moment>,
     /// The face, the turret, dimensions, comparison.
     views: views::Views,
+    /// The clock of the motions as they are now; made when first asked for.
+    clock: OnceCell<Clock>,
 }
 
 #[wasm_bindgen]
@@ -93,6 +97,7 @@ impl Playground {
             work: None,
             moment: None,
             views: views::Views::default(),
+            clock: OnceCell::new(),
         }
     }
 
@@ -171,6 +176,7 @@ impl Playground {
     /// Runs at most so many blocks; true when the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
         self.measured = false;
+        self.clock = OnceCell::new();
         self.run.advance(blocks as usize)
     }
 
@@ -344,35 +350,11 @@ impl Playground {
         self.name_steps();
     }
 
-    /// Puts the tool so many mm along the whole path; nothing shows all strokes and no tool.
-    #[wasm_bindgen(js_name = setPlayhead)]
-    pub fn set_playhead(&mut self, distance: Option<f64>) {
-        self.view.playhead = distance;
-    }
-
     /// Length of the whole path, mm.
     #[wasm_bindgen(js_name = pathLength)]
     pub fn path_length(&mut self) -> f64 {
         self.measure();
         self.outline.length()
-    }
-
-    /// Length of the path before a motion, mm.
-    #[wasm_bindgen(js_name = lengthBefore)]
-    pub fn length_before(&mut self, motion: u32) -> f64 {
-        self.measure();
-        Scene::new(self.run.motions(), &self.outline, None).length_before(motion as usize)
-    }
-
-    /// The stroke the tool is on.
-    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
-    pub fn playhead(&mut self) -> Result<JsValue, JsValue> {
-        self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, None);
-        match self.view.playhead.and_then(|length| scene.at_length(length)) {
-            Some(place) => self.stroke(place.motion, place.at),
-            None => Ok(JsValue::UNDEFINED),
-        }
     }
 
     /// The stroke at a place of the picture, CSS pixels.
@@ -434,6 +416,7 @@ impl Playground {
     /// Forgets what was picked out of the motions, which are others now.
     fn forget(&mut self) {
         (self.shop, self.work, self.moment) = (None, None, None);
+        self.clock = OnceCell::new();
         self.measured = false;
         self.view.playhead = None;
         self.view.hover = None;
@@ -479,8 +462,8 @@ impl Playground {
     fn show_work(&mut self) {
         let Some(shop) = &self.shop else { return };
         let motions = self.run.motions();
-        let place =
-            self.view.playhead.and_then(|length| Scene::new(motions, &self.outline, None).at_length(length));
+        let scene = Scene::new(motions, &self.outline, None);
+        let place = self.view.playhead.and_then(|playhead| scene.place(playhead));
         let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
         if self.work.is_none() || moment != self.moment {
             self.moment = moment;

@@ -64,7 +64,7 @@ fn change() -> impl Strategy<Value = Change> {
     let typed = prop_oneof![
         4 => "[0-9]",
         2 => "[A-Z./\\- ]",
-        2 => "(G1 X[1-9]0\\. Z-[1-9]\\.5|G0|G2 U2 W-1 R5|F0\\.[1-9]|S[1-9]00|X[1-9]|N10|M3|T0101|G4 P100|,R1|,C2|A30)\n?",
+        2 => "(G1 X[1-9]0\\. Z-[1-9]\\.5|G0|G2 U2 W-1 R5|F0\\.[1-9]|S[1-9]00|X[1-9]|N10|M3|M00|M01|T0101|G4 P100|,R1|,C2|A30)\n?",
         1 => "(\n|\r\n|\r|;|\\(|\\)|%|O2\n|M30\n|/|#1=2\n|G41 |G42 |G40 |G90 |M99\n|M98 P2\n|外)",
     ];
     let at = || any::<prop::sample::Index>().prop_map(|at| at.index(1 << 24));
@@ -158,7 +158,7 @@ fn generated(seed: u32) -> String {
     };
     let mut text = String::from("%\nO7 (MANY KINDS)\nG21 G40 G99\nT0101\nM3 S500\nG0 X60. Z5.\nG1 Z0 F0.2\n");
     for _ in 0..120 {
-        text += &match next(16) {
+        text += &match next(18) {
             0 => format!("G0 X{}. Z{}.\n", 20 + next(60), next(9)),
             1 => format!("G1 X{}.5 F0.{}\n", 20 + next(60), 1 + next(9)),
             2..6 => format!("Z-{}.{}\n", next(60), next(99)),
@@ -171,6 +171,8 @@ fn generated(seed: u32) -> String {
             12 => format!("G96 S{} ; M8\n", 100 + next(99)),
             13 => format!("#{}={}\nG1 U-0.5 W-0.[#1]\n", 1 + next(3), next(9)),
             14 => format!("X{}.Z\n", next(99)),
+            15 => format!("M{:02}\n", next(2)),
+            16 => format!("G1 Z-{}. M{}\n", next(60), next(2)),
             _ => format!("N{} G1 U0.{} W-0.{}\n", next(999), next(9), next(9)),
         };
     }

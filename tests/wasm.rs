@@ -189,11 +189,11 @@ fn another_run_begins_without_the_tool() {
         let mut playground = Playground::new();
         playground.set_text("G0 X50\nG1 Z-20 F0.2\n".into());
         while !playground.advance(1) {}
-        playground.set_playhead(Some(1.0));
-        assert!(!playground.playhead().expect("a stroke").is_undefined());
+        playground.seek(0.5);
+        assert!(!playground.readout().expect("a stroke").is_undefined());
         change(&mut playground);
         while !playground.advance(1) {}
-        assert!(playground.playhead().expect("no stroke").is_undefined());
+        assert!(playground.readout().expect("no stroke").is_undefined());
     }
 }
 

@@ -11,7 +11,7 @@ use super::dialect::{CodeList, FeedMode};
 use super::words::{Unit, plain};
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
-use crate::motion::{Cycle, SpindleTurn};
+use crate::motion::{Cycle, SpindleTurn, StopKind};
 use crate::text::block::Word;
 
 /// Whether a word leads to another part of the program or back from it: M97, M98, M99.
@@ -293,7 +293,7 @@ pub type Group = u8;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum M {
     /// M00, M01: wait for the operator.
-    Pause,
+    Pause(StopKind),
     /// M02, M30.
     End,
     /// M03, M04, M05.

@@ -18,7 +18,7 @@ use super::words::Unit;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
-use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn};
+use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn, Stop, StopKind};
 use crate::text::shift::Shift;
 use crate::text::source::Span;
 
@@ -112,6 +112,8 @@ pub struct Routed {
     pub line: u32,
     /// In a virtual plane, whose points the motion then has: where it begins and ends along the third axis, mm.
     pub third: Option<(f64, f64)>,
+    /// No motion at all: the program stops here (M00, M01).
+    pub stop: Option<StopKind>,
 }
 
 /// Polar or cylindrical interpolation in force. The position of the state is then a point of its plane.
@@ -387,6 +389,8 @@ pub struct State {
     pub pending: Option<Pending>,
     /// Compensation under way.
     pub compensating: Option<Compensating>,
+    /// The program stops before the next motion.
+    pub stop: Option<Stop>,
     /// Whether a C word is an axis (M45) rather than a chamfer.
     pub c_axis: bool,
     /// An M code was met whose meaning depends on the machine: it may have connected C or started a live tool.
@@ -452,6 +456,7 @@ impl State {
             tool: (0, 0),
             pending: None,
             compensating: None,
+            stop: None,
             c_axis: false,
             unknown_m: false,
             memory: CycleMemory::EMPTY,
@@ -481,7 +486,9 @@ impl State {
     /// The first byte of the blocks whose moves wait for the next one; `u32::MAX` when none do.
     pub fn first_waiting(&self) -> u32 {
         let pending = self.pending.as_ref().map_or(u32::MAX, Pending::first);
-        pending.min(self.compensating.as_ref().map_or(u32::MAX, Compensating::first))
+        let compensating = self.compensating.as_ref().map_or(u32::MAX, Compensating::first);
+        let stop = self.stop.map_or(u32::MAX, |stop| stop.span.start);
+        pending.min(compensating).min(stop)
     }
 
     /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
@@ -492,6 +499,9 @@ impl State {
         }
         if let Some(compensating) = &mut self.compensating {
             compensating.shift(shift);
+        }
+        if let Some(stop) = &mut self.stop {
+            stop.shift(shift);
         }
         self.course.head = shift.resume(self.course.head);
     }

@@ -92,7 +92,7 @@ impl Painter {
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
-        self.strokes.copy_to(&self.sheet, view)?;
+        self.strokes.copy_to(&self.sheet, scene, view)?;
         self.sheet.unclip();
         sheet::rulers(&self.sheet, scene.plane(), view)
     }
@@ -115,8 +115,8 @@ impl Painter {
         }
         match (scene.work().and_then(|work| work.tool.as_ref()), view.playhead) {
             (Some(tool), _) => self.real_tool(view, tool)?,
-            (None, Some(length)) => {
-                if let Some(place) = scene.at_length(length) {
+            (None, Some(playhead)) => {
+                if let Some(place) = scene.place(playhead) {
                     self.tool(view, place)?;
                 }
             }

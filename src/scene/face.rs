@@ -13,6 +13,7 @@ use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::shop::Shop;
+use crate::shop::clock::Playhead;
 use crate::shop::fitting::Fitted;
 use crate::shop::region::Region;
 use crate::shop::sweep::{self, chords};
@@ -82,13 +83,11 @@ impl Face {
         self.of.binary_search(&motion).ok()
     }
 
-    /// How far along the path of this picture the tool is, mm, when it is at a place of the run.
-    pub fn length_at(&self, place: Place) -> f64 {
-        let scene = self.scene(None);
-        let first = self.of.partition_point(|&motion| motion < place.motion);
-        let before = scene.length_before(first);
-        let under_way = self.own(place.motion).and_then(|own| scene.stroke(own));
-        before + under_way.map_or(0.0, |stroke| place.fraction * stroke.shape.length())
+    /// The playhead of this picture, when the tool is at a place of the run: on one of its moves, or before the next one.
+    pub fn playhead(&self, place: Place) -> Playhead {
+        let motion = self.of.partition_point(|&motion| motion < place.motion);
+        let share = self.own(place.motion).map_or(0.0, |_| place.fraction);
+        Playhead { motion, share }
     }
 
     /// Blank, what is left of the face, and the cutter: when all is done, or with the tool at a place of the run.
@@ -231,11 +230,9 @@ mod tests {
         let place = Place { motion: third, fraction: 0.5, at: Point::default() };
         let tool = face.work(&shop, Some(place)).and_then(|work| work.tool).expect("a tool");
         assert!(tool.tip.is_same(Point::new(35.0, 0.0)), "{:?}", tool.tip);
-        let scene = face.scene(None);
-        assert!((face.length_at(place) - scene.length_before(2) - 35.0).abs() < 1e-6);
-        assert_eq!(scene.at_length(face.length_at(place)).map(|at| at.motion), Some(2));
+        assert_eq!(face.playhead(place), Playhead { motion: 2, share: 0.5 });
         let before = Place { motion: 0, fraction: 0.3, at: Point::default() };
-        assert_eq!(face.length_at(before), 0.0);
+        assert_eq!(face.playhead(before), Playhead::START);
         let work = face.work(&shop, Some(before)).expect("a blank");
         assert!(work.tool.is_none() && work.part == work.blank);
     }

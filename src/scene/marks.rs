@@ -48,19 +48,29 @@ pub fn arrow_heads(
     camera: &Camera,
     least: f64,
 ) -> Vec<[Pixel; 3]> {
+    let mut heads = Vec::new();
+    add_arrow_heads(&mut heads, shapes, camera, least);
+    heads
+}
+
+/// Adds the arrow heads of further shapes, where there is no other near by.
+pub fn add_arrow_heads(
+    heads: &mut Vec<[Pixel; 3]>,
+    shapes: impl Iterator<Item = StrokeShape>,
+    camera: &Camera,
+    least: f64,
+) {
     let seen = camera.seen();
-    let mut heads: Vec<[Pixel; 3]> = Vec::new();
     for shape in shapes {
+        if heads.len() >= MOST_ARROWS {
+            break;
+        }
         let Some(head) = arrow_head(&shape, camera, least) else { continue };
         let crowded = heads.iter().any(|other| other[0].distance(head[0]) < APART);
         if !crowded && seen.holds(camera.to_world(head[0])) {
             heads.push(head);
         }
-        if heads.len() == MOST_ARROWS {
-            break;
-        }
     }
-    heads
 }
 
 /// The outline of an 80° insert with its tip at `tip`, which comes first.

@@ -27,6 +27,7 @@ use std::ops::Range;
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
+use crate::shop::clock::Playhead;
 use crate::text::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
@@ -425,33 +426,11 @@ impl<'a> Scene<'a> {
         self.outline.length()
     }
 
-    /// Length of the path before a motion begins, mm.
-    pub fn length_before(&self, motion: usize) -> f64 {
-        let Some(stretch) = self.outline.stretch_of(motion) else { return self.length() };
-        let before = self.strokes_of(stretch.motions.start..motion);
-        stretch.length_before + before.map(|stroke| stroke.shape.length()).sum::<f64>()
-    }
-
-    /// The place `length` mm along the path, rapids included; held to the two ends of the path. `None` while
-    /// nothing moves.
-    pub fn at_length(&self, length: f64) -> Option<Place> {
-        let stretch = self.outline.stretch_at(length)?;
-        let mut left = length.max(0.0) - stretch.length_before;
-        let mut last = None;
-        for stroke in self.strokes_of(stretch.motions.clone()) {
-            let own = stroke.shape.length();
-            if own <= 0.0 {
-                continue;
-            }
-            if left <= own {
-                let fraction = (left / own).max(0.0);
-                let at = stroke.shape.at(fraction);
-                return Some(Place { motion: stroke.motion, fraction, at });
-            }
-            left -= own;
-            last = Some(Place { motion: stroke.motion, fraction: 1.0, at: stroke.shape.end() });
-        }
-        last
+    /// Where the tool is at a place of the program; `None` past its end.
+    pub fn place(&self, playhead: Playhead) -> Option<Place> {
+        let Playhead { motion, share } = playhead;
+        let stroke = self.stroke(motion)?;
+        Some(Place { motion, fraction: share, at: stroke.shape.at(share) })
     }
 }
 

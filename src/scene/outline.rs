@@ -148,13 +148,6 @@ impl Outline {
         self.stretches.get(self.stretches.partition_point(|stretch| stretch.motions.end <= motion))
     }
 
-    /// The stretch that reaches `length` mm along the path; the last one beyond the end.
-    pub fn stretch_at(&self, length: f64) -> Option<&Stretch> {
-        let index = self.stretches.partition_point(|s| s.length_before + s.length < length);
-        let moving = |stretch: &&Stretch| stretch.length > 0.0;
-        self.stretches[index..].iter().find(moving).or_else(|| self.stretches.iter().rev().find(moving))
-    }
-
     /// Box around everything that cuts or waits.
     pub fn cuts(&self) -> Option<Bounds> {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.cuts))

@@ -5,6 +5,7 @@ use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::scene::work::Work;
 use crate::shop::Shop;
+use crate::shop::clock::Playhead;
 use crate::text::source::Span;
 
 use super::Scene;
@@ -212,7 +213,6 @@ fn a_long_chunk_has_several_stretches() {
     let outline = Outline::of(&motions);
     assert_eq!(outline.stretches().len(), 3000usize.div_ceil(STRETCH));
     let scene = Scene::new(&motions, &outline, None);
-    assert_eq!(scene.length_before(2500), 2500.0);
     assert_eq!(scene.motions_of(Span::new(20_470, 20_490)), vec![2047..2049]);
 }
 
@@ -229,18 +229,17 @@ fn places_along_the_path() {
     let scene = Scene::new(&motions, &outline, None);
     let half = 10.0 * std::f64::consts::PI;
     assert!((scene.length() - (40.0 + half)).abs() < 1e-9);
-    assert!((scene.length_before(3) - (30.0 + half)).abs() < 1e-9);
-    let check = |length: f64, motion: usize, at: Point| {
-        let place = scene.at_length(length).expect("a place");
-        assert!(place.motion == motion && place.at.is_same(at), "{length}: {place:?}");
+    let check = |motion: usize, share: f64, at: Point| {
+        let place = scene.place(Playhead { motion, share }).expect("a place");
+        assert!(place.motion == motion && place.at.is_same(at), "{motion}: {place:?}");
     };
-    check(-5.0, 0, point(100.0, 0.0));
-    check(15.0, 0, point(70.0, 0.0));
-    check(30.0 + half / 2.0, 2, point(60.0, -10.0));
-    check(35.0 + half, 3, point(50.0, -20.0));
-    check(1e6, 3, point(60.0, -20.0));
-    let none = Motions::default();
-    assert_eq!(Scene::new(&none, &Outline::new(), None).at_length(0.0), None);
+    check(0, 0.0, point(100.0, 0.0));
+    check(0, 0.5, point(70.0, 0.0));
+    check(1, 0.5, point(40.0, 0.0));
+    check(2, 0.5, point(60.0, -10.0));
+    check(3, 0.5, point(50.0, -20.0));
+    check(3, 1.0, point(60.0, -20.0));
+    assert_eq!(scene.place(Playhead::end_of(4)), None);
 }
 
 #[test]

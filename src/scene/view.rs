@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::geometry::Point;
+use crate::shop::clock::Playhead;
 
 use super::Scene;
 use super::camera::{Camera, Pixel, Size, XPlus};
@@ -48,8 +49,8 @@ pub struct View {
     pub edge: Vec<Point>,
     /// The motion under the pointer.
     pub hover: Option<usize>,
-    /// How far the tool has come, mm along the whole path; `None` shows everything drawn and no tool.
-    pub playhead: Option<f64>,
+    /// How far the tool has come; `None` shows everything drawn and no tool.
+    pub playhead: Option<Playhead>,
 }
 
 impl View {
@@ -98,8 +99,8 @@ impl View {
             && (palette, playhead) == (&other.palette, &other.playhead)
     }
 
-    /// The same view with nothing picked out.
-    pub fn bare(&self) -> View {
+    /// The same view with nothing picked out, and the tool somewhere else.
+    pub fn bare(&self, playhead: Option<Playhead>) -> View {
         View {
             palette: self.palette.clone(),
             highlight: Vec::new(),
@@ -107,6 +108,7 @@ impl View {
             steps: Vec::new(),
             edge: Vec::new(),
             hover: None,
+            playhead,
             ..*self
         }
     }

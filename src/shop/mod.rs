@@ -4,6 +4,7 @@
 //! before the picture; must not know the text of the program.
 
 pub mod assumed;
+pub mod clock;
 pub mod compare;
 pub mod danger;
 pub mod feature;
@@ -11,6 +12,7 @@ pub mod fitting;
 pub mod guess;
 pub mod part;
 pub mod region;
+pub mod steps;
 pub mod sweep;
 pub mod tally;
 pub mod timing;

@@ -4,6 +4,8 @@
 //! taken off in slices (`advance`), so that a long program holds nothing up; now and then the state is kept, so that any
 //! moment is near one that is known.
 
+use std::cell::RefCell;
+
 use super::fitting::{Fitted, Fitting};
 use super::region::Region;
 use super::sweep::chords;
@@ -41,6 +43,8 @@ pub struct Part {
     kept_corners: usize,
     /// Motions from one to the next, at least.
     stride: usize,
+    /// The state that was asked for last: so many motions were done. The next one asked for is often a little later.
+    last: RefCell<Option<Kept>>,
 }
 
 /// The work when so many motions were done.
@@ -136,22 +140,39 @@ impl Part {
     /// The work when so many motions are done, and of the next one the fraction `share`.
     pub fn at(&self, motions: &Motions, fitting: &Fitting, count: usize, share: f64) -> Region {
         let count = count.min(self.done);
-        let kept = self.kept.partition_point(|state| state.done <= count);
-        let (from, mut turned, mut region) = match kept.checked_sub(1).map(|index| &self.kept[index]) {
-            Some(Kept { done, turned, region }) => (*done, *turned, region.clone()),
-            None => (0, Turned::default(), self.blank.clone()),
-        };
+        let Kept { done: from, mut turned, mut region } = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
         for motion in (from..count).map(|index| motions.get(index)) {
             outlines.extend(cut(&motion, turned, fitting.tool(&motion)));
             turned = turned.after(&motion);
         }
+        if !outlines.is_empty() {
+            region.cut(&outlines);
+        }
+        self.last.replace(Some(Kept { done: count, turned, region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
             let motion = motions.get(count);
-            outlines.extend(cut_so_far(&motion, share, turned, fitting.tool(&motion)));
+            let outlines = cut_so_far(&motion, share, turned, fitting.tool(&motion));
+            if !outlines.is_empty() {
+                region.cut(&outlines);
+            }
         }
-        region.cut(&outlines);
         region
+    }
+
+    /// The latest known state that is not behind so many motions.
+    fn near(&self, count: usize) -> Kept {
+        let kept = self
+            .kept
+            .partition_point(|state| state.done <= count)
+            .checked_sub(1)
+            .map(|index| &self.kept[index]);
+        let from = kept.map_or(0, |state| state.done);
+        match (self.last.take().filter(|last| (from..=count).contains(&last.done)), kept) {
+            (Some(last), _) => last,
+            (None, Some(state)) => state.clone(),
+            (None, None) => Kept { done: 0, turned: Turned::default(), region: self.blank.clone() },
+        }
     }
 
     fn settle(&mut self) {

@@ -252,7 +252,7 @@ impl Playground {
     fn show_face(&mut self) {
         let (Some(shop), Some(face)) = (&self.shop, &self.views.face) else { return };
         let scene = Scene::new(self.run.motions(), &self.outline, None);
-        let place: Option<Place> = self.view.playhead.and_then(|length| scene.at_length(length));
+        let place: Option<Place> = self.view.playhead.and_then(|playhead| scene.place(playhead));
         let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
         if self.views.face_work.is_none() || moment != self.views.face_moment {
             self.views.face_work = face.work(shop, place);
@@ -264,7 +264,7 @@ impl Playground {
             .face_view
             .get_or_insert_with(|| View::new(&picture, Size { width: 300.0, height: 300.0 }));
         view.palette = self.view.palette.clone();
-        view.playhead = place.map(|place| face.length_at(place));
+        view.playhead = place.map(|place| face.playhead(place));
         view.hover = self.view.hover.and_then(|motion| face.own(motion));
         let own =
             self.view.highlight.iter().flat_map(|range| range.clone().filter_map(|motion| face.own(motion)));

@@ -91,7 +91,7 @@ test('play moves the tool and marks its block; steps end at the ends of motions'
   await expect(place).toHaveAttribute('aria-valuetext', 'X diameter 130.000, Z 3.000');
   const start = Number(await place.inputValue());
   await page.getByRole('button', { name: 'Play' }).click();
-  await expect.poll(async () => Number(await place.inputValue())).toBeGreaterThan(start + 20);
+  await expect.poll(async () => Number(await place.inputValue())).toBeGreaterThan(start + 0.02);
   await page.getByRole('button', { name: 'Pause' }).click();
   await page.getByRole('button', { name: 'Show the whole path' }).click();
   await expect(place).toHaveAttribute('aria-valuetext', '–');

@@ -17,6 +17,7 @@ import {
 import { applyFix, lintDiagnostics } from './editor-lint';
 import { marks, showHovered, showRunning, showTokens, type Span } from './editor-marks';
 import { fileOf, fileOfText, origin, programText, renamed, textWithLineEnds, type ProgramFile, type ProgramText } from './editor-file';
+import { Follower } from './editor-follow';
 import { editorPhrases } from './editor-phrases';
 import { editorTheme } from './editor-theme';
 import { strings, type Language } from './i18n';
@@ -42,6 +43,7 @@ const byProgram = Annotation.define<true>();
 export class Editor {
   readonly element = document.createElement('div');
   readonly #view: EditorView;
+  readonly #follower: Follower;
   readonly #events: EditorEvents;
   readonly #language = new Compartment();
   #shownLanguage: Language;
@@ -73,6 +75,7 @@ export class Editor {
         ],
       }),
     });
+    this.#follower = new Follower(this.#view);
   }
 
   get text(): string {
@@ -171,13 +174,15 @@ export class Editor {
     this.#view.dispatch({ effects: showHovered.of(span) });
   }
 
+  /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
+  follow(): void {
+    this.#follower.resume();
+  }
+
   /** The block the tool is in; it is kept in sight. */
   set running(span: Span | undefined) {
-    const effects: StateEffect<unknown>[] = [showRunning.of(span)];
-    if (span !== undefined && span.to <= this.length) {
-      effects.push(EditorView.scrollIntoView(span.from, { y: 'nearest', yMargin: 40 }));
-    }
-    this.#view.dispatch({ effects });
+    this.#view.dispatch({ effects: showRunning.of(span) });
+    if (span !== undefined && span.to <= this.length) this.#follower.show(span.from);
   }
 
   select(span: Span): void {

@@ -45,7 +45,7 @@ import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Report, SetupAnswer, SetupPlace, Stroke, Summary, ToolPlace, WorkerEvent } from './protocol';
+import type { FileFormat, Readout, Report, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
 import type { CanvasCommand } from './protocol-views';
 import { SetupBar } from './setup-bar';
 import { SetupDialog } from './setup-form';
@@ -56,10 +56,11 @@ import { Switches } from './switches';
 import { Views, type Pictures } from './views';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
+import playbackStyles from './playback.css?inline';
 import setupStyles from './setup.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles, setupStyles].map((text) => {
+const sheets = [colours, styles, setupStyles, playbackStyles].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;
@@ -71,7 +72,7 @@ const SEND_AFTER_MS = 30;
 interface Line {
   readonly client: CoreClient;
   readonly pointer: Newest<'pick'>;
-  readonly tool: Newest<'playhead'>;
+  readonly tool: Newest<'seek'>;
   readonly section: Newest<'section'>;
   readonly onFace: Newest<'pickOnFace'>;
   readonly edge: Newest<'dimension'>;
@@ -336,10 +337,19 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#buildViews(texts);
     this.#playback = new Playback(texts, {
-      moveTo: (distance) => this.#line?.tool.ask({ distance }),
-      step: (distance, direction) =>
-        void this.#line?.client.ask('step', { distance, direction }).then((place) => this.#showTool(place)),
-      wholePath: () => this.#line?.tool.ask({ distance: undefined }),
+      play: async (from, seconds, pace, stops) => {
+        const place = await this.#line?.client.ask('play', { from, seconds, pace, stops });
+        this.#markRunning(place);
+        return place;
+      },
+      seek: (share) => this.#line?.tool.ask({ share }),
+      step: (unit, direction) => {
+        editor.follow();
+        // The block is shown even if it is the same one.
+        this.#running = undefined;
+        void this.#line?.client.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+      },
+      wholePath: () => this.#line?.tool.ask({ share: undefined }),
     });
     this.#problems = new Problems(texts, {
       chosen: (diagnostic) => editor.show(diagnostic),
@@ -435,7 +445,7 @@ export class GcodePlayground extends HTMLElement {
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
     else if (event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey) this.saveFile();
-    else if (event.key === 'F9') this.#playback.step(event.shiftKey ? 'previous' : 'next');
+    else if (event.key === 'F9') this.#playback.step(event.ctrlKey || event.metaKey ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else if (event.key === 'F8') this.#editor?.nextProblem(event.shiftKey ? 'previous' : 'next');
     else if (event.key === '?' && !typing) this.#help.toggle();
     else return;
@@ -453,7 +463,7 @@ export class GcodePlayground extends HTMLElement {
     this.#line = {
       client,
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
-      tool: new Newest(client, 'playhead', (place) => this.#showTool(place)),
+      tool: new Newest(client, 'seek', (place) => this.#showTool(place)),
       section: new Newest(client, 'section', (pieces) => (this.#solid.section = pieces)),
       onFace: new Newest(client, 'pickOnFace', (stroke) => this.#showHovered(stroke, this.#face)),
       edge: new Newest(client, 'dimension', (edge) =>
@@ -500,7 +510,7 @@ export class GcodePlayground extends HTMLElement {
   /** A new worker, waiting for the reader's next change: the same text would only fail again. */
   #lost(loss: Loss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
-    this.#playback.length = 0;
+    this.#playback.program(0, 0);
     this.#drawing.summary = undefined;
     this.#writtenOut.available = this.#exports.available = this.#solid.available = false;
     this.#drawing.showTip(undefined);
@@ -704,7 +714,7 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, pathLength, fitted, stage } = report;
+    const { summary, diagnostics, fitted, stage } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
     this.#setupBar.fitted = fitted;
@@ -713,7 +723,7 @@ export class GcodePlayground extends HTMLElement {
     this.#problems.diagnostics = diagnostics;
     // The path was there before, and the reader may be playing it.
     if (stage !== 'part') {
-      this.#playback.length = pathLength;
+      this.#playback.program(summary.motions, summary.optionalStops);
       this.#showTool(undefined);
     }
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
@@ -728,13 +738,18 @@ export class GcodePlayground extends HTMLElement {
     if (this.#editor !== undefined) this.#editor.hovered = stroke;
   }
 
-  #showTool(place: ToolPlace | undefined): void {
+  #showTool(place: Readout | undefined): void {
     this.#playback.place = place;
     this.#askSection();
-    const from = place?.stroke?.from;
-    if (from === this.#running) return;
-    this.#running = from;
-    if (this.#editor !== undefined) this.#editor.running = place?.stroke;
+    this.#markRunning(place);
+  }
+
+  /** The block that runs, or that holds the tool, is marked in the text. */
+  #markRunning(place: Readout | undefined): void {
+    const block = place?.stop ?? place?.stroke;
+    if (block?.from === this.#running) return;
+    this.#running = block?.from;
+    if (this.#editor !== undefined) this.#editor.running = block;
   }
 
   #showLanguage(): void {

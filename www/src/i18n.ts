@@ -7,6 +7,8 @@
 import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
 import { viewStrings, type ViewStrings } from './i18n-views';
+import { playbackStrings, type PlaybackStrings } from './i18n-playback';
+import { counter } from './plural';
 
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -46,8 +48,7 @@ export interface Strings {
   readonly playback: string;
   readonly play: string;
   readonly pause: string;
-  readonly stepBack: string;
-  readonly stepForward: string;
+  readonly playing: PlaybackStrings;
   readonly wholePath: string;
   readonly position: string;
   readonly positionText: (x: string, z: string) => string;
@@ -136,15 +137,6 @@ export interface Strings {
   };
 }
 
-type Forms = Partial<Record<Intl.LDMLPluralRule, string>> & { readonly other: string };
-
-/** "42 motions": the number in the language's own writing, then the form that number asks for. */
-function counter(language: Language, forms: Forms): (n: number) => string {
-  const rules = new Intl.PluralRules(language);
-  const numbers = new Intl.NumberFormat(language);
-  return (n) => `${numbers.format(n)} ${forms[rules.select(n)] ?? forms.other}`;
-}
-
 const en: Strings = {
   languageName: 'English',
   program: 'Program',
@@ -177,8 +169,7 @@ const en: Strings = {
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
-  stepBack: 'Previous motion',
-  stepForward: 'Next motion',
+  playing: playbackStrings.en,
   wholePath: 'Show the whole path',
   position: 'Position along the path',
   positionText: (x, z) => `X diameter ${x}, Z ${z}`,
@@ -242,6 +233,8 @@ const en: Strings = {
   shortcuts: [
     ['Ctrl Enter', 'play or pause'],
     ['F9  Shift F9', 'next or previous motion'],
+    ['Ctrl F9  Ctrl Shift F9', 'next or previous block'],
+    ['Alt F9  Alt Shift F9', 'next or previous pass of a cycle'],
     ['F8  Shift F8', 'next or previous problem'],
     ['Ctrl F', 'search in the program'],
     ['Ctrl S', 'save the program as a file'],
@@ -304,8 +297,7 @@ const zh: Strings = {
   playback: '播放',
   play: '播放',
   pause: '暂停',
-  stepBack: '上一段运动',
-  stepForward: '下一段运动',
+  playing: playbackStrings.zh,
   wholePath: '显示完整轨迹',
   position: '在轨迹上的位置',
   positionText: (x, z) => `X 直径 ${x}，Z ${z}`,
@@ -369,6 +361,8 @@ const zh: Strings = {
   shortcuts: [
     ['Ctrl Enter', '播放或暂停'],
     ['F9  Shift F9', '下一段或上一段运动'],
+    ['Ctrl F9  Ctrl Shift F9', '下一或上一程序段'],
+    ['Alt F9  Alt Shift F9', '循环的下一次或上一次走刀'],
     ['F8  Shift F8', '下一个或上一个问题'],
     ['Ctrl F', '在程序中查找'],
     ['Ctrl S', '将程序保存为文件'],
@@ -432,8 +426,7 @@ const ru: Strings = {
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',
-  stepBack: 'Предыдущее перемещение',
-  stepForward: 'Следующее перемещение',
+  playing: playbackStrings.ru,
   wholePath: 'Показать всю траекторию',
   position: 'Положение на траектории',
   positionText: (x, z) => `X диаметр ${x}, Z ${z}`,
@@ -497,6 +490,8 @@ const ru: Strings = {
   shortcuts: [
     ['Ctrl Enter', 'пуск или пауза'],
     ['F9  Shift F9', 'следующее или предыдущее перемещение'],
+    ['Ctrl F9  Ctrl Shift F9', 'следующий или предыдущий кадр'],
+    ['Alt F9  Alt Shift F9', 'следующий или предыдущий проход цикла'],
     ['F8  Shift F8', 'следующее или предыдущее замечание'],
     ['Ctrl F', 'поиск в программе'],
     ['Ctrl S', 'сохранить программу в файл'],

@@ -5,12 +5,13 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Diagnostic, Fitted, Palette, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary,
+  Codes, Diagnostic, Fitted, Palette, Readout, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  StepUnit, StopSwitch, Stroke, Summary,
 } from '../pkg/gcode_playground.js';
 import type { ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 import type { SwitchesInText } from './switches-in-text';
 
-export type { Codes, Diagnostic, Palette, SectionPiece, Stroke, Summary };
+export type { Codes, Diagnostic, Palette, Readout, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
 export type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { CodeRow, Edit, Fix, SetupField, SetupState } from '../pkg/gcode_playground.js';
 
@@ -52,11 +53,8 @@ export type TextCommand =
   | { readonly kind: 'text'; readonly pieces: readonly string[] }
   | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
 
-/** Where the tool is: `distance` in mm along the whole path. */
-export interface ToolPlace {
-  readonly distance: number;
-  readonly stroke: Stroke | undefined;
-}
+/** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
+export type Pace = { readonly kind: 'times'; readonly factor: number } | { readonly kind: 'whole'; readonly seconds: number };
 
 /** The program with every cycle written out; `tokens` as for `tokens`, none when the text is very long. */
 export interface WrittenOut {
@@ -74,8 +72,14 @@ export interface Questions extends ViewQuestions {
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
   pick: { ask: { readonly x: number; readonly y: number }; answer: Stroke | undefined };
-  playhead: { ask: { readonly distance: number | undefined }; answer: ToolPlace | undefined };
-  step: { ask: { readonly distance: number; readonly direction: 'next' | 'previous' }; answer: ToolPlace };
+  /** The tool goes on for so many seconds, or to a stop. */
+  play: {
+    ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly stops: StopSwitch };
+    answer: Readout | undefined;
+  };
+  /** The tool is put where so much of the animation has been shown, 0 to 1; without that, the whole path is shown. */
+  seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
+  step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
   /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
   expand: { ask: undefined; answer: WrittenOut };
@@ -114,8 +118,6 @@ export interface Report {
   readonly revision: number;
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
-  /** mm */
-  readonly pathLength: number;
   readonly fitted: Fitted;
   /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before. */
   readonly stage: 'whole' | 'path' | 'part';

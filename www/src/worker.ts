@@ -8,10 +8,11 @@ import init, { Drawn, Playground } from '../pkg/gcode_playground.js';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import { fileOf } from './worker-files';
 import type {
-  Command, Question, QuestionKind, Questions, TextChange, ToolPlace, WorkerEvent, WrittenOut,
+  Command, Question, QuestionKind, Questions, TextChange, WorkerEvent, WrittenOut,
 } from './protocol';
 import { handIn } from './text-in';
 import { answerView, doView, drawAll, viewsState } from './worker-views';
+import { toolAnswers } from './tool-answers';
 
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
@@ -162,18 +163,15 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       const { x, y } = question.ask as Questions['pick']['ask'];
       return playground.pick(x, y);
     }
-    case 'playhead': {
-      const { distance } = question.ask as Questions['playhead']['ask'];
+    case 'play':
       wantDraw();
-      if (distance !== undefined) return toolAt(playground, distance);
-      playground.setPlayhead(undefined);
-      return undefined;
-    }
-    case 'step': {
-      const { distance, direction } = question.ask as Questions['step']['ask'];
+      return toolAnswers.play(playground, question.ask as Questions['play']['ask']);
+    case 'seek':
       wantDraw();
-      return toolAt(playground, motionEnd(playground, distance, direction));
-    }
+      return toolAnswers.seek(playground, question.ask as Questions['seek']['ask']);
+    case 'step':
+      wantDraw();
+      return toolAnswers.step(playground, question.ask as Questions['step']['ask']);
     case 'locate': {
       const { x, z } = question.ask as Questions['locate']['ask'];
       const [px = 0, py = 0] = playground.screenOf(x, z);
@@ -339,32 +337,11 @@ function report(playground: Playground): void {
       revision,
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
-      pathLength: playground.pathLength(),
       fitted: playground.fitting(),
       stage,
     },
   });
   send({ kind: 'views', views: viewsState(playground) });
-}
-
-// ---- the tool -------------------------------------------------------------------------------------
-
-function toolAt(playground: Playground, distance: number): ToolPlace {
-  playground.setPlayhead(distance);
-  return { distance, stroke: playground.playhead() };
-}
-
-/** The nearest end of a motion after (before) `distance`, mm along the path. */
-function motionEnd(playground: Playground, distance: number, direction: 'next' | 'previous'): number {
-  const length = playground.pathLength();
-  // Steps off the end the tool may stand on; what is counted in hairs is far below what is shown.
-  const hair = Math.max(1e-9 * length, 1e-9);
-  const inside = distance + (direction === 'next' ? 2 : -2) * hair;
-  const motion = toolAt(playground, Math.min(Math.max(inside, 0), length)).stroke?.motion;
-  if (motion === undefined) return distance;
-  const end = playground.lengthBefore(direction === 'next' ? motion + 1 : motion);
-  // A hair before it: the motion that ends there is named, not the one that begins.
-  return Math.min(Math.max(end - hair, 0), length);
 }
 
 // ---- written out ----------------------------------------------------------------------------------

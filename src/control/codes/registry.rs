@@ -228,8 +228,8 @@ static M_CODES: &[MCode] = &[
     m(3, Function::Spindle, M::Spindle(SpindleTurn::Forward)),
     m(4, Function::Spindle, M::Spindle(SpindleTurn::Reverse)),
     m(5, Function::Spindle, M::Spindle(SpindleTurn::Stopped)),
-    m(0, Function::Pause, M::Pause),
-    m(1, Function::Pause, M::Pause),
+    m(0, Function::Pause, M::Pause(StopKind::Always)),
+    m(1, Function::Pause, M::Pause(StopKind::Optional)),
     m(2, Function::End, M::End),
     m(30, Function::End, M::End),
     m(98, Function::Call, M::Call),
@@ -400,7 +400,7 @@ impl Row {
                 spell(codes, 'M', code.number, 0);
             }
             row.take(match code.code {
-                M::Idle | M::Pause => Effect::Accepted,
+                M::Idle | M::Pause(_) => Effect::Accepted,
                 _ => Effect::Done,
             });
         }

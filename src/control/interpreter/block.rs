@@ -73,6 +73,9 @@ impl Interpreter {
         if !request.moved {
             self.idle_block();
         }
+        if let Some(kind) = request.stop {
+            self.stop(block, kind);
+        }
         if request.end {
             self.end_of_program(text, block);
         }

@@ -41,7 +41,7 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Message, Severity};
 use crate::geometry::{Point, Turn};
-use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step};
+use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step, Stop, StopKind};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 use crate::text::source::Span;
@@ -138,6 +138,8 @@ struct Request {
     surface: Option<bool>,
     /// M05.
     stop_spindle: bool,
+    /// M00, M01.
+    stop: Option<StopKind>,
     /// M02, M30.
     end: bool,
     /// M97, M98, M99.

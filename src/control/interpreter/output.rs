@@ -29,9 +29,28 @@ impl Interpreter {
         self.state.position = motion.to;
     }
 
+    /// M00, M01: the program stops once all moves before it are made, those that wait for a next one included.
+    #[cold]
+    pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
+        // A contour is read for its shape alone.
+        if self.recorded.is_none() {
+            let here = self.motion(MotionKind::Dwell, self.state.position);
+            self.wait_here(Routed { stop: Some(kind), ..self.routed(block, here) });
+        }
+    }
+
     /// Keeps a motion unless it has no length.
     #[inline]
     pub(super) fn emit(&mut self, mut routed: Routed) {
+        if let Some(kind) = routed.stop {
+            let stop = Stop { kind, span: routed.span, line: routed.line };
+            // Of several stops at one place the one that is never passed over counts.
+            let own = &mut self.state.stop;
+            if own.is_none_or(|before| before.kind == StopKind::Optional) {
+                *own = Some(stop);
+            }
+            return;
+        }
         if let Some(tip) = self.state.tip.take() {
             routed.motion.from = tip;
         }
@@ -78,6 +97,9 @@ impl Interpreter {
         }
         // A block behind that of a motion that waited may have failed.
         routed.motion.process.uncertain |= self.state.uncertain;
+        if let Some(stop) = self.state.stop.take() {
+            self.chunk.stop(&stop);
+        }
         self.chunk.push(&routed.motion, routed.span, routed.line);
     }
 }

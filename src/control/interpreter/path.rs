@@ -59,6 +59,7 @@ impl Interpreter {
             && state.pending.is_none()
             && state.virtual_plane.is_none()
             && state.tip.is_none()
+            && state.stop.is_none()
             && self.recorded.is_none()
             && !self.full
             && self.kept() < self.setup.limits.motions;

@@ -277,7 +277,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn routed(&self, block: &Block, motion: Motion) -> Routed {
         let third = self.state.virtual_plane.map(|plane| plane.third);
-        Routed { motion, span: block.span, line: block.line, third }
+        Routed { motion, span: block.span, line: block.line, third, stop: None }
     }
 
     /// What the machine does for a motion of a virtual plane.

@@ -171,7 +171,8 @@ impl Interpreter {
             Some(M::ThreadPullOut(switch)) => state.thread_chamfer_on = switch == Switch::On,
             Some(M::End) => request.end = true,
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
-            Some(M::Pause | M::Idle) => {}
+            Some(M::Pause(kind)) => request.stop = Some(kind),
+            Some(M::Idle) => {}
             Some(M::Call) => request.passage = Some(Passage::Call),
             Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
             Some(M::Return) => request.passage = Some(Passage::Return),

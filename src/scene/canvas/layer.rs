@@ -2,7 +2,7 @@
 //!
 //! In: a scene and a view. Out: the strokes on a canvas of their own. Few strokes are drawn at once, with their widths
 //! and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile the last image is moved
-//! to where the camera is. Knows nothing of what lies under or over the strokes.
+//! to where the camera is. While the tool goes on, only what it has done since is added. Knows nothing of what lies under or over the strokes.
 
 use std::ops::Range;
 
@@ -11,16 +11,18 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::OffscreenCanvas;
 
 use super::super::camera::Camera;
+use super::super::camera::Pixel;
 use super::super::ink::Ink;
-use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
+use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, add_arrow_heads};
 use super::super::outline::{Stretch, StretchKey};
 use super::super::palette::Palette;
 use super::super::plot::Plot;
 use super::super::view::View;
-use super::super::{Place, Scene, StrokeShape, StrokeStyle};
-use super::paths::{Paths, halves, path_of};
+use super::super::{Scene, StrokeShape, StrokeStyle};
+use super::paths::{Paths, halves, path_of, under_way};
 use super::pen::{Dash, Pen, rgb};
 use super::sheet;
+use crate::shop::clock::Playhead;
 
 /// Opacity of what has not run yet, while there is a playhead.
 const AHEAD: f64 = 0.22;
@@ -28,6 +30,11 @@ const AHEAD: f64 = 0.22;
 const CROWDED: usize = 40_000;
 /// Motions in view that are drawn in a few milliseconds, widths and dashes included.
 const QUICK: usize = 4_000;
+/// More motions at once than this are drawn with all others.
+const FEW: usize = 400;
+/// Frames that the tool stands before the strokes that were added one by one are drawn all together: a frame that came
+/// late must not make the next ones late.
+const STANDING: u32 = 12;
 /// How long plotting goes on before others have their turn, ms.
 const SLICE: f64 = 8.0;
 /// The pictures of a plot: what is ahead of the tool, what is done (both by ink), and the programmed path.
@@ -58,9 +65,23 @@ type Colours = [[u8; 3]; Ink::ALL.len() + 1];
 /// What the strokes are drawn from.
 #[derive(Clone, Debug, PartialEq)]
 struct Target {
-    /// With nothing picked out.
+    /// With nothing picked out, and the tool before a motion: what is done of that is drawn over the image.
     view: View,
     outline: u64,
+}
+
+/// How an image came about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Made {
+    /// Of all strokes together.
+    AtOnce,
+    /// Strokes were added one after the other as the tool went on: where they lie on one another they are a little darker.
+    Added {
+        /// Where the tool was seen last.
+        tool: Playhead,
+        /// Frames it has been there.
+        frames: u32,
+    },
 }
 
 /// The strokes as an image.
@@ -79,6 +100,9 @@ pub struct StrokeLayer {
     plot: Option<(Target, Plot, usize)>,
     /// The camera as it was when the last image was moved instead of being made anew.
     moved: Option<Camera>,
+    made: Made,
+    /// Arrow heads of the image: on cuts, and on threads.
+    heads: [Vec<[Pixel; 3]>; 2],
 }
 
 impl StrokeLayer {
@@ -86,7 +110,17 @@ impl StrokeLayer {
     pub fn new() -> Result<Self, JsValue> {
         let image = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let (shown, paths, colours, plot, moved) = (None, Vec::new(), None, None, None);
-        Ok(Self { image, shown, version: 0, paths, colours, plot, moved })
+        Ok(Self {
+            image,
+            shown,
+            version: 0,
+            paths,
+            colours,
+            plot,
+            moved,
+            made: Made::AtOnce,
+            heads: Default::default(),
+        })
     }
 
     /// A number that tells this image from the others of this layer.
@@ -97,16 +131,26 @@ impl StrokeLayer {
     /// Brings the image up to date, or a part of the way.
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
         let outline = scene.outline().id();
-        let same = |shown: &Target| shown.outline == outline && shown.view.shows_same_ground(view);
+        let target = Target { view: view.bare(view.playhead.map(before)), outline };
+        let same = |shown: &Target| shown.outline == outline && shown.view.shows_same_ground(&target.view);
         if self.shown.as_ref().is_some_and(same) {
-            return Ok(Progress::Done);
+            match (self.made, view.playhead) {
+                (Made::Added { tool, frames }, Some(now)) if tool != now || frames < STANDING => {
+                    let frames = if tool == now { frames + 1 } else { 0 };
+                    self.made = Made::Added { tool: now, frames };
+                    return Ok(Progress::Waiting);
+                }
+                (Made::Added { .. }, _) => {}
+                (Made::AtOnce, _) => return Ok(Progress::Done),
+            }
         }
         // An image with X the other way cannot be moved into place.
         let turned = |shown: &Target| shown.view.camera().x_plus() != view.camera().x_plus();
         if self.shown.as_ref().is_some_and(turned) {
             self.shown = None;
         }
-        let target = Target { view: view.bare(), outline };
+        let tool = view.playhead;
+        let view = &target.view;
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
             scene.outline().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
@@ -115,6 +159,12 @@ impl StrokeLayer {
             return self.plot(scene, target, &in_view);
         }
         self.plot = None;
+        if let Some((done, tool)) = self.done_since(&target).zip(tool) {
+            self.add(scene, view, done, motions)?;
+            self.finish(target);
+            self.made = Made::Added { tool, frames: 0 };
+            return Ok(Progress::Waiting);
+        }
         // While the camera moves, what takes long is only moved; it is drawn once the camera has stood for a frame.
         let camera = Some(*view.camera());
         if motions > QUICK && self.shown.is_some() && self.moved != camera && !self.shows_same_camera(view) {
@@ -126,12 +176,24 @@ impl StrokeLayer {
         Ok(Progress::Done)
     }
 
-    /// Copies the image to where the camera is.
-    pub fn copy_to(&self, pen: &Pen, view: &View) -> Result<(), JsValue> {
-        match &self.shown {
-            Some(shown) => pen.copy_moved(&self.image, &shown.view, view),
+    /// Copies the image to where the camera is, and draws what is done of the motion under way.
+    pub fn copy_to(&self, pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        if let Some(shown) = &self.shown {
+            pen.copy_moved(&self.image, &shown.view, view)?;
+        }
+        match view.playhead.filter(|playhead| playhead.share < 1.0).and_then(|at| scene.place(at)) {
+            Some(place) => ink(pen, view, &mut [&under_way(scene, place)?].into_iter()),
             None => Ok(()),
         }
+    }
+
+    /// The motions that the image lacks, if it shows what it should but for a few that the tool has made since.
+    fn done_since(&self, target: &Target) -> Option<Range<usize>> {
+        let shown = self.shown.as_ref()?;
+        let (from, to) = (shown.view.playhead?.motion, target.view.playhead?.motion);
+        let standing = target.view.bare(shown.view.playhead);
+        let same = shown.outline == target.outline && shown.view.shows_same_ground(&standing);
+        (same && from < to && to - from <= FEW).then_some(from..to)
     }
 
     fn shows_same_camera(&self, view: &View) -> bool {
@@ -139,7 +201,7 @@ impl StrokeLayer {
     }
 
     fn finish(&mut self, target: Target) {
-        (self.shown, self.moved) = (Some(target), None);
+        (self.shown, self.moved, self.made) = (Some(target), None, Made::AtOnce);
         self.version = self.version.wrapping_add(1);
     }
 
@@ -160,10 +222,10 @@ impl StrokeLayer {
                 (target.clone(), plot, 0)
             }
         };
-        let place = of.view.playhead.and_then(|length| scene.at_length(length));
+        let done = of.view.playhead.map(|playhead| playhead.motion);
         let until = now() + SLICE;
         while let Some(stretch) = in_view.get(next) {
-            plot_stretch(&mut plot, scene, stretch, place);
+            plot_stretch(&mut plot, scene, stretch, done);
             next += 1;
             if now() > until {
                 break;
@@ -222,13 +284,32 @@ impl StrokeLayer {
                 self.paths.push((stretch.key, Paths::of(scene.strokes_of(stretch.motions.clone()))?));
             }
         }
-        let place = view.playhead.and_then(|length| scene.at_length(length));
-        match place {
-            Some(place) => self.stroke_until(scene, view, in_view, place)?,
-            None => self.ink(view, &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch)))?,
+        let until = view.playhead.map(|playhead| playhead.motion);
+        match until {
+            Some(until) => self.stroke_until(scene, view, in_view, until)?,
+            None => {
+                let all = &mut in_view.iter().filter_map(|stretch| self.paths_of(stretch));
+                ink(&self.image, view, all)?;
+            }
         }
+        self.heads = Default::default();
         if motions <= MOST_WITH_ARROWS {
-            self.arrows(scene, view, in_view, place);
+            let done = |stretch: &&Stretch| {
+                stretch.motions.start..stretch.motions.end.min(until.unwrap_or(usize::MAX))
+            };
+            self.arrows(scene, view, &in_view.iter().map(done).collect::<Vec<_>>());
+        }
+        self.image.unclip();
+        Ok(())
+    }
+
+    /// Adds what the tool has done since, to an image of so many motions.
+    fn add(&mut self, scene: &Scene, view: &View, done: Range<usize>, motions: usize) -> Result<(), JsValue> {
+        self.image.begin(view)?;
+        self.image.clip(view)?;
+        ink(&self.image, view, &mut [&Paths::of(scene.strokes_of(done.clone()))?].into_iter())?;
+        if motions <= MOST_WITH_ARROWS {
+            self.arrows(scene, view, &[done]);
         }
         self.image.unclip();
         Ok(())
@@ -240,69 +321,70 @@ impl StrokeLayer {
         scene: &Scene,
         view: &View,
         in_view: &[&Stretch],
-        place: Place,
+        until: usize,
     ) -> Result<(), JsValue> {
-        let (before, after) = halves(scene, place)?;
-        let ahead = in_view.iter().filter(|stretch| stretch.motions.start > place.motion);
-        let done = in_view.iter().filter(|stretch| stretch.motions.end <= place.motion);
-        self.image.opacity(AHEAD);
-        self.ink(view, &mut [&after].into_iter().chain(ahead.filter_map(|stretch| self.paths_of(stretch))))?;
-        self.image.opacity(1.0);
-        self.ink(view, &mut done.filter_map(|stretch| self.paths_of(stretch)).chain([&before]))
+        let (before, after) = halves(scene, until)?;
+        let ahead = in_view.iter().filter(|stretch| stretch.motions.start > until);
+        let done = in_view.iter().filter(|stretch| stretch.motions.end <= until);
+        let pen = &self.image;
+        pen.opacity(AHEAD);
+        ink(pen, view, &mut [&after].into_iter().chain(ahead.filter_map(|stretch| self.paths_of(stretch))))?;
+        pen.opacity(1.0);
+        ink(pen, view, &mut done.filter_map(|stretch| self.paths_of(stretch)).chain([&before]))
     }
 
     fn paths_of(&self, stretch: &Stretch) -> Option<&Paths> {
         self.paths.iter().find(|(key, _)| *key == stretch.key).map(|(_, paths)| paths)
     }
 
-    /// Strokes paths in their own styles.
-    fn ink(&self, view: &View, paths: &mut dyn Iterator<Item = &Paths>) -> Result<(), JsValue> {
-        let paths: Vec<&Paths> = paths.collect();
-        for ink in Ink::ALL {
-            let colour = sheet::colour(&view.palette, ink);
-            self.image.world(view, sheet::width(ink), sheet::dash(ink), colour)?;
-            for path in paths.iter().filter_map(|paths| paths.get(ink)) {
-                self.image.stroke(path);
-            }
-            self.image.page(view)?;
-            let dots = paths.iter().flat_map(|paths| paths.dots(ink));
-            self.image.dots(colour, dots.map(|at| view.camera().to_screen(*at)), 3.0)?;
-        }
-        Ok(())
-    }
-
-    /// Arrow heads on what has run: all of it without a tool.
-    fn arrows(&self, scene: &Scene, view: &View, in_view: &[&Stretch], place: Option<Place>) {
-        let until = place.map(|place| place.motion);
-        for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
-            let strokes = in_view.iter().flat_map(|stretch| scene.strokes_of(stretch.motions.clone()));
-            let run = strokes.filter(|stroke| until.is_none_or(|until| stroke.motion < until));
-            let shapes = run.filter(|s| s.style == style && !s.uncertain).map(|stroke| stroke.shape);
-            let heads = arrow_heads(shapes, view.camera(), LEAST_FOR_ARROW);
+    /// Arrow heads on what has run of some motions.
+    fn arrows(&mut self, scene: &Scene, view: &View, run: &[Range<usize>]) {
+        for (style, heads) in [StrokeStyle::Feed, StrokeStyle::Thread].into_iter().zip(&mut self.heads) {
+            let before = heads.len();
+            let strokes = run.iter().flat_map(|motions| scene.strokes_of(motions.clone()));
+            let shapes = strokes.filter(|s| s.style == style && !s.uncertain).map(|stroke| stroke.shape);
+            add_arrow_heads(heads, shapes, view.camera(), LEAST_FOR_ARROW);
             let colour = sheet::colour(&view.palette, Ink::Sure(style));
-            self.image.fill(colour, heads.iter().map(|head| &head[..]));
+            self.image.fill(colour, heads[before..].iter().map(|head| &head[..]));
         }
     }
 }
 
+/// Before the motion under way: what is done of it is left out.
+fn before(playhead: Playhead) -> Playhead {
+    Playhead { motion: playhead.motion + usize::from(playhead.share >= 1.0), share: 0.0 }
+}
+
+/// Strokes paths in their own styles.
+fn ink(pen: &Pen, view: &View, paths: &mut dyn Iterator<Item = &Paths>) -> Result<(), JsValue> {
+    let paths: Vec<&Paths> = paths.collect();
+    for ink in Ink::ALL {
+        let inked: Vec<_> = paths.iter().filter_map(|paths| paths.get(ink)).collect();
+        let dots = paths.iter().flat_map(|paths| paths.dots(ink));
+        let colour = sheet::colour(&view.palette, ink);
+        if !inked.is_empty() {
+            pen.world(view, sheet::width(ink), sheet::dash(ink), colour)?;
+            inked.into_iter().for_each(|path| pen.stroke(path));
+        }
+        pen.page(view)?;
+        pen.dots(colour, dots.map(|at| view.camera().to_screen(*at)), 3.0)?;
+    }
+    Ok(())
+}
+
 /// Plots a stretch, faint from where the tool is.
-fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, place: Option<Place>) {
+fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, done: Option<usize>) {
     for shape in scene.programmed_in(stretch) {
         plot.draw(PROGRAMMED, &shape);
     }
-    let until = place.map_or(usize::MAX, |place| place.motion);
+    let until = done.unwrap_or(usize::MAX);
     let (chunk, places) = scene.chunk_of(stretch);
     for (at, motion) in places.zip(stretch.motions.clone()) {
         let ink = Ink::new(StrokeStyle::of(chunk.kind(at)), chunk.is_uncertain(at)).index();
-        let layer = if motion > until { ink } else { DONE + ink };
-        match (chunk.straight(at), place) {
-            (_, Some(place)) if motion == until => {
-                let (before, after) = StrokeShape::in_chunk(chunk, at).split(place.fraction);
-                plot.draw(layer, &before);
-                plot.draw(ink, &after);
-            }
-            (Some((from, to)), _) => plot.line(layer, from, to),
-            (None, _) => plot.draw(layer, &StrokeShape::in_chunk(chunk, at)),
+        let layer = if motion >= until { ink } else { DONE + ink };
+        match chunk.straight(at) {
+            Some((from, to)) => plot.line(layer, from, to),
+            None => plot.draw(layer, &StrokeShape::in_chunk(chunk, at)),
         }
     }
     plot.lift();

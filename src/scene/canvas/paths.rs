@@ -78,22 +78,19 @@ impl Paths {
     }
 }
 
-/// The paths of the stretch that the tool is in, before and after its place.
-pub fn halves(scene: &Scene, place: Place) -> Result<(Paths, Paths), JsValue> {
-    let Some(stretch) = scene.outline().stretch_of(place.motion) else {
+/// The paths of the stretch that the tool is in: of the motions before `until`, and of those from it on.
+pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
+    let Some(stretch) = scene.outline().stretch_of(until) else {
         return Ok((Paths::default(), Paths::default()));
     };
-    let mut before = Paths::of(scene.strokes_of(stretch.motions.start..place.motion))?;
-    let mut after = Paths::default();
-    if let Some(stroke) = scene.stroke(place.motion) {
-        let (done, ahead) = stroke.shape.split(place.fraction);
-        before.push(&Stroke { shape: done, ..stroke })?;
-        after.push(&Stroke { shape: ahead, ..stroke })?;
-    }
-    for stroke in scene.strokes_of(place.motion + 1..stretch.motions.end) {
-        after.push(&stroke)?;
-    }
-    Ok((before, after))
+    let before = Paths::of(scene.strokes_of(stretch.motions.start..until))?;
+    Ok((before, Paths::of(scene.strokes_of(until..stretch.motions.end))?))
+}
+
+/// The part of the motion under way that is done.
+pub fn under_way(scene: &Scene, place: Place) -> Result<Paths, JsValue> {
+    let done = |stroke: Stroke| Stroke { shape: stroke.shape.split(place.fraction).0, ..stroke };
+    Paths::of(scene.stroke(place.motion).map(done).into_iter())
 }
 
 /// Shapes as one path, whatever their style.

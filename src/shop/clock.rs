@@ -1,0 +1,268 @@
+//! The clock of the playback: how far the tool has come, and when.
+//!
+//! In: the motions and the machine. Out: a [`Clock`], which says where the tool is so many seconds into the animation, and
+//! how long the machine takes up to there. Where the time of a motion is not known the animation goes at a usual pace, which
+//! is never told as a time. Must not know what is drawn.
+
+use std::ops::Range;
+
+use super::timing::{self, Total};
+use crate::control::setup::Machine;
+use crate::motion::{Motion, MotionKind, Motions, Stop, StopKind};
+
+/// Pace of rapids whose rate is not known, mm a minute.
+const RAPID: f64 = 8000.0;
+/// Pace of cuts whose feed or spindle speed is not known, mm a minute.
+const CUT: f64 = 250.0;
+/// Pace of the C axis where it is not known, degrees a second.
+const TURN: f64 = 120.0;
+/// Motions from one reading that is kept to the next.
+const STRIDE: usize = 64;
+
+/// How far a program has come: a motion under way, those before it done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Playhead {
+    /// The motion.
+    pub motion: usize,
+    /// How much of it is done: 0 at its start, 1 at its end.
+    pub share: f64,
+}
+
+impl Playhead {
+    /// At the end of a motion.
+    pub fn end_of(motion: usize) -> Self {
+        Self { motion, share: 1.0 }
+    }
+
+    /// Before the first motion.
+    pub const START: Self = Self { motion: 0, share: 0.0 };
+}
+
+/// Which stops of the program are heeded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stops {
+    /// M00 and M01.
+    All,
+    /// M00: the switch for optional stops is off.
+    NotOptional,
+}
+
+/// What the clock shows at a place of the program.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Seconds of the animation.
+    pub pace: f64,
+    /// The time the machine takes.
+    pub time: Total,
+}
+
+/// The clock of a program.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    machine: Machine,
+    /// Before every so many motions, and at the end.
+    kept: Vec<Reading>,
+    motions: usize,
+}
+
+impl Clock {
+    /// The clock of all motions.
+    pub fn new(motions: &Motions, machine: &Machine) -> Self {
+        let mut clock = Self { machine: *machine, kept: Vec::new(), motions: motions.len() };
+        let mut reading = Reading::default();
+        for (index, motion) in motions.iter().enumerate() {
+            if index % STRIDE == 0 {
+                clock.kept.push(reading);
+            }
+            reading.add(&motion, machine);
+        }
+        clock.kept.push(reading);
+        clock
+    }
+
+    /// The machine it goes by.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// At the end of the program.
+    pub fn whole(&self) -> Reading {
+        self.kept.last().copied().unwrap_or_default()
+    }
+
+    /// At a place of the program.
+    pub fn at(&self, motions: &Motions, playhead: Playhead) -> Reading {
+        let Playhead { motion, share } = playhead;
+        let mut reading = self.before(motions, motion);
+        if share >= 1.0 {
+            return self.before(motions, motion + 1);
+        }
+        if share > 0.0 && motion < self.motions {
+            let motion = motions.get(motion);
+            reading.pace += share * pace(&motion, &self.machine);
+            // What has begun and is not known is told of as soon as it is done.
+            reading.time.known += timing::seconds(&motion.first_part(share), &self.machine).unwrap_or(0.0);
+        }
+        reading
+    }
+
+    /// The place of the program so many seconds into the animation: where two motions meet it is the end of the first.
+    pub fn place(&self, motions: &Motions, pace: f64) -> Playhead {
+        if pace >= self.whole().pace {
+            return Playhead::end_of(self.motions.saturating_sub(1));
+        }
+        if pace <= 0.0 {
+            return Playhead::START;
+        }
+        let index = self.kept.partition_point(|reading| reading.pace < pace) - 1;
+        let mut reading = self.kept[index];
+        for motion in index * STRIDE..self.motions {
+            let before = reading.pace;
+            reading.add(&motions.get(motion), &self.machine);
+            if reading.pace >= pace {
+                return Playhead { motion, share: (pace - before) / (reading.pace - before) };
+            }
+        }
+        Playhead::end_of(self.motions.saturating_sub(1))
+    }
+
+    /// The place so many seconds of the animation after another, or where the program stops on the way.
+    pub fn play(&self, motions: &Motions, from: Playhead, seconds: f64, stops: Stops) -> Playhead {
+        let to = self.place(motions, self.at(motions, from).pace + seconds.max(0.0));
+        // A motion without any time is passed over, but nothing goes back.
+        let to = if to.motion < from.motion { from } else { to };
+        // A stop at which the tool stands already was answered by going on.
+        let on_the_way = from.motion + 1 + usize::from(from.share >= 1.0)..to.motion + 1;
+        match stop_in(motions, on_the_way, stops) {
+            Some((motion, _)) => Playhead::end_of(motion - 1),
+            None => to,
+        }
+    }
+
+    /// Before a motion; at the end behind the last.
+    fn before(&self, motions: &Motions, motion: usize) -> Reading {
+        if motion >= self.motions {
+            return self.whole();
+        }
+        let index = motion / STRIDE;
+        let mut reading = self.kept[index];
+        for motion in index * STRIDE..motion {
+            reading.add(&motions.get(motion), &self.machine);
+        }
+        reading
+    }
+}
+
+impl Reading {
+    fn add(&mut self, motion: &Motion, machine: &Machine) {
+        self.pace += pace(motion, machine);
+        self.time.add(motion, machine);
+    }
+}
+
+/// The stop at which the tool stands.
+pub fn stop_at(motions: &Motions, playhead: Playhead) -> Option<Stop> {
+    let next = playhead.motion + 1;
+    (playhead.share >= 1.0).then(|| stop_in(motions, next..next + 1, Stops::All))?.map(|(_, stop)| stop)
+}
+
+fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usize, Stop)> {
+    motions.stops(range).find(|(_, stop)| match (stop.kind, stops) {
+        (StopKind::Always, _) | (_, Stops::All) => true,
+        (StopKind::Optional, Stops::NotOptional) => false,
+    })
+}
+
+/// Seconds of the animation that a motion takes: its time, or what is usual.
+fn pace(motion: &Motion, machine: &Machine) -> f64 {
+    if let Some(seconds) = timing::seconds(motion, machine) {
+        return seconds;
+    }
+    let turned = motion.rotary.map_or(0.0, |rotary| (rotary.to - rotary.from).abs() / TURN);
+    let length = motion.length();
+    match motion.kind {
+        MotionKind::Rapid => (60.0 * length / RAPID).max(turned),
+        _ => (60.0 * length / CUT).max(turned),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::control::setup::Setup;
+
+    fn run(text: &str) -> (Motions, Clock) {
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        let clock = Clock::new(&analysis.motions, &analysis.setup.machine);
+        (analysis.motions, clock)
+    }
+
+    #[test]
+    fn a_motion_of_known_time_takes_it_and_others_a_usual_pace() {
+        // 80 mm of rapid; 20 mm at 60 mm/min; a dwell of 2 s.
+        let (motions, clock) = run("G98 G0 X100 Z0\nG0 Z80\nM3 S500\nG1 Z60 F60\nG4 X2\nM30\n");
+        let count = motions.len();
+        let feed = clock.at(&motions, Playhead::end_of(count - 2)).pace
+            - clock.at(&motions, Playhead::end_of(count - 3)).pace;
+        assert!((feed - 20.0).abs() < 1e-9);
+        let whole = clock.whole();
+        assert!((whole.time.known - 22.0).abs() < 1e-9, "{whole:?}");
+        assert!(whole.time.unknown_rapids > 0 && whole.pace > 22.0);
+    }
+
+    #[test]
+    fn every_place_is_found_again_by_its_seconds() {
+        let text: String =
+            (0..400).map(|i| format!("G1 X{} Z-{} F{}\n", 40 + i % 7, i, 50 + i % 90)).collect();
+        let (motions, clock) = run(&format!("G98 M3 S900\nG0 X50 Z2\n{text}"));
+        for motion in 0..motions.len() {
+            for share in [0.25, 1.0] {
+                let place = Playhead { motion, share };
+                let found = clock.place(&motions, clock.at(&motions, place).pace);
+                assert!(found.motion == motion && (found.share - share).abs() < 1e-6, "{place:?} {found:?}");
+            }
+            let end = Playhead::end_of(motion);
+            assert_eq!(clock.place(&motions, clock.at(&motions, end).pace), end);
+        }
+        assert_eq!(clock.place(&motions, -1.0), Playhead::START);
+        assert_eq!(clock.place(&motions, f64::INFINITY), Playhead::end_of(motions.len() - 1));
+    }
+
+    #[test]
+    fn the_tool_is_held_at_stops_and_goes_on_from_them() {
+        let (motions, clock) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 F0.2\nM01\nG0 Z2\nM00\nG0 X40\nM30\n");
+        let codes: Vec<_> = motions
+            .stops(0..usize::MAX)
+            .map(|(index, stop)| (motions.len() - index, stop.kind.code()))
+            .collect();
+        assert_eq!(codes, [(2, "M01"), (1, "M00")]);
+        let play = |from, stops| clock.play(&motions, from, 1e6, stops);
+        let last = motions.len() - 1;
+        let first = play(Playhead::START, Stops::All);
+        assert_eq!(first, Playhead::end_of(last - 2));
+        assert_eq!(stop_at(&motions, first).map(|stop| stop.line), Some(3));
+        let second = play(first, Stops::All);
+        assert_eq!(second, Playhead::end_of(last - 1));
+        assert_eq!(play(second, Stops::All), Playhead::end_of(last));
+        assert_eq!(play(Playhead::START, Stops::NotOptional), second);
+        // Played frame by frame it is held as well.
+        let mut place = Playhead::START;
+        for _ in 0..10_000 {
+            let next = clock.play(&motions, place, 0.016, Stops::NotOptional);
+            if next == second {
+                return;
+            }
+            place = next;
+        }
+        panic!("not held: {place:?}");
+    }
+
+    #[test]
+    fn a_stop_waits_for_the_moves_before_it() {
+        // The chamfer is known with the block behind M00 only; the stop is behind the block that it ends.
+        let (motions, _) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 ,C1 F0.2\nM00\nX60\nG0 Z2\nM30\n");
+        let (index, stop) = motions.stops(0..usize::MAX).next().expect("a stop");
+        assert_eq!((motions.line(index - 1), motions.line(index), stop.line), (2, 4, 3));
+    }
+}

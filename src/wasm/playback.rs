@@ -1,0 +1,114 @@
+//! The playback as JavaScript steers it: where the tool is put, and what is read off there.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js};
+use crate::api::{Readout, Shown};
+use crate::scene::Scene;
+use crate::shop::clock::{Clock, Playhead, Stops};
+use crate::shop::steps::{Direction, Unit, step};
+
+/// How far one step goes.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum StepUnit {
+    /// One motion.
+    Motion = "motion",
+    /// All motions of a block.
+    Block = "block",
+    /// All motions of a pass of a cycle; outside of cycles a block.
+    Pass = "pass",
+}
+
+/// Where a step goes.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum StepDirection {
+    /// On in the program.
+    Next = "next",
+    /// Back.
+    Previous = "previous",
+}
+
+/// Which stops of the program hold the tool.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum StopSwitch {
+    /// M00 and M01.
+    All = "all",
+    /// M00 alone.
+    NotOptional = "not-optional",
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Seconds of the whole animation at the pace of the machine, some of them assumed.
+    #[wasm_bindgen(js_name = animationSeconds)]
+    pub fn animation_seconds(&self) -> f64 {
+        self.clock().whole().pace
+    }
+
+    /// Shows all strokes and no tool.
+    #[wasm_bindgen(js_name = showWhole)]
+    pub fn show_whole(&mut self) {
+        self.view.playhead = None;
+    }
+
+    /// Puts the tool where so much of the animation has been shown: 0 to 1.
+    pub fn seek(&mut self, share: f64) {
+        let clock = self.clock();
+        let place = clock.place(self.run.motions(), share * clock.whole().pace);
+        self.put(place);
+    }
+
+    /// Lets the tool go on for so many seconds of the animation, or to a stop of the program.
+    pub fn play(&mut self, seconds: f64, stops: StopSwitch) {
+        let stops = match stops {
+            StopSwitch::NotOptional => Stops::NotOptional,
+            _ => Stops::All,
+        };
+        let from = self.view.playhead.unwrap_or(Playhead::START);
+        let place = self.clock().play(self.run.motions(), from, seconds, stops);
+        self.put(place);
+    }
+
+    /// Puts the tool at the end of the step before or behind it.
+    pub fn step(&mut self, unit: StepUnit, direction: StepDirection) {
+        let unit = match unit {
+            StepUnit::Block => Unit::Block,
+            StepUnit::Pass => Unit::Pass,
+            _ => Unit::Motion,
+        };
+        let direction = match direction {
+            StepDirection::Previous => Direction::Previous,
+            _ => Direction::Next,
+        };
+        let place = step(self.run.motions(), self.view.playhead, unit, direction);
+        self.put(place);
+    }
+
+    /// What is read off where the tool is.
+    #[wasm_bindgen(unchecked_return_type = "Readout | undefined")]
+    pub fn readout(&mut self) -> Result<JsValue, JsValue> {
+        self.measure();
+        let motions = self.run.motions();
+        let scene = Scene::new(motions, &self.outline, None);
+        let Some((playhead, place)) =
+            self.view.playhead.and_then(|playhead| Some((playhead, scene.place(playhead)?)))
+        else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let shown = Shown { places: self.places(), motions, clock: self.clock(), shop: self.shop.as_ref() };
+        to_js(&Readout::new(&shown, playhead, place.at, self.language))
+    }
+}
+
+impl Playground {
+    fn put(&mut self, place: Playhead) {
+        self.view.playhead = Some(place).filter(|_| !self.run.motions().is_empty());
+    }
+
+    fn clock(&self) -> &Clock {
+        self.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
+    }
+}

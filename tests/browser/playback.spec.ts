@@ -1,0 +1,200 @@
+// Playing a program: steps, stops, the read-out, the text that follows; and what it costs.
+import { expect, test, type Page } from '@playwright/test';
+import { editor, open, openFile, program, status, type } from './page';
+
+const slider = (page: Page) => page.getByRole('slider', { name: 'Position along the path' });
+const share = async (page: Page): Promise<number> => Number(await slider(page).inputValue());
+/** The value beside a name of the read-out. */
+const shown = (page: Page, name: string) =>
+  page.locator('.cell', { has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('dd');
+const running = (page: Page) => page.locator('.cm-running-line');
+
+const STOPS = 'T0101\nG99 M03 S500\nG00 X50 Z2\nG01 Z-10 F0.2\nM01\nG00 X60\nZ2\nM00\nG00 X80\nM30\n';
+
+async function load(page: Page, text: string, motions: number): Promise<void> {
+  await openFile(page, 'part.nc', Buffer.from(text));
+  await expect(status(page)).toContainText(new RegExp(`^${motions.toLocaleString('en')} motion`));
+}
+
+test('steps go by motion, block and pass, on and back, from the keyboard', async ({ page }) => {
+  await open(page);
+  await load(page, 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG00 X100\nM30\n', 10);
+  await editor(page).focus();
+  const at = async (key: string, line: string, x: string, z: string): Promise<void> => {
+    await page.keyboard.press(key);
+    await expect(running(page)).toHaveText(line);
+    await expect(shown(page, 'X ⌀')).toHaveText(x);
+    await expect(shown(page, 'Z')).toHaveText(z);
+  };
+  await at('F9', 'G00 X62 Z2', '62.000', '2.000');
+  await at('F9', 'G90 X50 Z-30 F0.2', '50.000', '2.000');
+  await at('Alt+F9', 'G90 X50 Z-30 F0.2', '62.000', '2.000');
+  await at('Control+F9', 'X45', '62.000', '2.000');
+  await at('Shift+F9', 'X45', '62.000', '−30.000');
+  await at('Alt+Shift+F9', 'G90 X50 Z-30 F0.2', '62.000', '2.000');
+  await at('Control+Shift+F9', 'G00 X62 Z2', '62.000', '2.000');
+  await page.getByRole('combobox', { name: 'Step by' }).selectOption('block');
+  await page.getByRole('button', { name: 'Next block' }).click();
+  await expect(running(page)).toHaveText('G90 X50 Z-30 F0.2');
+});
+
+test('it stops at M00, at M01 while that switch is on, and goes on from there', async ({ page }) => {
+  await open(page);
+  await load(page, STOPS, 5);
+  const doing = page.locator('.doing');
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  const held = async (code: string, line: number): Promise<void> => {
+    await expect(doing).toContainText(`${code} in line ${line}`);
+    await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+    await expect(running(page)).toHaveText(code);
+  };
+  await editor(page).focus();
+  await page.keyboard.press('Control+Enter');
+  await held('M01', 5);
+  await page.keyboard.press('Control+Enter');
+  await held('M00', 8);
+  await page.keyboard.press('Control+Enter');
+  await expect.poll(() => share(page)).toBe(1);
+  const optional = page.getByRole('button', { name: 'Optional stop' });
+  await optional.focus();
+  await page.keyboard.press('Space');
+  await expect(optional).toHaveAttribute('aria-pressed', 'false');
+  await page.keyboard.press('Control+Enter');
+  await held('M00', 8);
+});
+
+test('the read-out tells feed, speed, time and tool, and what is not known', async ({ page }) => {
+  await open(page);
+  await load(page, 'G99 G50 S1000\nT0101\nG96 S100 M03\nG00 X62 Z2\nX40\nG01 Z-30 F0.25\nG04 X3\nG00 X80\nM30\n', 5);
+  await editor(page).focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press('F9');
+  // 100 m/min at Ø40 are 795.8 turns a minute.
+  await expect(shown(page, 'Spindle')).toHaveText('796 rpm');
+  await expect(shown(page, 'Cutting speed')).toHaveText('100 m/min');
+  await expect(shown(page, 'Feed')).toHaveText('0.25 mm/rev · 199 mm/min');
+  // 32 mm at 198.9 mm/min.
+  await expect(shown(page, 'Time')).toHaveText('0:09 / 0:12 + 3 rapids');
+  await expect(shown(page, 'Tool')).toHaveText('T0101 turning tool, assumed');
+  await page.keyboard.press('F9');
+  await expect(page.locator('.doing')).toContainText('3 s');
+  await expect(shown(page, 'Time')).toContainText('0:12 /');
+});
+
+test('the whole program takes about 20 s, whatever its length', async ({ page }) => {
+  await open(page);
+  for (const text of ['G99 M3 S500\nG0 X50 Z2\nG1 Z-1 F0.2\n', program('s003-g71')]) {
+    await type(page, text);
+    await expect(status(page)).toContainText('motion');
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    const begun = Date.now();
+    await expect.poll(() => share(page)).toBeGreaterThan(0.1);
+    const first = { share: await share(page), at: Date.now() };
+    expect(first.at - begun).toBeLessThan(6000);
+    await page.waitForTimeout(1500);
+    const whole = (Date.now() - first.at) / ((await share(page)) - first.share) / 1000;
+    expect(whole).toBeGreaterThan(15);
+    expect(whole).toBeLessThan(30);
+    await page.getByRole('button', { name: 'Pause' }).click();
+  }
+});
+
+test('the running block comes into sight, but not under the hands of a reader who scrolls', async ({ page }) => {
+  await open(page);
+  const cuts = Array.from({ length: 200 }, (_, i) => `G01 X50 Z-${i + 1}`).join('\n');
+  await load(page, `G99 M03 S500\nG00 X50 Z2 F0.2\n${cuts}\nM30\n`, 201);
+  const scroller = page.locator('.cm-scroller').first();
+  const top = () => scroller.evaluate((element) => element.scrollTop);
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('50×');
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await expect.poll(top).toBeGreaterThan(200);
+  await expect(running(page)).toBeInViewport();
+  await scroller.hover();
+  await page.mouse.wheel(0, -100_000);
+  await expect.poll(top).toBeLessThan(100);
+  await expect(running(page)).not.toBeInViewport();
+  await page.waitForTimeout(500);
+  expect(await top()).toBeLessThan(100);
+  await page.keyboard.press('F9');
+  await expect(running(page)).toBeInViewport();
+});
+
+/** Rough turning in some 2,000 motions, by cycles. */
+function longProgram(): string {
+  const passes = Array.from({ length: 498 }, (_, i) => `X${(99.9 - 0.1 * i).toFixed(1)} Z-${(80 - (i % 40)).toFixed(1)}`);
+  return ['(STOCK D100 L120)', 'T0101', 'G99 M03 S900', 'G00 X102 Z2', `G90 ${passes[0]} F0.25`, ...passes.slice(1), 'G00 X150 Z50', 'M30', ''].join('\n');
+}
+
+/** Frames of the page and of the worker's canvas, and the longest tasks, ms, in some seconds. */
+async function count(page: Page, ms: number): Promise<{ frames: number; shown: number; longest: number; asked: number }> {
+  return page.evaluate(async (ms) => {
+    let [frames, longest] = [0, 0];
+    const places = new Set<string>();
+    const root = document.querySelector('gcode-playground')?.shadowRoot;
+    const input = root?.querySelector<HTMLInputElement>('input.scrub');
+    const seen = Reflect.get(window, 'asked') as { count: number };
+    const before = seen.count;
+    const watch = new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) longest = Math.max(longest, entry.duration);
+    });
+    watch.observe({ type: 'longtask' });
+    const end = performance.now() + ms;
+    await new Promise<void>((done) => {
+      const frame = (): void => {
+        frames++;
+        places.add(input?.value ?? '');
+        if (performance.now() < end) requestAnimationFrame(frame);
+        else done();
+      };
+      requestAnimationFrame(frame);
+    });
+    watch.disconnect();
+    return { frames, shown: places.size, longest, asked: seen.count - before };
+  }, ms);
+}
+
+test('2,000 motions with their part play smoothly, and nothing runs while paused', async ({ page }, info) => {
+  await page.addInitScript(() => {
+    const seen = { count: 0 };
+    Reflect.set(window, 'asked', seen);
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (this: Worker, ...all: unknown[]) {
+      seen.count++;
+      Reflect.apply(post, this, all);
+    };
+  });
+  await open(page);
+  await load(page, longProgram(), 1994);
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await expect.poll(() => share(page)).toBeGreaterThan(0.05);
+  // What the worker does in its frames: it draws.
+  await page.workers()[0]?.evaluate(() => {
+    const drawn: number[] = [];
+    Reflect.set(self, 'drawn', drawn);
+    const next = self.requestAnimationFrame.bind(self);
+    self.requestAnimationFrame = (work) =>
+      next((now) => {
+        const begun = performance.now();
+        work(now);
+        drawn.push(performance.now() - begun);
+      });
+  });
+  const drawn = async (): Promise<number[]> =>
+    (await page.workers()[0]?.evaluate(() => (Reflect.get(self, 'drawn') as number[]).splice(0))) ?? [];
+  const seconds = 5;
+  await drawn();
+  const playing = await count(page, 1000 * seconds);
+  const draws = (await drawn()).sort((a, b) => a - b);
+  const median = draws[draws.length >> 1] ?? 0;
+  const text = `${draws.length / seconds} drawings/s of ${median.toFixed(1)} ms (the longest ${draws.at(-1)?.toFixed(1)} ms), ${playing.frames / seconds} frames/s, ${playing.shown / seconds} places of the tool/s, longest task ${Math.round(playing.longest)} ms`;
+  console.log(`playing 2,000 motions: ${text}`);
+  info.annotations.push({ type: 'playing', description: text });
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.waitForTimeout(500);
+  const paused = await count(page, 1000);
+  expect(await drawn().then(() => page.waitForTimeout(500)).then(drawn)).toEqual([]);
+  expect(paused.asked).toBe(0);
+  expect(paused.shown).toBe(1);
+  await page.screenshot({ path: info.outputPath('playing.png') });
+  // Far below what is aimed at, for machines that do much else.
+  expect(playing.shown / seconds).toBeGreaterThan(10);
+});
