@@ -284,9 +284,10 @@ mod tests {
 
     #[test]
     fn a_round_hole_is_arcs_only() {
-        let circle: Vec<Point> = (0..360)
-            .map(|degree| {
-                let (sin, cos) = f64::from(degree).to_radians().sin_cos();
+        // Chords as wide as those of a tool's way.
+        let circle: Vec<Point> = (0..60)
+            .map(|corner| {
+                let (sin, cos) = (f64::from(corner) * PI / 30.0).sin_cos();
                 at(20.0 + 2.0 * sin, 2.0 * cos)
             })
             .collect();
