@@ -30,8 +30,9 @@ const LEAST_HEIGHT: f64 = 3.0 * FIT;
 /// Steps in which an arc is brought to where its corners are as far outside as inside.
 const BALANCINGS: usize = 3;
 
-/// An arc turns by less than this, radians: a full circle has no ends to tell which way it runs.
-const WIDEST: f64 = 1.9 * PI;
+/// An arc turns by less than this, radians: a full circle has no ends to tell which way it runs, and what is left of it must
+/// be an arc as well.
+const WIDEST: f64 = 1.5 * PI;
 
 /// Radii are rounded to as few of these steps as fit, mm.
 const ROUND: [f64; 4] = [0.5, 0.1, 0.01, 0.001];
@@ -285,9 +286,10 @@ mod tests {
     #[test]
     fn a_round_hole_is_arcs_only() {
         // Chords as wide as those of a tool's way.
-        let circle: Vec<Point> = (0..60)
+        // Chords as wide as those of a tool's way.
+        let circle: Vec<Point> = (0..50)
             .map(|corner| {
-                let (sin, cos) = (f64::from(corner) * PI / 30.0).sin_cos();
+                let (sin, cos) = (f64::from(corner) * PI / 25.0).sin_cos();
                 at(20.0 + 2.0 * sin, 2.0 * cos)
             })
             .collect();

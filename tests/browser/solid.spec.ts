@@ -75,7 +75,7 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
     await page.keyboard.press('Escape');
     await expect(dialog(page)).toBeHidden();
     await expect(button(page)).toBeFocused();
-    expect(await page.locator('gcode-playground').evaluate((element) => element.shadowRoot!.querySelectorAll('.solid canvas').length)).toBe(0);
+    await expect(page.locator('.solid canvas')).toHaveCount(0);
     await button(page).click();
     await expect.poll(async () => (await seen(view(page))).share).toBeGreaterThan(0.15);
     expect(heavy()).toBe(1);

@@ -67,7 +67,8 @@ export class Drawing {
       'section',
       { className: 'drawing', part: 'drawing' },
       this.#holder,
-      this.#empty,
+      // Said once, where there are two pictures.
+      ...(events.companion === undefined ? [] : [this.#empty]),
       this.#tip,
     );
     this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);

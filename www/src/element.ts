@@ -339,6 +339,7 @@ export class GcodePlayground extends HTMLElement {
     this.#playback = new Playback(texts, {
       play: async (from, seconds, pace, stops) => {
         const place = await this.#line?.client.ask('play', { from, seconds, pace, stops });
+        this.#askSection();
         this.#markRunning(place);
         return place;
       },
@@ -379,13 +380,14 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#exports = new Exports(texts, { chosen: (format) => void this.#export(format) });
     this.#solid = new SolidDialog(texts, { wanted: () => this.#askSection() });
+    this.#views.element.prepend(this.#setupBar.element);
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element, this.#switches.element);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
-      make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#setupBar.element, this.#playback.element),
+      make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#playback.element),
       make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,

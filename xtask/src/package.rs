@@ -14,8 +14,9 @@ use std::time::Duration;
 use crate::run::{self, Result};
 use crate::setup::Setup;
 
-/// What the module of the page may be at most, compressed as a server does it, bytes. The aim is 180,000.
-const MOST_COMPRESSED: u64 = 300_000;
+/// What the module of the page may be at most, compressed as a server does it, bytes. The aim is 180,000 for what reads
+/// programs; the part, its views and exports are in it too.
+const MOST_COMPRESSED: u64 = 530_000;
 
 /// What the compiler may use of WebAssembly.
 const FEATURES: [&str; 6] = [
