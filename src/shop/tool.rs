@@ -6,6 +6,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::sweep::{CHORD, Outline};
+use crate::control::compensation::{Nose, Vector};
 use crate::control::setup::{Side, Tool, ToolKind};
 use crate::geometry::Point;
 
@@ -71,29 +72,9 @@ pub struct Shape {
 /// How much smaller the core is, mm: below it a touch is a touch.
 const CORE: f64 = 0.01;
 
-/// Which way the tool's body lies from the tip, of the eight directions and none: −1, 0 or 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Direction {
-    x: f64,
-    z: f64,
-}
-
-impl Direction {
-    /// Of a tip number (semantics §4.1).
-    fn of(tip: u8) -> Self {
-        let (x, z) = match tip {
-            1 => (-1.0, -1.0),
-            2 => (-1.0, 1.0),
-            3 => (1.0, 1.0),
-            4 => (1.0, -1.0),
-            5 => (0.0, -1.0),
-            6 => (-1.0, 0.0),
-            7 => (0.0, 1.0),
-            8 => (1.0, 0.0),
-            _ => (0.0, 0.0),
-        };
-        Self { x, z }
-    }
+/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose (semantics §4.1).
+fn body_direction(tip: u8) -> Vector {
+    Nose { radius: 1.0, tip }.vector()
 }
 
 impl Shape {
@@ -139,7 +120,7 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     let written = tool.insert();
     let length = tool.edge_length.or_else(|| written?.edge_length).unwrap_or(EDGE);
     let direction =
-        Direction::of(if tool.tip == Some(0) || tool.tip == Some(9) { 0 } else { tool.tip_direction() });
+        body_direction(if tool.tip == Some(0) || tool.tip == Some(9) { 0 } else { tool.tip_direction() });
     let Some((entering, point)) = angles(tool) else {
         let radius = tool.nose_radius.filter(|&radius| radius > 0.0).unwrap_or(length / 2.0);
         let center = Point::new(direction.x * radius, direction.z * radius);
@@ -209,7 +190,7 @@ fn angles(tool: &Tool) -> Option<(f64, f64)> {
 fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
     let width = tool.width.unwrap_or(BLADE);
     let nose = tool.nose().min(width / 2.0);
-    let direction = Direction::of(tool.tip_direction());
+    let direction = body_direction(tool.tip_direction());
     let side = tool.side.unwrap_or_default();
     // Built as one that cuts outsides: width along Z, reach along X.
     let across = match side {
