@@ -2,9 +2,8 @@
 //!
 //! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much of the outline is in view.
 
-use std::collections::BTreeMap;
-
 use super::camera::{Pixel, Size};
+use crate::geometry::within;
 
 /// From one line to the next, CSS pixels along an axis.
 const SPACING: f64 = 9.0;
@@ -40,8 +39,10 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
     // On each line x + y is the same, and x − y says where on it a place is.
     let across = |at: Pixel| (at.x + at.y - zero.x - zero.y) / SPACING;
     let seen = [Pixel::default(), Pixel::new(size.width, size.height)].map(across);
-    // Of each line, in order, where it crosses outlines: a few places.
-    let mut crossings: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+    // Of each line in view, in order, where it crosses outlines: a few places.
+    let first = seen[0].ceil();
+    let mut crossings: Vec<Vec<f64>> =
+        vec![Vec::new(); (within(seen[1] - first, 0.0, MOST as f64) as usize) + 1];
     let mut count = 0;
     for outline in outlines {
         let next = outline.iter().cycle().skip(1);
@@ -50,24 +51,24 @@ pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]
             let (low, high) = (from.min(to).max(seen[0]), from.max(to).min(seen[1]));
             let mut line = low.ceil();
             // An end that lies on a line belongs to the edge that begins below it.
-            while line < high && count < 2 * MOST {
+            while line < high && count < 2 * MOST && (line - first) < crossings.len() as f64 {
                 let share = (line - from) / (to - from);
                 let along = (a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y));
-                let own = crossings.entry(line as i64).or_default();
+                let own = &mut crossings[(line - first) as usize];
                 own.insert(own.partition_point(|other| *other < along), along);
                 (line, count) = (line + 1.0, count + 1);
             }
         }
     }
-    let place = |line: i64, along: f64| {
-        let sum = line as f64 * SPACING + zero.x + zero.y;
+    let place = |line: usize, along: f64| {
+        let sum = (first + line as f64) * SPACING + zero.x + zero.y;
         Pixel::new((sum + along) / 2.0, (sum - along) / 2.0)
     };
-    let of_line = |(line, places): (i64, Vec<f64>)| {
+    let of_line = |(line, places): (usize, Vec<f64>)| {
         let pairs = places.chunks_exact(2).map(|pair| [place(line, pair[0]), place(line, pair[1])]);
         pairs.collect::<Vec<_>>()
     };
-    crossings.into_iter().flat_map(of_line).collect()
+    crossings.into_iter().enumerate().flat_map(of_line).collect()
 }
 
 #[cfg(test)]
