@@ -166,7 +166,7 @@ function table(title, head, rows) {
 
 /** Points of the contour in a program `contour-N`. */
 function numberOf(name) {
-  return Number(name.slice('contour-'.length));
+  return Number(/\d+$/.exec(name)?.[0]);
 }
 
 function medianOf(runs, figure) {
