@@ -16,7 +16,7 @@ use crate::shop::Shop;
 use crate::shop::clock::Playhead;
 use crate::shop::fitting::Fitted;
 use crate::shop::region::Region;
-use crate::shop::sweep::{self, chords};
+use crate::shop::sweep::{self, way_of};
 
 /// Most moves whose swept area is worked out; of more only the paths are drawn.
 const MOST_SWEPT: usize = 2000;
@@ -124,14 +124,13 @@ impl Face {
                 let Some(at) = place.filter(|at| self.of[index] == at.motion && at.fraction > 0.0) else {
                     continue;
                 };
-                motion = first_part(motion, at.fraction);
+                motion = motion.first_part(at.fraction);
             }
             let outline = match cutter.take() {
                 Some((own, outline)) if own == radius => outline,
                 _ => sweep::Outline::around(circle(radius)),
             };
-            let way = motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc));
-            swept.extend(outline.along(&way));
+            swept.extend(outline.along(&way_of(&motion)));
             cutter = Some((radius, outline));
         }
         swept
@@ -152,18 +151,6 @@ fn in_plane(motion: &Motion, moved: &VirtualMove) -> Motion {
     };
     let kind = if motion.kind == MotionKind::Dwell { MotionKind::Dwell } else { kind };
     Motion { kind, from, to, center, rotary: None, lead: None, cycle: None, ..*motion }
-}
-
-/// The part of a move up to the fraction `share`.
-fn first_part(motion: Motion, share: f64) -> Motion {
-    let Motion { from, to, .. } = motion;
-    match motion.arc() {
-        Some(arc) => Motion { to: arc.at(share), ..motion },
-        None => {
-            let to = Point::new(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z));
-            Motion { to, ..motion }
-        }
-    }
 }
 
 /// The radius of a live cutter, mm, where somebody has said it.

@@ -7,7 +7,7 @@
 use super::fitting::{Fitted, Fitting, Known};
 use super::part::{Part, Turned, cut};
 use super::region::Region;
-use super::sweep::{Outline, chords};
+use super::sweep::{Outline, way_of};
 use super::tool::Action;
 use crate::control::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::geometry::{Point, SAME};
@@ -206,14 +206,8 @@ impl Watch {
     fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &Fitted) {
         let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
-            let outlines = [Some(&tool.shape.core), tool.shape.body.as_ref()];
-            Some((
-                danger,
-                outlines
-                    .into_iter()
-                    .flatten()
-                    .find_map(|outline| hit(obstacle.as_ref()?, outline, motion))?,
-            ))
+            let obstacle = obstacle.as_ref()?;
+            Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
             self.tell(index, at, danger);
@@ -222,7 +216,7 @@ impl Watch {
 
     fn rapid(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
         let Some(stock) = self.stock else { return };
-        let outlines = || [Some(&tool.shape.core), tool.shape.body.as_ref()].into_iter().flatten();
+        let outlines = || tool.shape.solids();
         // Far from the blank nothing needs to be worked out.
         let far = |outline: &Outline, way: &[Point]| outline.along(way).all(|swept| !near(&stock, &swept));
         let straight = [motion.from, motion.to];
@@ -303,9 +297,8 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
     if outline.points().len() < 3 {
         return None;
     }
-    let way = motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc));
     let from = motion.from;
-    outline.along(&way).filter(|swept| region.meets(swept)).find_map(|swept| {
+    outline.along(&way_of(motion)).filter(|swept| region.meets(swept)).find_map(|swept| {
         let common = region.in_common(&[swept]);
         if common.area() < SCRAPED {
             return None;

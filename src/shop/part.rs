@@ -146,16 +146,11 @@ impl Part {
             outlines.extend(cut(&motion, turned, fitting.tool(&motion)));
             turned = turned.after(&motion);
         }
-        if !outlines.is_empty() {
-            region.cut(&outlines);
-        }
+        region.cut(&outlines);
         self.last.replace(Some(Kept { done: count, turned, region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
             let motion = motions.get(count);
-            let outlines = cut_so_far(&motion, share, turned, fitting.tool(&motion));
-            if !outlines.is_empty() {
-                region.cut(&outlines);
-            }
+            region.cut(&cut_so_far(&motion, share, turned, fitting.tool(&motion)));
         }
         region
     }

@@ -4,6 +4,7 @@
 //! cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
 
 use crate::geometry::{Arc, Point};
+use crate::motion::Motion;
 
 /// How far a chord may be from its arc, mm. A part's radius is exact to twice as much.
 pub const CHORD: f64 = 0.002;
@@ -119,6 +120,11 @@ impl Outline {
         }
         Self { points }
     }
+}
+
+/// The points that straight lines join to the way of a motion in the plane of turning.
+pub fn way_of(motion: &Motion) -> Vec<Point> {
+    motion.arc().map_or_else(|| vec![motion.from, motion.to], |arc| chords(&arc))
 }
 
 /// The points of an arc that straight lines join within [`CHORD`], its ends among them.

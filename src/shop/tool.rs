@@ -78,6 +78,11 @@ fn body_direction(tip: u8) -> Vector {
 }
 
 impl Shape {
+    /// What of it must not meet anything unawares: the cutting part, and the holder as far as it is known.
+    pub fn solids(&self) -> impl Iterator<Item = &Outline> {
+        [Some(&self.core), self.body.as_ref()].into_iter().flatten()
+    }
+
     /// The shape of a tool.
     pub fn of(tool: &Tool) -> Self {
         let kind = tool.kind.unwrap_or(ToolKind::Turning);
