@@ -703,7 +703,7 @@ impl Places<'_> {
 
     fn fix(&self, fix: &diagnostics::Fix, language: Language) -> Fix {
         let edits = fix.edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));
-        Fix { title: fix.title.fix_title(language), safe: fix.safe, edits: edits.collect() }
+        Fix { title: fix.title.words(language), safe: fix.safe, edits: edits.collect() }
     }
 
     /// First line and column, last line and column, from 1.

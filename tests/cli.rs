@@ -88,7 +88,7 @@ fn check_prints_one_object_a_line() {
     );
     assert!(row["slug"].is_string() && row["message"].is_string() && row["help"].is_string());
     let edit = &row["fixes"][0]["edits"][0];
-    assert_eq!((&edit["column"], &edit["endColumn"], &edit["text"]), (&json!(7), &json!(8), &json!("0")));
+    assert_eq!((&edit["column"], &edit["endColumn"], &edit["text"]), (&json!(6), &json!(9), &json!("G01")));
     assert_eq!(row["fixes"][0]["safe"], json!(true));
 }
 

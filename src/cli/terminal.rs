@@ -57,7 +57,7 @@ fn render_one(
         group = group.element(Level::HELP.message(help.as_str()));
     }
     let mut report = vec![group];
-    let fix_titles: Vec<String> = diagnostic.fixes.iter().map(|fix| fix.title.fix_title(language)).collect();
+    let fix_titles: Vec<String> = diagnostic.fixes.iter().map(|fix| fix.title.words(language)).collect();
     for (fix, title) in diagnostic.fixes.iter().zip(&fix_titles) {
         let inside = |at: u32| boundary(&shown, (at as usize).clamp(window.start, window.end) - window.start);
         let patches = fix

@@ -58,11 +58,39 @@ pub fn sort_by_place(diagnostics: &mut [Diagnostic]) {
     diagnostics.sort_by_key(|told| told.span.start);
 }
 
-/// A repair: edits that together cure the fault. Its title is the help of its message.
+/// What a repair does, as its title says it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Repair {
+    /// Closes a comment.
+    CloseComment,
+    /// Writes a decimal point.
+    DecimalPoint,
+    /// Writes the letter O.
+    LetterO,
+    /// Writes a minus.
+    Minus,
+    /// Writes this in place of what stands there.
+    Write {
+        /// The new text.
+        text: String,
+    },
+    /// Takes a word out.
+    Delete {
+        /// The word.
+        text: String,
+    },
+    /// Puts this where nothing stood.
+    Insert {
+        /// The new text.
+        text: String,
+    },
+}
+
+/// A repair: edits that together cure the fault.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fix {
-    /// The message whose repair this is; languages take the title from it.
-    pub title: Message,
+    /// What it does.
+    pub title: Repair,
     /// Whether it can be applied without asking: it cannot change the meaning for the worse.
     pub safe: bool,
     /// The edits, in order of place, not overlapping.
@@ -80,7 +108,42 @@ pub struct Edit {
 
 impl Fix {
     /// A safe repair that puts `text` in place of `span`.
-    pub fn replace(title: Message, span: Span, text: &str) -> Self {
+    pub fn replace(title: Repair, span: Span, text: &str) -> Self {
         Self { title, safe: true, edits: vec![Edit { span, text: text.to_owned() }] }
+    }
+
+    /// A repair that puts `text` in place of a word; whoever reads the program must say whether that was meant.
+    pub fn write(span: Span, text: String) -> Self {
+        Self::replace(Repair::Write { text: text.clone() }, span, &text).asking()
+    }
+
+    /// A repair that takes a word out, with the blanks before it; to be asked for.
+    pub fn delete(text: &[u8], span: Span) -> Self {
+        let before = text[..span.start as usize].iter().rev();
+        let blanks = before.take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
+        let from = Span { start: span.start - blanks, end: span.end };
+        // At the head of a line the blanks behind it go.
+        let behind = text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
+        let first = from.start == 0 || matches!(text[from.start as usize - 1], b'\n' | b'\r');
+        let whole = if first { Span { start: span.start, end: span.end + behind } } else { from };
+        Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").asking()
+    }
+
+    /// A repair that puts `text` at byte `at`; to be asked for.
+    pub fn insert(at: u32, text: String) -> Self {
+        let title = Repair::Insert { text: text.trim().to_owned() };
+        Self::replace(title, Span { start: at, end: at }, &text).asking()
+    }
+
+    /// The same repair, to be applied only when somebody asks for it.
+    pub fn asking(mut self) -> Self {
+        self.safe = false;
+        self
+    }
+
+    /// The same repair, which cannot change the meaning for the worse.
+    pub fn safe(mut self) -> Self {
+        self.safe = true;
+        self
     }
 }

@@ -79,6 +79,8 @@ pub enum Message {
     ZeroForO { number: String },
     /// A dash of print in place of a minus.
     PrintedMinus,
+    /// `Ｘ５０`.
+    FullWidth { word: String, plain: String },
     /// `Z,15`.
     CommaForPoint { address: char, word: String },
     /// `(` without `)`.
@@ -474,6 +476,7 @@ impl Message {
             Self::LetterForDigit { .. } => ("W-OCR", "letter-for-digit", Error, Some("PS0005")),
             Self::ZeroForO { .. } => ("W-OCR", "zero-for-letter-o", Warning, None),
             Self::PrintedMinus => ("W-OCR", "printed-minus", Warning, None),
+            Self::FullWidth { .. } => ("W-OCR", "full-width-character", Warning, None),
             Self::CommaForPoint { .. } => ("W-OCR", "comma-for-point", Error, Some("PS0004")),
             Self::CommentOpen => ("W-COMMENT-OPEN", "comment-not-closed", Warning, None),
             Self::CommentNested => ("W-COMMENT-NESTED", "comment-in-comment", Warning, None),

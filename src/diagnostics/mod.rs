@@ -5,5 +5,5 @@ mod message;
 pub mod messages;
 pub mod rules;
 
-pub use diagnostic::{Diagnostic, Edit, Fix, sort_by_place};
+pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
 pub use message::{Kind, Message, Severity};

@@ -286,6 +286,10 @@ impl<'a> Lexer<'a> {
         {
             return None;
         }
+        // A misread digit behind them too.
+        if let Some(b'O' | b'o' | b'l' | 0xEF) = text.get(at) {
+            return None;
+        }
         self.at = at;
         let decimals = if has_point { (at - point - 1) as u8 } else { 0 };
         let number = Number { mantissa, decimals, digits: digits as u8, points: u8::from(has_point) };

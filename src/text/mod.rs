@@ -3,6 +3,8 @@
 pub mod block;
 pub mod highlight;
 pub mod lexer;
+mod lost_letter;
+mod misread;
 pub mod parser;
 pub mod shift;
 pub mod source;

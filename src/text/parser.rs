@@ -12,9 +12,10 @@
 //! Knows which letters begin a word, not what any word means.
 
 use super::block::{Block, BlockKind, Value, Word};
-use super::lexer::{Lexer, Number, Token, TokenKind};
+use super::lexer::{Lexer, Number, TokenKind};
 use super::source::Span;
-use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
+use super::{lost_letter, misread};
+use crate::diagnostics::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::limits::DIGITS;
 
 /// Most faults of one block that are told; one mistake easily upsets the words behind it.
@@ -100,6 +101,27 @@ impl<'a> Parser<'a> {
             block.fault(Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
+        self.offer_addresses(block);
+    }
+
+    /// Offers the letters that a number without one may have had.
+    fn offer_addresses(&self, block: &mut Block) {
+        let Block { faults, words, .. } = block;
+        for fault in faults {
+            let (number, at) = match &fault.message {
+                Message::AddressMissing { number } => (number.as_str(), fault.span.start),
+                // `X100 50`: the letter of the second number may be lost.
+                Message::BlankInNumber { written, .. } => {
+                    let Some(blank) = written.find([' ', '\t']) else { continue };
+                    let second = written[blank..].trim_start();
+                    (second, fault.span.end - second.len() as u32)
+                }
+                _ => continue,
+            };
+            let place = Span { start: at, end: at };
+            let letters = lost_letter::candidates(number, place, words);
+            fault.fixes.extend(letters.into_iter().map(|letter| Fix::insert(at, letter.to_string())));
+        }
     }
 
     /// Reads up to and including the end of the block; returns where its text ends.
@@ -155,7 +177,7 @@ impl<'a> Parser<'a> {
             TokenKind::OpenComment => {
                 block.comment(token.span);
                 let end = Span { start: token.span.end, end: token.span.end };
-                let fix = Fix::replace(Message::CommentOpen, end, ")");
+                let fix = Fix::replace(Repair::CloseComment, end, ")");
                 let opening = Span { start: token.span.start, end: token.span.start + 1 };
                 block.fault(Diagnostic::new(Message::CommentOpen, opening).with(fix));
             }
@@ -170,6 +192,13 @@ impl<'a> Parser<'a> {
             }
             TokenKind::Macro(b'#') => self.macro_statement(block, token.span),
             TokenKind::Number(number) => self.lone_number(block, number, token.span),
+            TokenKind::Unknown if self.misread_word(block, token.span.start) => {}
+            TokenKind::Minus | TokenKind::PrintedMinus | TokenKind::Plus if self.digit_follows() => {
+                if let Some(TokenKind::Number(number)) = self.lexer.next_token().map(|next| next.kind) {
+                    let span = Span { start: token.span.start, end: self.lexer.position() as u32 };
+                    self.lone_number(block, number, span);
+                }
+            }
             TokenKind::Macro(_)
             | TokenKind::Plus
             | TokenKind::Minus
@@ -200,6 +229,9 @@ impl<'a> Parser<'a> {
         let mut negative = false;
         let mut after = self.lexer.position();
         let start = comma.unwrap_or(first);
+        if comma.is_none() && self.misread_word(block, first.start) {
+            return;
+        }
         loop {
             let token = self.lexer.next_token();
             match token.map(|token| token.kind) {
@@ -213,7 +245,7 @@ impl<'a> Parser<'a> {
                     negative = true;
                     let span = token.map_or(first, |token| token.span);
                     let message = Message::PrintedMinus;
-                    let fix = Fix::replace(message.clone(), span, "-");
+                    let fix = Fix::replace(Repair::Minus, span, "-");
                     block.fault(Diagnostic::new(message, span).with(fix));
                 }
                 Some(TokenKind::Macro(b'#' | b'[')) => {
@@ -233,14 +265,6 @@ impl<'a> Parser<'a> {
                         block,
                         letter,
                         start,
-                        token.map_or(first, |token| token.span),
-                    );
-                }
-                Some(TokenKind::Letter(other @ (b'O' | b'L'))) if self.misread(token, first, other) => {
-                    return self.letter_for_digit(
-                        block,
-                        letter,
-                        first,
                         token.map_or(first, |token| token.span),
                     );
                 }
@@ -264,12 +288,18 @@ impl<'a> Parser<'a> {
         span: Span,
     ) {
         let (mut number, mut span) = (number, span);
-        if self.blank_then_digit() {
+        // Behind `N10` a number is one that lost its letter.
+        if letter != b'N' && self.blank_then_digit() {
             (number, span) = self.split_number(block, span);
         }
         if number.points > 1 {
             let quote = span.quote(self.lexer.text());
-            block.fault(Diagnostic::new(Message::SecondPoint { word: quote }, span));
+            let fix = without_second_point(&quote);
+            let told = Diagnostic::new(Message::SecondPoint { word: quote }, span);
+            block.fault(match fix {
+                Some(text) => told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking()),
+                None => told,
+            });
             return;
         }
         if number.digits == 0 && number.mantissa == 0 && !self.has_digit(span) {
@@ -334,7 +364,7 @@ impl<'a> Parser<'a> {
         if at_head && text.len() >= 4 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
             let first = Span { start: span.start, end: span.start + 1 };
             let message = Message::ZeroForO { number: span.quote(self.lexer.text()) };
-            let fix = Fix::replace(message.clone(), first, "O");
+            let fix = Fix::replace(Repair::LetterO, first, "O");
             block.fault(Diagnostic::new(message, first).with(fix));
             block.program = Some((number.mantissa as u32, span));
             return;
@@ -354,38 +384,37 @@ impl<'a> Parser<'a> {
         let digits = self.lexer.next_token().map_or(comma, |token| token.span);
         let span = start.to(digits);
         let message = Message::CommaForPoint { address: letter as char, word: span.quote(self.lexer.text()) };
-        let fix = Fix::replace(message.clone(), comma, ".");
+        let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
         block.fault(Diagnostic::new(message, span).with(fix));
     }
 
-    /// `GO1`: a letter where a digit belongs.
-    fn letter_for_digit(&mut self, block: &mut Block, address: u8, first: Span, other: Span) {
-        let mut end = other.end;
-        if matches!(self.lexer.peek_byte(), Some(b'0'..=b'9' | b'.'))
-            && let Some(token) = self.lexer.next_token()
-        {
-            end = token.span.end;
+    /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is read as it
+    /// was meant, so that what it switches on holds for the blocks behind it. False: the word that begins at byte
+    /// `start` is no such word, and nothing is taken.
+    #[inline]
+    fn misread_word(&mut self, block: &mut Block, start: u32) -> bool {
+        let text = self.lexer.text();
+        let Some(misread) = misread::read(text, start as usize) else { return false };
+        let span = Span { start, end: start + misread.len as u32 };
+        let word = span.quote(text);
+        let (plain, address) = (misread.plain, misread.address);
+        let message = match misread.letter {
+            Some(letter) => {
+                let digit = if letter.eq_ignore_ascii_case(&b'O') { "0" } else { "1" };
+                Message::LetterForDigit { address: address as char, word, digit }
+            }
+            None => Message::FullWidth { word, plain: plain.clone() },
+        };
+        let fix = Fix::replace(Repair::Write { text: plain.clone() }, span, &plain);
+        block.fault(Diagnostic::new(message, span).with(fix));
+        self.lexer.seek(span.end as usize);
+        let digits = plain[1..].trim_start_matches(['-', '+']);
+        let negative = plain[1..].starts_with('-');
+        let number = Number::read(digits.as_bytes());
+        if number.points <= 1 && number.digits <= DIGITS {
+            self.store(block, address, false, negative, number, span);
         }
-        let span = Span { start: first.start, end };
-        let digit = if other.of(self.lexer.text()).eq_ignore_ascii_case(b"O") { "0" } else { "1" };
-        let word = span.quote(self.lexer.text());
-        let message = Message::LetterForDigit { address: address as char, word, digit };
-        let fix = Fix::replace(message.clone(), other, digit);
-        block.fault(Diagnostic::new(message, span).with(fix));
-        let mut digits = span.of(self.lexer.text())[first.len()..].to_vec();
-        digits[0] = digit.as_bytes()[0];
-        // The block is not carried out, but what it switches on holds for the blocks behind it.
-        let value = Value::Number { number: Number::read(&digits), negative: false };
-        block.word(Word { address, comma: false, value, span });
-    }
-
-    /// Whether a letter right behind an address can only be a misread digit: `GO1`, `MO3`, `Xl5`, `ZO`.
-    fn misread(&self, token: Option<Token>, first: Span, letter: u8) -> bool {
-        let Some(token) = token else { return false };
-        let next = self.lexer.peek_byte();
-        let letters = matches!(next, Some(b'A'..=b'Z' | b'a'..=b'z'));
-        token.span.start == first.end
-            && (matches!(next, Some(b'0'..=b'9' | b'.')) || (letter == b'O' && !letters))
+        true
     }
 
     fn comma(&mut self, block: &mut Block, comma: Span) {
@@ -402,7 +431,7 @@ impl<'a> Parser<'a> {
                 let whole = word.to(span);
                 let address = self.lexer.text()[word.start as usize].to_ascii_uppercase() as char;
                 let message = Message::CommaForPoint { address, word: whole.quote(self.lexer.text()) };
-                let fix = Fix::replace(message.clone(), comma, ".");
+                let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
                 block.fault(Diagnostic::new(message, whole).with(fix));
             }
             _ => {
@@ -617,6 +646,15 @@ fn reads_as_prose(bytes: &[u8]) -> bool {
     !bytes.is_ascii() || bytes.windows(3).any(|run| run.iter().all(u8::is_ascii_alphabetic))
 }
 
+/// `X12..5` and `X12.8.` with one point; nothing where either could be meant: `X1.2.5`.
+fn without_second_point(word: &str) -> Option<String> {
+    let first = word.find('.')?;
+    let (head, tail) = word.split_at(first + 1);
+    let rest = tail.replace('.', "");
+    let sure = tail.starts_with('.') || tail.find('.') == Some(tail.len() - 1);
+    sure.then(|| format!("{head}{rest}"))
+}
+
 /// The span without blanks at either end.
 fn trimmed(text: &[u8], span: Span) -> Span {
     let bytes = span.of(text);
@@ -743,7 +781,7 @@ mod tests {
     fn the_fast_way_reads_the_same_as_the_tokens() {
         for text in ["X1", "x-1.25 ", "Z.5Y", "F5.", "G00000001", "N1\t", "R-0"] {
             let plain = Lexer::new(text.as_bytes(), 0).plain_word().expect(text);
-            let tokens: Vec<Token> = Lexer::new(text.as_bytes(), 0).collect();
+            let tokens: Vec<crate::text::lexer::Token> = Lexer::new(text.as_bytes(), 0).collect();
             assert_eq!(tokens[0].kind, TokenKind::Letter(plain.letter));
             assert_eq!(tokens[1].kind == TokenKind::Minus, plain.negative);
             let TokenKind::Number(number) = tokens[1 + usize::from(plain.negative)].kind else {

@@ -21,6 +21,7 @@ impl Interpreter {
         if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
             return self.carry_out(text, &without_optional(block), here);
         }
+        self.fault = None;
         let broken = !block.faults.is_empty() && {
             self.tell_faults(block);
             block.is_broken()
@@ -63,6 +64,7 @@ impl Interpreter {
         self.technology(text, &request, &words);
         if request.drop {
             self.state.uncertain = true;
+            self.forget_next_move();
             if let Some(mode) = request.motion {
                 self.enter(mode, block, &words);
             }

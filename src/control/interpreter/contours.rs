@@ -213,6 +213,7 @@ impl Interpreter {
             }
             let is_first = first.is_none();
             let (named, span) = *first.get_or_insert_with(|| (self.first_block(&block), block.span));
+            self.tell_faults(&block);
             match self.may_stand_in_contour(text, &block) {
                 Stands::Well => sound &= !block.is_broken(),
                 Stands::Skipped => {
@@ -369,7 +370,16 @@ impl Shape {
 
     /// Line (from 1) of the block that made piece `piece` of the contour.
     pub(super) fn line_of(&self, piece: usize) -> u32 {
+        self.move_of(piece).map_or(0, |routed| routed.line + 1)
+    }
+
+    /// The block that made piece `piece` of the contour.
+    pub(super) fn span_of(&self, piece: usize) -> Option<Span> {
+        self.move_of(piece).map(|routed| routed.span)
+    }
+
+    fn move_of(&self, piece: usize) -> Option<&Routed> {
         let own = usize::from(self.moves.first().is_some_and(|routed| routed.span == self.first_span));
-        self.moves.get(piece + own).or(self.moves.last()).map_or(0, |routed| routed.line + 1)
+        self.moves.get(piece + own).or(self.moves.last())
     }
 }

@@ -39,7 +39,7 @@ use super::setup::{Setup, Tool};
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
-use crate::diagnostics::{Diagnostic, Message, Severity};
+use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
 use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step, Stop, StopKind};
 use crate::text::block::{Block, BlockKind, Value, Word};
@@ -215,6 +215,8 @@ pub struct Interpreter {
     heads: BTreeSet<u32>,
     /// The blocks carried out, in order, if they are asked for.
     trace: Option<Vec<Executed>>,
+    /// The first fault in the writing of the block under way.
+    fault: Option<Span>,
     /// Messages told, in order of place and name: what runs again is not told again.
     told: Vec<(u32, &'static str)>,
 }
@@ -257,6 +259,7 @@ impl Interpreter {
             begun_elsewhere: false,
             heads: BTreeSet::new(),
             trace: None,
+            fault: None,
             told: Vec::new(),
         }
     }
@@ -318,6 +321,11 @@ impl Interpreter {
 
     /// Tells the user something, unless it was told of the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
+        // One fault, one message: what is said of a whole block with a misspelt word is mostly its consequence.
+        let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
+        if self.fault.is_some_and(about_all) {
+            return;
+        }
         if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
@@ -415,9 +423,11 @@ impl Interpreter {
 
     /// Tells what is wrong with the writing of a block that is not run.
     pub fn tell_faults(&mut self, block: &Block) {
+        self.fault = None;
         for fault in &block.faults {
             self.tell(fault.clone());
         }
+        self.fault = block.faults.first().map(|fault| fault.span);
     }
 }
 

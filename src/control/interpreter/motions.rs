@@ -51,7 +51,12 @@ impl Interpreter {
         let (absolute, incremental) = (quote(text, a.span), quote(text, i.span));
         let used = if absolute_counts { absolute.clone() } else { incremental.clone() };
         let span = a.span.to(i.span);
-        self.tell(Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span));
+        let mut fixes = [i.span, a.span].map(|span| Fix::delete(text, span));
+        if !absolute_counts {
+            fixes.reverse();
+        }
+        let told = Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span);
+        self.tell(Diagnostic { fixes: fixes.into(), ..told });
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 

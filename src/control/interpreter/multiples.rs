@@ -206,7 +206,14 @@ impl Interpreter {
             self.refuse_long_cycle(block, code, most, most);
             return None;
         };
-        let message = Diagnostic::new(message, block.words_span());
+        // At the block of the contour, which is where it can be mended.
+        let place = match fault {
+            roughing::Fault::NotMonotoneAlong { piece }
+            | roughing::Fault::NotMonotoneAcross { piece }
+            | roughing::Fault::BeyondStart { piece: Some(piece) } => shape.span_of(piece),
+            _ => None,
+        };
+        let message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
         if self.dialect.strict {
             self.tell(message);
             return None;

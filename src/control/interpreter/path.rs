@@ -345,6 +345,19 @@ impl Interpreter {
         self.flush_compensation();
     }
 
+    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing is told of
+    /// it. One fault, one message.
+    #[cold]
+    pub(super) fn forget_next_move(&mut self) {
+        let Some(pending) = &mut self.state.pending else { return };
+        pending.joint = None;
+        if pending.angle.is_some() {
+            self.state.position =
+                pending.before.as_ref().map_or(pending.routed.motion.from, |first| first.routed.motion.from);
+            self.state.pending = None;
+        }
+    }
+
     /// The centre goes to the end of the last move; no next move is known.
     pub(super) fn flush_compensation(&mut self) {
         if let Some(mut compensating) = self.state.compensating.take() {

@@ -41,12 +41,11 @@ impl Interpreter {
                 request.drop = true;
             }
             address => {
-                if let Some(_before) = words.take(index, word) {
+                if let Some(before) = words.take(index, word) {
                     let used = quote(text, block.words[index].span);
-                    self.tell(Diagnostic::new(
-                        Message::DuplicateWord { address: address as char, used },
-                        word.span,
-                    ));
+                    let message = Message::DuplicateWord { address: address as char, used };
+                    let fixes = [before.span, word.span].map(|span| Fix::delete(text, span));
+                    self.tell(Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, word.span) });
                 }
             }
         }
@@ -152,7 +151,9 @@ impl Interpreter {
             && quote(text, before) != quote(text, span)
         {
             let (dropped, used) = (quote(text, before), quote(text, span));
-            self.tell(Diagnostic::new(Message::SameGroup { dropped, used }, span));
+            let fixes = [before, span].map(|span| Fix::delete(text, span));
+            let told = Diagnostic::new(Message::SameGroup { dropped, used }, span);
+            self.tell(Diagnostic { fixes: fixes.into(), ..told });
         }
     }
 

@@ -110,6 +110,7 @@ impl Message {
             | Self::CornerInThread { word }
             | Self::CornerWithCompensation { word }
             | Self::AngleNoPoint { word, .. } => vec![("word", Text(word))],
+            Self::FullWidth { word, plain } => vec![("word", Text(word)), ("plain", Text(plain))],
             Self::BlankInNumber { written, joined } => {
                 vec![("written", Text(written)), ("joined", Text(joined))]
             }

@@ -28,6 +28,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Program numbers begin with the letter O, not with a zero.",
         PrintedMinus => "This is a printed dash, not a minus sign; it was read as a minus.\n\
             A control does not know this character. Replace it with `-`.",
+        FullWidth => "`{word}` is written in full-width characters; it was read as `{plain}`.\n\
+            A control does not know these characters. Switch the keyboard to half width, or replace them.",
         CommaForPoint => "`{word}` has a comma where the decimal point belongs.\n\
             G-code writes decimals with a point.",
         CommentOpen => "This bracket is never closed; the rest of the line was taken as a comment.\n\
@@ -364,9 +366,11 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
     match phrase {
         CloseComment => "Close the comment",
         DecimalPoint => "Write a decimal point",
-        Digit => "Write the digit {digit}",
         LetterO => "Write the letter O",
         Minus => "Write a minus",
+        Write => "Write `{text}`",
+        Delete => "Delete `{text}`",
+        Insert => "Insert `{text}`",
         Rapid => "rapid to {to}",
         Feed => "feed to {to}",
         ArcClockwise => "arc G02 to {to}",

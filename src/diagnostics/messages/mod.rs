@@ -87,14 +87,6 @@ impl Message {
         };
         Sentence { message: fill(message, &arguments), help }
     }
-
-    /// The title of its repair in a language.
-    pub fn fix_title(&self, language: Language) -> String {
-        match phrases::title(self) {
-            Some(title) => fill(language.phrase(title), &self.arguments()),
-            None => self.sentence(language).message,
-        }
-    }
 }
 
 /// A number as people write it: at most four decimals, no trailing zeros, never `-0`.

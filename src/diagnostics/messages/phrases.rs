@@ -2,7 +2,7 @@
 
 use super::Language;
 use super::arguments::{Arguments, Value, fill};
-use crate::diagnostics::message::Message;
+use crate::diagnostics::Repair;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
 
@@ -23,7 +23,7 @@ macro_rules! phrases {
 
 phrases! {
     // Titles of repairs
-    CloseComment, DecimalPoint, Digit, LetterO, Minus,
+    CloseComment, DecimalPoint, LetterO, Minus, Write, Delete, Insert,
     // Motions
     Rapid, Feed, ArcClockwise, ArcCounterclockwise, Thread, Dwell, DwellFor,
     // Motions of cycles, and their parts
@@ -32,16 +32,20 @@ phrases! {
     AtRapid, WithSpindle, AtFeed,
 }
 
-/// The title of a message's repair; nothing where the message itself is the title.
-pub(super) fn title(message: &Message) -> Option<Phrase> {
-    Some(match message {
-        Message::CommentOpen => Phrase::CloseComment,
-        Message::CommaForPoint { .. } => Phrase::DecimalPoint,
-        Message::LetterForDigit { .. } => Phrase::Digit,
-        Message::ZeroForO { .. } => Phrase::LetterO,
-        Message::PrintedMinus => Phrase::Minus,
-        _ => return None,
-    })
+impl Repair {
+    /// What it does, in a language: the title of a button.
+    pub fn words(&self, language: Language) -> String {
+        let (phrase, text) = match self {
+            Self::CloseComment => (Phrase::CloseComment, ""),
+            Self::DecimalPoint => (Phrase::DecimalPoint, ""),
+            Self::LetterO => (Phrase::LetterO, ""),
+            Self::Minus => (Phrase::Minus, ""),
+            Self::Write { text } => (Phrase::Write, text.as_str()),
+            Self::Delete { text } => (Phrase::Delete, text.as_str()),
+            Self::Insert { text } => (Phrase::Insert, text.as_str()),
+        };
+        fill(language.phrase(phrase), &vec![("text", Value::Text(text))])
+    }
 }
 
 /// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.

@@ -83,6 +83,7 @@ fn samples() -> Vec<Message> {
         Message::LetterForDigit { address: 'X', word: "X1".into(), digit: "G71" },
         Message::ZeroForO { number: "X1".into() },
         Message::PrintedMinus,
+        Message::FullWidth { word: "X1".into(), plain: "X1".into() },
         Message::CommaForPoint { address: 'X', word: "X1".into() },
         Message::CommentOpen,
         Message::CommentNested,

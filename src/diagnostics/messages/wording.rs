@@ -25,7 +25,7 @@ macro_rules! wordings {
 
 wordings! {
     NumberMissing, AddressMissing, NotUnderstood, PlainText, SecondPoint, TooManyDigits, BlankInNumber,
-    LetterForDigit, ZeroForO, PrintedMinus, CommaForPoint, CommentOpen, CommentNested, TextAfterSemicolon,
+    LetterForDigit, ZeroForO, PrintedMinus, FullWidth, CommaForPoint, CommentOpen, CommentNested, TextAfterSemicolon,
     BlockTooLong, TextTooLong, EmptyProgram, ProgramNumberZero, DuplicateProgram, NoEnd, MoreMessages,
     TooManyMotions, TooMuchWork, Stopped, CallNoNumber, ProgramNotFound, SequenceNotFound, CallTooDeep,
     NoReturn, EndlessMain, TooManyRepeats, TooMuchRepeated, TooManyRounds, TooManyMacroSteps, NotRun, NumberFromVariable, MacroOverflow,
@@ -70,6 +70,7 @@ impl Wording {
             Message::LetterForDigit { .. } => Self::LetterForDigit,
             Message::ZeroForO { .. } => Self::ZeroForO,
             Message::PrintedMinus => Self::PrintedMinus,
+            Message::FullWidth { .. } => Self::FullWidth,
             Message::CommaForPoint { .. } => Self::CommaForPoint,
             Message::CommentOpen => Self::CommentOpen,
             Message::CommentNested => Self::CommentNested,

@@ -28,6 +28,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             程序号以字母 O 开头，不是数字 0。",
         PrintedMinus => "这是印刷用的横线，不是负号；这里已按负号读取。\n\
             系统不认识这个字符，请改成 `-`。",
+        FullWidth => "`{word}` 用了全角字符，这里按 `{plain}` 读取。\n\
+            数控系统不认识全角字符。请把输入法切换到半角，或改成半角字符。",
         CommaForPoint => "`{word}` 中该写小数点的地方写成了逗号。\n\
             G 代码的小数点是 `.`，不能用逗号代替。",
         CommentOpen => "括号没有闭合，本行余下的内容都当作注释。\n\
@@ -364,9 +366,11 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
     match phrase {
         CloseComment => "补上右括号",
         DecimalPoint => "改成小数点",
-        Digit => "改成数字 {digit}",
         LetterO => "改成字母 O",
         Minus => "改成负号",
+        Write => "改写为 `{text}`",
+        Delete => "删除 `{text}`",
+        Insert => "插入 `{text}`",
         Rapid => "快速移动至 {to}",
         Feed => "切削进给至 {to}",
         ArcClockwise => "圆弧 G02 至 {to}",

@@ -1,0 +1,58 @@
+//! Which letter a number may have lost.
+//!
+//! In: the number and the words around it. Out: letters, the likeliest first.
+
+use super::block::Word;
+use super::source::Span;
+
+/// Most letters that are offered.
+const OFFERED: usize = 3;
+
+/// Letters that a number without one may have had: those that usually stand in that place and are not there yet.
+pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
+    let has = |letters: &[u8]| words.iter().any(|word| letters.contains(&word.address));
+    // A word that a blank tears apart begins before it.
+    let behind = words.iter().filter(|word| word.span.start < span.start);
+    let before = |letters: &[u8]| behind.clone().any(|word| letters.contains(&word.address));
+    let code = |codes: &[u64]| {
+        words.iter().any(|word| {
+            word.address == b'G'
+                && matches!(word.value, super::block::Value::Number { number, .. } if codes.contains(&number.mantissa) && number.decimals == 0)
+        })
+    };
+    let (number, negative) = (number.trim_start_matches(['-', '+', '–', '−']), !number.starts_with(|first: char| first.is_ascii_digit() || first == '.'));
+    let has_point = number.contains('.');
+    let digits = number.trim_start_matches('0');
+    let value: f64 = number.parse().unwrap_or(0.0);
+    let whole = !has_point && !negative;
+    let contour = code(&[70, 71, 72, 73]);
+    let deep = code(&[74, 75, 76]);
+    let mut found = Vec::new();
+    let mut offer = |letter: char, fits: bool| {
+        if fits && !found.contains(&letter) {
+            found.push(letter);
+        }
+    };
+    let leading = number.len() >= 2 && number.starts_with('0') && whole;
+    offer('T', whole && !has(b"T") && number.len() == 4 && (leading || value % 101.0 == 0.0));
+    offer('S', whole && value >= 50.0 && !has(b"S") && (code(&[50, 96, 97]) || has(b"M")) && !has(b"XZUW"));
+    offer('P', whole && (contour || deep) && !has(b"P") && has(b"Q"));
+    offer('Q', whole && (contour || deep) && !has(b"Q") && has(b"P"));
+    offer('P', whole && has(b"M") && !has(b"P") && value >= 1000.0);
+    offer('G', (leading || value == 0.0 && number.len() == 2) && number.len() == 2 && !before(b"XZUW"));
+    offer('M', (leading || whole && value <= 99.0) && !has(b"M") && digits.len() <= 2 && (before(b"XZS") || words.is_empty()));
+    offer('G', whole && !has(b"G") && !before(b"XZUWFS") && (70.0..100.0).contains(&value));
+    offer('F', has_point && !negative && value < 1.0 && !has(b"F") && before(b"XZUWPQ"));
+    let arc = code(&[2, 3]);
+    offer('R', arc && before(b"Z") && !has(b"R"));
+    offer('X', !has(b"XU") && !before(b"ZW"));
+    offer('Z', !has(b"ZW") && (before(b"XU") || has(b"XU")));
+    offer('F', !negative && !has(b"F") && before(b"XZUW"));
+    offer('R', !has(b"R"));
+    offer('X', !has(b"XU"));
+    offer('Z', !has(b"ZW"));
+    offer('U', !has(b"U"));
+    offer('W', !has(b"W"));
+    found.truncate(OFFERED);
+    found
+}

@@ -1,0 +1,118 @@
+//! Words whose characters were misread or come from another keyboard: letters O and l for 0 and 1, full-width
+//! characters.
+//!
+//! In: bytes at which a word begins. Out: the word as it was meant. Takes nothing for such a word that is written right.
+
+/// A number of more characters is no number that somebody mistyped.
+const LONGEST: usize = 16;
+
+/// A word as it was meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misread {
+    /// The address, upper-cased.
+    pub address: u8,
+    /// Address, sign and number in ASCII.
+    pub plain: String,
+    /// The first letter that stands for a digit.
+    pub letter: Option<u8>,
+    /// Bytes it takes.
+    pub len: usize,
+}
+
+/// The word at byte `start`, if it can only be a misread one.
+pub fn read(text: &[u8], start: usize) -> Option<Misread> {
+    let (address, mut at, mut wide) = character(text, start)?;
+    if !address.is_ascii_alphabetic() {
+        return None;
+    }
+    let mut plain = String::from(address.to_ascii_uppercase() as char);
+    let (mut digits, mut letter) = (0, None);
+    while let Some((byte, next, is_wide)) = character(text, at)
+        && plain.len() <= LONGEST
+    {
+        let before = digits;
+        match byte {
+            b'-' | b'+' if plain.len() == 1 => {}
+            b'0'..=b'9' => digits += 1,
+            b'.' => {}
+            b'O' | b'o' | b'l' if !is_wide && stands_for_digit(text, at, address, digits) => {
+                letter = letter.or(Some(byte));
+                plain.push(if byte == b'l' { '1' } else { '0' });
+                digits += 1;
+            }
+            _ => break,
+        }
+        if digits == before || byte.is_ascii_digit() {
+            plain.push(byte as char);
+        }
+        wide |= is_wide;
+        at = next;
+    }
+    let misread = (wide || letter.is_some()) && digits > 0;
+    misread.then(|| Misread { address: address.to_ascii_uppercase(), plain, letter, len: at - start })
+}
+
+/// Whether an O or l inside a number can only be a digit: right behind its letter or its digits, with digits or the
+/// end of the word behind it and its like.
+fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
+    let alike = text[at..].iter().take(LONGEST).take_while(|byte| matches!(byte, b'O' | b'o' | b'l')).count();
+    let next = text.get(at + alike).copied().unwrap_or(b' ');
+    let ends = matches!(next, b'0'..=b'9' | b'.') || !next.is_ascii_alphanumeric();
+    if text[at] == b'l' {
+        // `P9010l2`, and words in small letters: repeats of a call.
+        let repeats = digits > 0 && (address.is_ascii_lowercase() || address == b'P');
+        let alone = digits == 0 && alike == 1 && !next.is_ascii_digit();
+        return ends && !repeats && !alone;
+    }
+    ends
+}
+
+/// The ASCII twin of the character at a byte, where the next one begins, and whether it was a full-width one.
+fn character(text: &[u8], at: usize) -> Option<(u8, usize, bool)> {
+    match *text.get(at)? {
+        0xEF => {
+            // U+FF01 to U+FF5E are the ASCII characters from `!` to `~`.
+            let (second, third) = (*text.get(at + 1)?, *text.get(at + 2)?);
+            let code = 0xF000 | u32::from(second & 0x3F) << 6 | u32::from(third & 0x3F);
+            let twin = code.checked_sub(0xFEE0).filter(|twin| (0x21..=0x7E).contains(twin))?;
+            (second & 0xC0 == 0x80 && third & 0xC0 == 0x80).then_some((twin as u8, at + 3, true))
+        }
+        byte if byte < 0x80 => Some((byte, at + 1, false)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(text: &str) -> Option<String> {
+        read(text.as_bytes(), 0).map(|found| format!("{} {}", found.plain, &text[found.len..]))
+    }
+
+    #[test]
+    fn misread_words() {
+        let cases = [
+            ("GO1 X5", "G01  X5"),
+            ("X2O0", "X200 "),
+            ("Z1O.5", "Z10.5 "),
+            ("ZO", "Z0 "),
+            ("Xl5", "X15 "),
+            ("T0l01", "T0101 "),
+            ("Ｘ５０．５Z", "X50.5 Z"),
+            ("Z－2０ F", "Z-20  F"),
+            ("NlO G0", "N10  G0"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(plain(text).as_deref(), Some(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_written_right_is_no_misread_word() {
+        for text in ["X50", "G01X5", "M98P1000L3", "m98p1000l3", "X", "O1000", "XY", "（X5）"] {
+            assert_eq!(plain(text), None, "{text}");
+        }
+        assert_eq!(read("p1000l3".as_bytes(), 0), None);
+    }
+}

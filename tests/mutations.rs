@@ -1,0 +1,219 @@
+//! The faults people make, put into every correct program of `tests/programs` at every word they fit: does the first
+//! message stand where the fault is, and does its repair bring the motions back?
+//!
+//! `cargo test --test mutations -- --nocapture` prints the table.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod fixtures;
+#[path = "mutations/classes.rs"]
+mod classes;
+#[path = "mutations/text.rs"]
+mod text;
+
+use std::collections::BTreeMap;
+
+use classes::{CLASSES, Class, Mutant, Need, Place};
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::{Diagnostic, Fix, Severity};
+use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
+use gcode_playground::run::{Analysis, Run};
+use gcode_playground::shop::guess::Guesses;
+use text::Words;
+
+/// Programs that are wrong on purpose.
+const WRONG: [&str; 4] =
+    ["s001-frag-g90-i-asprinted", "s002-g121-square-asprinted", "s004-g94-wrong", "syn-g90-r-violation"];
+
+/// A run and the control's state after it.
+struct Ran {
+    analysis: Analysis,
+    state: String,
+}
+
+fn run(text: &str, setup: &Setup) -> Ran {
+    let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
+    while !run.advance(usize::MAX) {}
+    let state = run.state();
+    // What the machine does from here on; not what the text was.
+    let state = format!(
+        "{:?}",
+        (
+            (state.position, state.motion, state.plane, state.unit, state.feed_mode, state.feed),
+            (state.spindle, state.compensation, state.tool, &state.frames, &state.virtual_plane),
+        )
+    );
+    Ran { analysis: run.into_analysis(), state }
+}
+
+/// What can be seen of a motion.
+fn seen(motion: &Motion) -> Motion {
+    Motion { process: Process { uncertain: false, ..motion.process }, ..*motion }
+}
+
+fn same_motions(a: &Motions, b: &Motions) -> bool {
+    a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| seen(&a) == seen(&b))
+}
+
+/// The lines of a text before a byte.
+fn line(text: &str, at: usize) -> usize {
+    text[..at.min(text.len())].matches('\n').count()
+}
+
+/// One correct program, its setup with a blank, and what it does.
+struct Correct {
+    id: String,
+    text: String,
+    setup: Setup,
+    ran: Ran,
+    /// Messages of the program as it is, by slug and line.
+    known: Vec<(&'static str, usize)>,
+}
+
+impl Correct {
+    fn new(program: fixtures::Program) -> Self {
+        let mut setup = Setup::from_json(&program.setup).expect(&program.id);
+        let first = run(&program.text, &setup);
+        // A reader who wants to know of collisions gives the blank; what the program shows of it is given here.
+        setup.stock = setup.stock.or(Guesses::of(&first.analysis.motions).stock);
+        let mut ran = run(&program.text, &setup);
+        ran.analysis.look_at_machine();
+        let told = &ran.analysis.diagnostics;
+        let known =
+            told.iter().map(|told| (told.message.slug(), line(&program.text, told.span.start as usize)));
+        let known = known.collect();
+        Self { id: program.id, text: program.text, setup, ran, known }
+    }
+
+    /// The first message that the fault brings.
+    fn first_new<'a>(&self, text: &str, told: &'a [Diagnostic]) -> Option<&'a Diagnostic> {
+        told.iter().find(|told| {
+            let key = (told.message.slug(), line(text, told.span.start as usize));
+            let grows = text.matches('\n').count() - self.text.matches('\n').count();
+            let before = (key.0, key.1.saturating_sub(grows));
+            told.severity > Severity::Info && !self.known.contains(&key) && !self.known.contains(&before)
+        })
+    }
+}
+
+/// Whether a message stands where the fault is.
+fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
+    let (from, to) = (told.span.start as usize, told.span.end as usize);
+    let touches = |start: usize, end: usize| {
+        from < end && start < to || from == to && (start..=end).contains(&from)
+    };
+    let same_line = |at: usize| line(&mutant.text, from) == line(&mutant.text, at);
+    match mutant.place {
+        Place::At(start, end) => touches(start, end),
+        Place::Needed(at, Need::Word(start, end)) => same_line(at) || touches(start, end),
+        Place::Needed(at, Need::End) => same_line(at) || to + 2 >= mutant.text.trim_end().len(),
+        Place::Needed(at, Need::Cut) => {
+            // The first block from there on that cuts in the correct program.
+            let here = line(&mutant.text, at);
+            let cuts = |motion: &(usize, Motion)| {
+                !matches!(motion.1.kind, MotionKind::Rapid | MotionKind::Dwell)
+                    && correct.ran.analysis.motions.line(motion.0) as usize >= here
+            };
+            let first = correct.ran.analysis.motions.iter().enumerate().find(cuts);
+            let needing = first.map(|(index, _)| correct.ran.analysis.motions.line(index) as usize);
+            let found = line(&mutant.text, from);
+            found == here || Some(found) == needing
+        }
+    }
+}
+
+/// The text with a repair carried out.
+fn repaired(text: &str, fix: &Fix) -> Option<String> {
+    let mut text = text.as_bytes().to_vec();
+    for edit in fix.edits.iter().rev() {
+        text.splice(edit.span.start as usize..edit.span.end as usize, edit.text.bytes());
+    }
+    String::from_utf8(text).ok()
+}
+
+#[derive(Default)]
+struct Score {
+    mutants: usize,
+    at_place: usize,
+    restored: usize,
+}
+
+fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, misses: &mut Vec<String>) {
+    let mut ran = run(&mutant.text, &correct.setup);
+    let unchanged =
+        ran.state == correct.ran.state && same_motions(&ran.analysis.motions, &correct.ran.analysis.motions);
+    if unchanged && !class.unseen {
+        return;
+    }
+    score.mutants += 1;
+    // What happens at the machine is only asked where the writing shows nothing: it takes its time.
+    let early = correct
+        .first_new(&mutant.text, &ran.analysis.diagnostics)
+        .is_some_and(|told| stands_at(mutant, correct, told));
+    if !early {
+        ran.analysis.look_at_machine();
+    }
+    let first = correct.first_new(&mutant.text, &ran.analysis.diagnostics);
+    let at_place = first.is_some_and(|told| stands_at(mutant, correct, told));
+    score.at_place += usize::from(at_place);
+    let restores = |told: &Diagnostic| {
+        // Where only the author can know, several are offered, and one of them has to be right.
+        told.fixes.iter().filter_map(|fix| repaired(&mutant.text, fix)).any(|text| {
+            same_motions(&run(&text, &correct.setup).analysis.motions, &correct.ran.analysis.motions)
+        })
+    };
+    let restored = first.is_some_and(restores);
+    score.restored += usize::from(restored);
+    if !at_place || !restored {
+        let place = match mutant.place {
+            Place::At(start, _) | Place::Needed(start, _) => start,
+        };
+        let row = mutant.text.lines().nth(line(&mutant.text, place)).unwrap_or("");
+        let told = first.map_or("nothing".to_owned(), |told| {
+            let quoted = told.span.quote(mutant.text.as_bytes());
+            let fixes = told.fixes.len();
+            format!("{} at line {} `{quoted}` fixes {fixes}", told.message.slug(), 1 + line(&mutant.text, told.span.start as usize))
+        });
+        let what = if at_place { "not restored" } else { "misplaced" };
+        misses.push(format!("{what} | {} | {} | line {} `{row}` | {told}", class.name, correct.id, 1 + line(&mutant.text, place)));
+    }
+}
+
+#[test]
+fn the_first_message_stands_at_the_fault() {
+    let only = std::env::var("CLASS").ok();
+    let programs: Vec<Correct> = fixtures::all()
+        .into_iter()
+        .filter(|program| !WRONG.contains(&program.id.as_str()))
+        .map(Correct::new)
+        .collect();
+    assert!(programs.len() >= 40, "{} programs", programs.len());
+    let mut scores: BTreeMap<usize, Score> = BTreeMap::new();
+    let mut misses = Vec::new();
+    for correct in &programs {
+        let words = Words::of(&correct.text);
+        for (index, class) in CLASSES.iter().enumerate() {
+            if only.as_ref().is_some_and(|only| !class.name.contains(only.as_str())) {
+                continue;
+            }
+            for mutant in (class.make)(&words) {
+                judge(class, correct, &mutant, scores.entry(index).or_default(), &mut misses);
+            }
+        }
+    }
+    if let Some(path) = std::env::var_os("MISSES") {
+        std::fs::write(path, misses.join("\n")).expect("misses");
+    }
+    let percent = |part: usize, whole: usize| 100.0 * part as f64 / whole.max(1) as f64;
+    let mut whole = Score::default();
+    println!("{:32} {:>8} {:>8} {:>9}", "fault", "programs", "at place", "restored");
+    for (index, class) in CLASSES.iter().enumerate() {
+        let score = scores.remove(&index).unwrap_or_default();
+        let (place, restored) = (percent(score.at_place, score.mutants), percent(score.restored, score.mutants));
+        println!("{:32} {:>8} {place:>7.1}% {restored:>8.1}%", class.name, score.mutants);
+        whole.mutants += score.mutants;
+        whole.at_place += score.at_place;
+        whole.restored += score.restored;
+    }
+    let (place, restored) = (percent(whole.at_place, whole.mutants), percent(whole.restored, whole.mutants));
+    println!("{:32} {:>8} {place:>7.1}% {restored:>8.1}%", "all", whole.mutants);
+}

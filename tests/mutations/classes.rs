@@ -1,0 +1,576 @@
+//! The faults people make, each at every word it fits.
+//!
+//! In: a correct program. Out: programs with one fault each, and where a message about it should stand.
+
+use crate::text::{Word, Words};
+
+/// Where the first message should stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// It touches these bytes of the changed text.
+    At(usize, usize),
+    /// The word behind this byte is missing: at the block it stood in, or at the first block that needs it.
+    Needed(usize, Need),
+}
+
+/// What the missing word was for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Need {
+    /// Any cut.
+    Cut,
+    /// The end of the text.
+    End,
+    /// The block of this G96 or P, Q.
+    Word(usize, usize),
+}
+
+/// A program with a fault.
+pub struct Mutant {
+    pub text: String,
+    pub place: Place,
+}
+
+impl Mutant {
+    fn at((text, start, end): (String, usize, usize)) -> Self {
+        Self { text, place: Place::At(start, end) }
+    }
+}
+
+type Make = fn(&Words) -> Vec<Mutant>;
+
+/// A kind of fault.
+pub struct Class {
+    pub name: &'static str,
+    pub make: Make,
+    /// A control stops there though the picture stays the same: a mutant counts even so.
+    pub unseen: bool,
+}
+
+const fn class(name: &'static str, make: Make) -> Class {
+    Class { name, make, unseen: false }
+}
+
+const fn unseen(name: &'static str, make: Make) -> Class {
+    Class { name, make, unseen: true }
+}
+
+/// All classes.
+pub const CLASSES: &[Class] = &[
+    class("dropped decimal point", dropped_point),
+    class("letter O for 0", letter_o),
+    class("letter l for 1", letter_l),
+    class("doubled point", doubled_point),
+    class("comma for point", comma_for_point),
+    unseen("dash for minus", printed_minus),
+    class("lost minus", lost_minus),
+    class("address without number", no_number),
+    class("number without address", no_address),
+    class("unknown G", unknown_g),
+    class("missing N of P/Q", missing_n),
+    class("P and Q exchanged", exchanged),
+    class("depth zero", depth_zero),
+    class("depth negative", depth_negative),
+    class("wrong R sign", wrong_r_sign),
+    class("R not extended", r_not_extended),
+    class("U for X", u_for_x),
+    class("X for U", x_for_u),
+    class("same word twice", twice),
+    class("X with U", x_with_u),
+    class("missing F", missing_f),
+    class("missing S", missing_s),
+    class("missing M03", missing_m03),
+    class("missing feed mode", missing_feed_mode),
+    class("G99 for G98", other_feed_mode),
+    class("G96 in threading", surface_speed_in_thread),
+    class("missing clamp", missing_clamp),
+    class("arc radius too small", small_radius),
+    class("arc without radius", no_radius),
+    unseen("unclosed comment", unclosed_comment),
+    unseen("full-width character", full_width),
+    class("P/Q with a point", point_in_pq),
+    class("wrong thread angle", thread_angle),
+    class("allowance sign", allowance_sign),
+    unseen("missing M30", missing_end),
+    class("G00, G50 or T in G12.1", forbidden_in_polar),
+    class("start inside the stock", start_inside),
+    class("spindle too fast for the lead", fast_thread),
+    class("missing subprogram", missing_program),
+];
+
+/// One mutant for each word for which there is another spelling.
+fn each(words: &Words, change: impl Fn(&Words, &Word) -> Option<String>) -> Vec<Mutant> {
+    let changed = words.words.iter().filter_map(|word| {
+        let with = change(words, word)?;
+        Some(Mutant::at(words.rewritten(word, &with)))
+    });
+    changed.collect()
+}
+
+fn replace_first(words: &Words, word: &Word, from: char, to: &str) -> Option<String> {
+    let written = words.written(word);
+    let at = written.char_indices().skip(1).find(|found| found.1 == from)?.0;
+    Some(format!("{}{to}{}", &written[..at], &written[at + 1..]))
+}
+
+fn dropped_point(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let axis = "XZUWRFIKCA".contains(word.address);
+        axis.then(|| replace_first(words, word, '.', ""))?
+    })
+}
+
+fn letter_o(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| replace_first(words, word, '0', "O"))
+}
+
+fn letter_l(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| replace_first(words, word, '1', "l"))
+}
+
+fn doubled_point(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| replace_first(words, word, '.', ".."))
+}
+
+fn comma_for_point(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let written = words.written(word);
+        (!written.ends_with('.')).then(|| replace_first(words, word, '.', ","))?
+    })
+}
+
+fn printed_minus(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| replace_first(words, word, '-', "–"))
+}
+
+fn lost_minus(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| replace_first(words, word, '-', ""))
+}
+
+fn no_number(words: &Words) -> Vec<Mutant> {
+    each(words, |_, word| (word.address != 'N').then(|| word.address.to_string()))
+}
+
+fn no_address(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| (word.address != 'N').then(|| words.written(word)[1..].to_owned()))
+}
+
+fn unknown_g(words: &Words) -> Vec<Mutant> {
+    each(words, |_, word| (word.address == 'G').then(|| format!("G{}37", word.value.trunc())))
+        .into_iter()
+        .collect()
+}
+
+const CONTOUR_CYCLES: [f64; 4] = [70.0, 71.0, 72.0, 73.0];
+
+fn names_contour(words: &Words, word: &Word) -> bool {
+    matches!(word.address, 'P' | 'Q') && CONTOUR_CYCLES.iter().any(|&code| words.has_g(word.block, code))
+}
+
+/// The N word that P or Q names is taken out: the message stands at the P or Q of the first cycle that names it.
+fn missing_n(words: &Words) -> Vec<Mutant> {
+    let mut made = Vec::new();
+    for n in words.words.iter().filter(|word| word.address == 'N') {
+        let Some(named) =
+            words.words.iter().find(|word| names_contour(words, word) && word.value == n.value)
+        else {
+            continue;
+        };
+        let (text, ..) = words.rewritten(n, "");
+        let shift = if n.start < named.start { n.end - n.start } else { 0 };
+        made.push(Mutant {
+            text,
+            place: Place::Needed(n.start, Need::Word(named.start - shift, named.end - shift)),
+        });
+    }
+    made
+}
+
+/// P and Q of a block change places: their letters, so that the blank between words stays.
+fn exchanged(words: &Words) -> Vec<Mutant> {
+    let mut made = Vec::new();
+    for block in 0..words.blocks.len() {
+        if !(70..=76).any(|code| words.has_g(block, f64::from(code))) {
+            continue;
+        }
+        let (Some(p), Some(q)) = (words.find(block, 'P'), words.find(block, 'Q')) else { continue };
+        let (first, last) = if p.start < q.start { (p, q) } else { (q, p) };
+        let swap = |word: &Word| {
+            let letter = if word.address == 'P' { 'Q' } else { 'P' };
+            format!("{letter}{}", &words.written(word)[1..])
+        };
+        let between = &words.text[first.end..last.start];
+        let with = format!("{}{between}{}", swap(first), swap(last));
+        made.push(Mutant::at(words.replaced(first.start, last.end, &with)));
+    }
+    made
+}
+
+/// The depth of a cut: U of G71, W of G72, P and Q of G74 to G76, passes of G73.
+fn is_depth(words: &Words, word: &Word) -> bool {
+    let has = |code| words.has_g(word.block, code);
+    let names = words.find(word.block, 'P').is_some();
+    match word.address {
+        'U' => has(71.0) && !names,
+        'W' => has(72.0) && !names,
+        'R' => has(73.0) && !names,
+        'D' => has(71.0) || has(72.0) || has(73.0),
+        'P' => has(75.0) || (has(76.0) && words.find(word.block, 'X').is_some()),
+        'Q' => has(74.0) || (has(76.0) && words.find(word.block, 'X').is_some()),
+        _ => false,
+    }
+}
+
+fn depth_zero(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| is_depth(words, word).then(|| format!("{}0", word.address)))
+}
+
+fn depth_negative(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        is_depth(words, word).then(|| format!("{}-{}", word.address, &words.written(word)[1..]))
+    })
+}
+
+/// The single cycle in force at a block.
+fn single_cycle(words: &Words, block: usize) -> Option<u32> {
+    let group_01 = [0.0, 1.0, 2.0, 3.0, 32.0, 34.0, 90.0, 92.0, 94.0];
+    let last = words.words.iter().filter(|word| {
+        word.block <= block && word.address == 'G' && group_01.contains(&word.value)
+    });
+    let code = last.last()?.value as u32;
+    let has_setting = [50.0, 28.0, 4.0, 30.0].iter().any(|&code| words.has_g(block, code));
+    ((90..=94).contains(&code) && !has_setting).then_some(code)
+}
+
+/// R of a taper or an arc with the other sign.
+fn wrong_r_sign(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
+        let thread = words.has_g(word.block, 76.0) && words.find(word.block, 'X').is_some();
+        let fits = single_cycle(words, word.block).is_some() || arc || thread;
+        (word.address == 'R' && word.value != 0.0 && fits).then(|| {
+            let number = &words.written(word)[1..];
+            match number.strip_prefix('-') {
+                Some(rest) => format!("R{rest}"),
+                None => format!("R-{number}"),
+            }
+        })
+    })
+}
+
+/// R as the drawing has it, though the cut begins outside the blank: only where it was extended.
+fn r_not_extended(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let cycle = single_cycle(words, word.block)?;
+        // Where the tool stood before: the last X and Z outside the cycle.
+        let place = |address: char| {
+            let before = words.words.iter().filter(|other| {
+                other.address == address
+                    && other.block < word.block
+                    && single_cycle(words, other.block).is_none()
+            });
+            before.last().map(|other| other.value)
+        };
+        if word.address != 'R' || word.value == 0.0 {
+            return None;
+        }
+        let share = match cycle {
+            // From the blank's surface instead of the start point, where a round number comes of it.
+            94 => {
+                let (start, end) = (place('X')?, words.find(word.block, 'X')?.value);
+                (2..=40).map(|step| start - f64::from(step) / 2.0).find_map(|surface| {
+                    let share = (surface - end) / (start - end);
+                    (share > 0.2 && is_round(word.value * share) && !is_round(word.value)).then_some(share)
+                        .or_else(|| (share > 0.2 && surface == 50.0).then_some(share))
+                })?
+            }
+            90 => {
+                let (start, end) = (place('Z')?, words.find(word.block, 'Z')?.value);
+                let share = -end / (start - end);
+                (share > 0.2 && share < 1.0).then_some(share)?
+            }
+            _ => return None,
+        };
+        let drawn = (1000.0 * word.value * share).round() / 1000.0;
+        is_round(drawn).then(|| format!("R{drawn}"))
+    })
+}
+
+fn is_round(length: f64) -> bool {
+    (2.0 * length - (2.0 * length).round()).abs() < 1e-6
+}
+
+fn plain_axis(words: &Words, word: &Word) -> bool {
+    let other_use = [50.0, 4.0, 28.0, 30.0, 10.0, 52.0].iter().any(|&code| words.has_g(word.block, code));
+    !other_use
+}
+
+fn u_for_x(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        (word.address == 'X' && plain_axis(words, word)).then(|| format!("U{}", &words.written(word)[1..]))
+    })
+}
+
+fn x_for_u(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        (word.address == 'U' && plain_axis(words, word)).then(|| format!("X{}", &words.written(word)[1..]))
+    })
+}
+
+/// The same address once more, with a value a little larger.
+fn twice(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let written = words.written(word);
+        let other = word.value + 1.0;
+        ("XZUWRFSPQIK".contains(word.address)).then(|| format!("{written} {}{other}", word.address))
+    })
+}
+
+fn x_with_u(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let other = match word.address {
+            'X' if words.find(word.block, 'U').is_none() => 'U',
+            'Z' if words.find(word.block, 'W').is_none() => 'W',
+            _ => return None,
+        };
+        plain_axis(words, word).then(|| format!("{} {other}2", words.written(word)))
+    })
+}
+
+fn missing(words: &Words, need: Need, fits: impl Fn(&Word) -> bool) -> Vec<Mutant> {
+    let gone = words.words.iter().filter(|word| fits(word));
+    gone.map(|word| {
+        let (text, start, _) = words.rewritten(word, "");
+        Mutant { text, place: Place::Needed(start, need) }
+    })
+    .collect()
+}
+
+fn missing_f(words: &Words) -> Vec<Mutant> {
+    missing(words, Need::Cut, |word| word.address == 'F')
+}
+
+fn missing_s(words: &Words) -> Vec<Mutant> {
+    missing(words, Need::Cut, |word| word.address == 'S' && !words.has_g(word.block, 50.0))
+}
+
+fn missing_m03(words: &Words) -> Vec<Mutant> {
+    missing(words, Need::Cut, |word| word.address == 'M' && matches!(word.value, 3.0 | 4.0))
+}
+
+fn missing_feed_mode(words: &Words) -> Vec<Mutant> {
+    missing(words, Need::Cut, |word| word.address == 'G' && matches!(word.value, 98.0 | 99.0))
+}
+
+fn other_feed_mode(words: &Words) -> Vec<Mutant> {
+    let mut made = each(words, |_, word| match (word.address, word.value) {
+        ('G', 98.0) => Some("G99".to_owned()),
+        ('G', 99.0) => Some("G98".to_owned()),
+        _ => None,
+    });
+    // The message stands at the code, or at the first feed or cut it changes.
+    for mutant in &mut made {
+        if let Place::At(start, _) = mutant.place {
+            mutant.place = Place::Needed(start, Need::Cut);
+        }
+    }
+    made
+}
+
+fn surface_speed_in_thread(words: &Words) -> Vec<Mutant> {
+    let mut made = each(words, |words, word| {
+        let is_thread = |other: &&Word| {
+            other.start > word.start
+                && other.address == 'G'
+                && matches!(other.value, 1.0 | 2.0 | 3.0 | 90.0 | 94.0 | 32.0 | 34.0 | 92.0 | 76.0)
+        };
+        let next = words.words.iter().find(is_thread)?.value;
+        (word.address == 'G' && word.value == 97.0 && matches!(next, 32.0 | 34.0 | 76.0 | 92.0))
+            .then(|| "G96".to_owned())
+    });
+    for mutant in &mut made {
+        if let Place::At(start, _) = mutant.place {
+            mutant.place = Place::Needed(start, Need::Cut);
+        }
+    }
+    made
+}
+
+fn missing_clamp(words: &Words) -> Vec<Mutant> {
+    let mut made = Vec::new();
+    for word in words.words.iter().filter(|word| word.address == 'S' && words.has_g(word.block, 50.0)) {
+        let css = words.words.iter().find(|other| {
+            other.address == 'G' && other.value == 96.0 && other.start > word.start
+        });
+        let Some(css) = css else { continue };
+        let g50 = words.of_block(word.block).find(|other| other.address == 'G' && other.value == 50.0);
+        let start = g50.map_or(word.start, |g50| g50.start.min(word.start));
+        let (text, at, _) = words.replaced(start, word.end, "");
+        let shift = word.end - start;
+        made.push(Mutant {
+            text,
+            place: Place::Needed(at, Need::Word(css.start - shift, css.end - shift)),
+        });
+    }
+    made
+}
+
+fn small_radius(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let arc = words.has_g(word.block, 2.0) || words.has_g(word.block, 3.0);
+        (arc && word.address == 'R').then(|| format!("R{}", (word.value * 50.0).round() / 1000.0))
+    })
+}
+
+fn no_radius(words: &Words) -> Vec<Mutant> {
+    let mut made = Vec::new();
+    for block in 0..words.blocks.len() {
+        if !(words.has_g(block, 2.0) || words.has_g(block, 3.0)) {
+            continue;
+        }
+        let centre: Vec<&Word> = words.of_block(block).filter(|word| "RIK".contains(word.address)).collect();
+        let (Some(first), Some(last)) = (centre.first(), centre.last()) else { continue };
+        let (text, start, _) = words.replaced(first.start, last.end, "");
+        let (_, end) = words.blocks[block];
+        let place = Place::At(words.blocks[block].0, end - (last.end - first.start));
+        debug_assert!(start <= end);
+        made.push(Mutant { text, place });
+    }
+    made
+}
+
+fn unclosed_comment(words: &Words) -> Vec<Mutant> {
+    let mut made = Vec::new();
+    for (at, _) in words.text.match_indices(')') {
+        let (line, _) = words.line_at(at);
+        let Some(open) = words.text[line..at].rfind('(') else { continue };
+        let (text, ..) = words.replaced(at, at + 1, "");
+        made.push(Mutant { text, place: Place::At(line + open, at) });
+    }
+    made
+}
+
+/// The first digit, point or minus behind the letter as its full-width twin.
+fn full_width(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let written = words.written(word);
+        let (at, old) = written.char_indices().nth(1)?;
+        let twin = char::from_u32(old as u32 + 0xFEE0)?;
+        (word.address != 'N').then(|| format!("{}{twin}{}", &written[..at], &written[at + 1..]))
+    })
+}
+
+fn point_in_pq(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let written = words.written(word);
+        (matches!(word.address, 'P' | 'Q') && !written.contains('.')).then(|| format!("{written}."))
+    })
+}
+
+fn thread_angle(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let first = words.has_g(word.block, 76.0) && words.find(word.block, 'X').is_none();
+        let written = words.written(word);
+        (first && word.address == 'P' && written.len() == 7).then(|| format!("{}50", &written[..5]))
+    })
+}
+
+fn allowance_sign(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let allowance = matches!(word.address, 'U' | 'W')
+            && words.find(word.block, 'P').is_some()
+            && CONTOUR_CYCLES[1..].iter().any(|&code| words.has_g(word.block, code));
+        (allowance && word.value != 0.0).then(|| {
+            let number = &words.written(word)[1..];
+            match number.strip_prefix('-') {
+                Some(rest) => format!("{}{rest}", word.address),
+                None => format!("{}-{number}", word.address),
+            }
+        })
+    })
+}
+
+fn missing_end(words: &Words) -> Vec<Mutant> {
+    missing(words, Need::End, |word| word.address == 'M' && matches!(word.value, 2.0 | 30.0))
+}
+
+fn forbidden_in_polar(words: &Words) -> Vec<Mutant> {
+    let mut inside = false;
+    let mut made = Vec::new();
+    for block in 0..words.blocks.len() {
+        if words.has_g(block, 12.1) || words.has_g(block, 112.0) {
+            inside = true;
+            continue;
+        }
+        if words.has_g(block, 13.1) || words.has_g(block, 113.0) {
+            inside = false;
+        }
+        if !inside {
+            continue;
+        }
+        let (start, _) = words.blocks[block];
+        for insert in ["G50 S1000", "T0202"] {
+            let (text, from, to) = words.replaced(start, start, &format!("{insert}\n"));
+            made.push(Mutant { text, place: Place::At(from, to - 1) });
+        }
+        for word in words.of_block(block).filter(|word| word.address == 'G' && word.value == 1.0) {
+            made.push(Mutant::at(words.rewritten(word, "G00")));
+        }
+    }
+    made
+}
+
+/// The last X of a rapid before a cycle, half as large: far inside the blank.
+fn start_inside(words: &Words) -> Vec<Mutant> {
+    let cycles = [71.0, 72.0, 73.0, 75.0, 90.0, 92.0, 94.0, 76.0];
+    let mut made = Vec::new();
+    for block in 1..words.blocks.len() {
+        if !cycles.iter().any(|&code| words.has_g(block, code)) {
+            continue;
+        }
+        let before = words.words.iter().filter(|word| word.address == 'X' && word.block < block);
+        let Some(x) = before.last() else { continue };
+        let end = words.words.iter().find(|word| word.address == 'X' && word.block >= block);
+        if end.is_some_and(|end| end.value >= x.value) || !words.has_g(x.block, 0.0) {
+            continue;
+        }
+        let half = (x.value / 2.0 * 10.0).round() / 10.0;
+        let (text, start, stop) = words.rewritten(x, &format!("X{half}"));
+        // The rapid that goes in, or the cycle that starts there.
+        let shift = |at: usize| at + stop - start - (x.end - x.start);
+        let (from, to) = words.blocks[block];
+        if made.last().is_none_or(|made: &Mutant| made.text != text) {
+            let place = Place::Needed(start, Need::Word(shift(from), shift(to)));
+            made.push(Mutant { text, place });
+        }
+    }
+    made
+}
+
+fn fast_thread(words: &Words) -> Vec<Mutant> {
+    let mut made = each(words, |words, word| {
+        let is_cut = |other: &&Word| {
+            other.start > word.start
+                && (other.address == 'S'
+                    || other.address == 'G'
+                        && matches!(other.value, 1.0 | 2.0 | 3.0 | 90.0 | 94.0 | 32.0 | 34.0 | 92.0 | 76.0))
+        };
+        let next = words.words.iter().find(is_cut)?;
+        let thread = next.address == 'G' && matches!(next.value, 32.0 | 34.0 | 76.0 | 92.0);
+        (word.address == 'S' && thread && !words.has_g(word.block, 50.0)).then(|| "S3000".to_owned())
+    });
+    for mutant in &mut made {
+        if let Place::At(start, _) = mutant.place {
+            mutant.place = Place::Needed(start, Need::Cut);
+        }
+    }
+    made
+}
+
+fn missing_program(words: &Words) -> Vec<Mutant> {
+    each(words, |words, word| {
+        let call = words.of_block(word.block).any(|other| {
+            (other.address == 'M' && other.value == 98.0) || (other.address == 'G' && other.value == 65.0)
+        });
+        (call && word.address == 'P').then(|| "P7777".to_owned())
+    })
+}
