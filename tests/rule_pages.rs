@@ -20,7 +20,7 @@ use gcode_playground::diagnostics::{Diagnostic, Severity, register};
 use gcode_playground::text::source::LineIndex;
 
 use outcome::Outcome;
-use page::{Mark, Page};
+use page::{INDENT, Mark, Page};
 
 /// All pages that can be read.
 fn pages() -> Vec<Page> {
@@ -128,11 +128,12 @@ fn told(text: &str, found: &Diagnostic) -> String {
 fn shown(program: &str, marks: &[Mark]) -> String {
     let mut out = String::new();
     for (number, line) in program.lines().enumerate() {
-        out += &format!("\n    {line}");
-        for Mark { column, length, .. } in marks.iter().filter(|mark| mark.line == number) {
-            let blanks = " ".repeat(column.saturating_sub(2));
-            let short = if *column < 2 { "  (indent the line by three)" } else { "" };
-            out += &format!("\n    //{blanks}{}{short}", "^".repeat(*length));
+        let marks = || marks.iter().filter(|mark| mark.line == number);
+        let indent = if marks().any(|mark| mark.column < 2) { INDENT } else { "" };
+        out += &format!("\n    {indent}{line}");
+        for Mark { column, length, .. } in marks() {
+            let blanks = " ".repeat(indent.len() + column - 2);
+            out += &format!("\n    //{blanks}{}", "^".repeat(*length));
         }
     }
     out

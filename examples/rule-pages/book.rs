@@ -239,7 +239,7 @@ fn address(program: &str, setup: &str, language: Language) -> String {
         })
     };
     let setup = if setup == "{}" { String::new() } else { format!("&amp;setup={}", encoded(setup)) };
-    let program = encoded(&format!("{program}\n"));
+    let program = encoded(program);
     format!("program={program}{setup}&amp;language={}", language.tag())
 }
 

@@ -27,6 +27,8 @@ pub struct Page {
     pub wrong: String,
     /// The places it speaks of, in order.
     pub marks: Vec<Mark>,
+    /// Whether the line before was indented.
+    is_indented: bool,
     /// The same, repaired.
     pub right: String,
     /// What is said of the rule, in the order of `Language::ALL`.
@@ -65,6 +67,9 @@ pub struct Text {
     /// What to do.
     pub repair: String,
 }
+
+/// Blanks in front of a line of a program, so that carets below it have room behind `//`. They are no part of it.
+pub const INDENT: &str = "   ";
 
 /// Most characters of a title.
 const MOST_TITLE: usize = 60;
@@ -115,6 +120,7 @@ impl Page {
             also: Vec::new(),
             wrong: String::new(),
             marks: Vec::new(),
+            is_indented: false,
             right: String::new(),
             texts: Default::default(),
         };
@@ -127,7 +133,7 @@ impl Page {
                 Part::Wrong | Part::Right if line.trim_end() == "```" => part = Part::Head,
                 Part::Wrong => page.program_line(line, &mut slip),
                 Part::Right if marks_of(line).is_some() => slip("nothing is marked in what is right"),
-                Part::Right => page.right.extend([line, "\n"]),
+                Part::Right => page.right.extend([unindented(line), "\n"]),
                 Part::Head if line == "```wrong" => part = Part::Wrong,
                 Part::Head if line == "```right" => part = Part::Right,
                 Part::Head | Part::Text(_) if line.starts_with("## ") => match heading(line) {
@@ -189,10 +195,19 @@ impl Page {
 
     fn program_line(&mut self, line: &str, slip: &mut impl FnMut(&str)) {
         match (marks_of(line), self.wrong.lines().count().checked_sub(1)) {
-            (None, _) => self.wrong.extend([line, "\n"]),
+            (None, _) => {
+                self.wrong.extend([unindented(line), "\n"]);
+                self.is_indented = line.starts_with(INDENT);
+            }
             (Some(_), None) => slip("no line to mark"),
             (Some(columns), Some(line)) => {
-                self.marks.extend(columns.into_iter().map(|(column, length)| Mark { line, column, length }));
+                let indent = if self.is_indented { INDENT.len() } else { 0 };
+                for (column, length) in columns {
+                    match column.checked_sub(indent) {
+                        Some(column) => self.marks.push(Mark { line, column, length }),
+                        None => slip("the blanks in front are no part of the program"),
+                    }
+                }
             }
         }
     }
@@ -232,6 +247,11 @@ impl Page {
             }
         }
     }
+}
+
+/// A line of a program without the blanks that make room for carets.
+fn unindented(line: &str) -> &str {
+    line.strip_prefix(INDENT).unwrap_or(line)
 }
 
 /// The first columns and lengths of the carets of a line that is nothing but `//` and carets.

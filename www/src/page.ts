@@ -87,7 +87,7 @@ function loadLinked({ text, setup }: LinkedProgram): void {
   playground.control = controlSelect.value = controlOf(setup ?? '{}');
   playground.value = text;
   known = playground.value;
-  exampleSelect.value = '';
+  showExamples();
   showAbove({ kind: 'example' });
 }
 
@@ -107,7 +107,7 @@ function load(chosen: Example | undefined): void {
 
 function restore(kept: KeptProgram): void {
   load(kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]));
-  exampleSelect.value = example?.id ?? '';
+  showExamples();
   // A file that was kept before setups were is no example.
   if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
   else if (kept.file !== undefined) playground.setup = null;
@@ -257,7 +257,9 @@ function showLanguage(): void {
 }
 
 function showExamples(): void {
+  const own = make('option', { value: '', hidden: true }, strings(language).page.ownProgram);
   exampleSelect.replaceChildren(
+    ...(example === undefined ? [own] : []),
     ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),
   );
   exampleSelect.value = example?.id ?? '';
