@@ -28,27 +28,19 @@ struct Shown<'a> {
     pictures: [Option<String>; 2],
 }
 
-/// All files by name, or what is wrong with a page.
+/// All files by name, or what is wrong with the pages.
 pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::from([("rules.css".to_owned(), STYLES.concat())]);
     let rules = register();
-    let mut shown = Vec::new();
+    let (mut shown, mut slips) = (Vec::new(), Vec::new());
     for page in pages {
-        let slug = &page.slug;
-        let rule = rules.iter().find(|rule| rule.slug == slug).cloned();
-        let rule = rule.ok_or_else(|| format!("{slug}: there is no such rule"))?;
-        let setup = Setup::from_json(&page.setup).map_err(|error| format!("{slug}: setup: {error}"))?;
-        let wrong = Outcome::of(&page.wrong, &setup, page.stop);
-        let right = Outcome::of(&page.right, &setup, None);
-        let told = wrong.told(slug).next().cloned();
-        let told = told.ok_or_else(|| format!("{slug}: `wrong` does not make it speak"))?;
-        let pictures = [("wrong", wrong), ("right", right)].map(|(name, outcome)| {
-            let picture = outcome.picture()?;
-            let name = format!("pictures/{slug}-{name}.svg");
-            files.insert(name.clone(), picture);
-            Some(name)
-        });
-        shown.push(Shown { page, rule, severity: told.severity, told, pictures });
+        match Shown::of(page, &rules, &mut files) {
+            Ok(one) => shown.push(one),
+            Err(slip) => slips.push(format!("{}: {slip}", page.slug)),
+        }
+    }
+    if !slips.is_empty() {
+        return Err(slips.join("\n"));
     }
     for language in Language::ALL {
         let tag = language.tag();
@@ -60,7 +52,24 @@ pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
     Ok(files)
 }
 
-impl Shown<'_> {
+impl<'a> Shown<'a> {
+    /// Runs the programs of a page, and draws them.
+    fn of(page: &'a Page, rules: &[Rule], files: &mut BTreeMap<String, String>) -> Result<Self, String> {
+        let slug = &page.slug;
+        let rule = rules.iter().find(|rule| rule.slug == slug).cloned().ok_or("there is no such rule")?;
+        let setup = Setup::from_json(&page.setup).map_err(|error| format!("setup: {error}"))?;
+        let wrong = Outcome::of(&page.wrong, &setup, page.stop);
+        let right = Outcome::of(&page.right, &setup, None);
+        let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not make it speak")?;
+        let pictures = [("wrong", wrong), ("right", right)].map(|(name, outcome)| {
+            let picture = outcome.picture()?;
+            let name = format!("pictures/{slug}-{name}.svg");
+            files.insert(name.clone(), picture);
+            Some(name)
+        });
+        Ok(Self { page, rule, severity: told.severity, told, pictures })
+    }
+
     fn html(&self, language: Language) -> String {
         let words = words(language);
         let Page { slug, setup, .. } = self.page;

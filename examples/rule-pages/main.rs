@@ -7,7 +7,7 @@ mod outcome;
 mod page;
 mod words;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs, io};
 
@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn write(folder: &PathBuf) -> Result<usize, String> {
+fn write(folder: &Path) -> Result<usize, String> {
     let (mut pages, mut slips) = (Vec::new(), Vec::new());
     for (name, page) in page::all() {
         match page {

@@ -17,6 +17,9 @@ use crate::page::Stop;
 /// CSS pixels of a picture: one of two side by side, or as wide as a phone.
 const WIDTH: f64 = 520.0;
 
+/// Seconds after which the run of an example is stopped, as the message has them.
+const STOPPED_AFTER: f64 = 10.0;
+
 /// A program that was run.
 pub struct Outcome {
     /// What it gave.
@@ -29,7 +32,7 @@ impl Outcome {
         let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
         if stop == Some(Stop::Run) {
             run.advance(2);
-            run.stop(0.0);
+            run.stop(STOPPED_AFTER);
         }
         while !run.advance(usize::MAX) {}
         let mut analysis = run.into_analysis();

@@ -99,6 +99,9 @@ pub fn all() -> Vec<(String, Result<Page, Vec<String>>)> {
         .collect()
 }
 
+/// A paragraph of a text.
+type Field = fn(&mut Text) -> &mut String;
+
 /// Where the reading of a page is.
 #[derive(Clone, Copy)]
 enum Part {
@@ -126,7 +129,7 @@ impl Page {
         };
         let (mut part, mut slips) = (Part::Head, Vec::new());
         // The paragraph under way; a line without a keyword goes on with it.
-        let mut field = None::<fn(&mut Text) -> &mut String>;
+        let mut field = None::<Field>;
         for (number, line) in text.lines().enumerate() {
             let mut slip = |what: &str| slips.push(format!("line {}: {what}: {line}", number + 1));
             match part {
@@ -146,7 +149,7 @@ impl Page {
                 Part::Head if !line.trim().is_empty() => page.head_line(line, &mut slip),
                 Part::Text(_) if line.trim().is_empty() => field = None,
                 Part::Text(index) => {
-                    let keywords: [(_, fn(&mut Text) -> &mut String); 3] = [
+                    let keywords: [(_, Field); 3] = [
                         ("What:", |text| &mut text.what),
                         ("Why:", |text| &mut text.why),
                         ("Repair:", |text| &mut text.repair),

@@ -202,7 +202,6 @@ pub(crate) fn samples() -> Vec<Message> {
         FaultKind::ReadOnly,
         FaultKind::BracketsTooDeep,
         FaultKind::FunctionArgument,
-        FaultKind::CallsTooDeep,
         FaultKind::EndMissing,
         FaultKind::Format,
         FaultKind::LoopNumber,
