@@ -145,7 +145,7 @@ impl<'a> Shown<'a> {
         match picture {
             Some(name) => {
                 let alt = escaped(&format!("{heading}: {}", title.replace('`', "")));
-                put(out, format_args!("<img src=\"../{name}\" alt=\"{alt}\" loading=\"lazy\">"));
+                put(out, format_args!("<img src=\"../{name}\" alt=\"{alt}\">"));
             }
             None => put(out, format_args!("<p class=\"nothing\">{}</p>", words.nothing_drawn)),
         }

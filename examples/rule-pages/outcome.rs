@@ -20,6 +20,9 @@ const WIDTH: f64 = 520.0;
 /// Seconds after which the run of an example is stopped, as the message has them.
 const STOPPED_AFTER: f64 = 10.0;
 
+/// Blocks it has carried out by then.
+const STOPPED_AFTER_BLOCKS: usize = 20;
+
 /// A program that was run.
 pub struct Outcome {
     /// What it gave.
@@ -31,7 +34,7 @@ impl Outcome {
     pub fn of(text: &str, setup: &Setup, stop: Option<Stop>) -> Self {
         let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
         if stop == Some(Stop::Run) {
-            run.advance(2);
+            run.advance(STOPPED_AFTER_BLOCKS);
             run.stop(STOPPED_AFTER);
         }
         while !run.advance(usize::MAX) {}

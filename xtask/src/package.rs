@@ -133,7 +133,7 @@ pub fn size() -> Result<Duration> {
 /// Builds the page into www/dist, and the pages of the rules beside it.
 pub fn page(setup: &Setup) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
-    let mut rules = setup.command("cargo");
+    let mut rules = run::command("cargo");
     rules.args(["run", "--quiet", "--example", "rule-pages", "--"]).arg(run::www().join("dist/rules"));
     Ok(page + run::step("writing the pages of the rules", &mut rules)?)
 }
