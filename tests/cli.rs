@@ -106,6 +106,26 @@ fn check_shows_carets_in_three_languages() {
 }
 
 #[test]
+fn rules_are_listed_as_text_and_json() {
+    let rows = rows(&run(&["rules", "--format", "json"], b""));
+    let row = rows.iter().find(|row| row["slug"] == "dogleg-rapid-through-stock").expect("a rule");
+    assert_eq!(
+        row,
+        &json!({"slug": "dogleg-rapid-through-stock", "codes": ["W-START-IN-STOCK"], "severity": "warning",
+                "kind": "machine", "alarms": []})
+    );
+    let turned = rows.iter().find(|row| row["slug"] == "contour-turns-back").expect("a rule of two alarms");
+    assert_eq!(turned["alarms"], json!(["PS0329", "PS0064"]));
+    for (language, words) in
+        [("en", "depends on the machine"), ("zh", "取决于机床"), ("ru", "зависит от станка")]
+    {
+        let output = run(&["rules", "--language", language], b"");
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.lines().count() == rows.len() && text.contains(words), "{text}");
+    }
+}
+
+#[test]
 fn motions_have_the_documented_keys() {
     let output = run(
         &["motions", "--control", "gsk", "-"],

@@ -5,6 +5,7 @@
 mod compare;
 mod encoding;
 mod export;
+mod rules;
 mod summary;
 mod terminal;
 
@@ -79,6 +80,15 @@ enum Command {
         control: Option<ControlName>,
         /// Language of the descriptions.
         #[arg(long, value_enum, default_value = "en")]
+        lang: LanguageName,
+        /// A table, or one JSON object a line.
+        #[arg(long, value_enum, default_value = "text")]
+        format: Format,
+    },
+    /// List the rules: slug, severity, code, alarm, whose matter it is.
+    Rules {
+        /// Language of the words.
+        #[arg(long, visible_alias = "language", value_enum, default_value = "en")]
         lang: LanguageName,
         /// A table, or one JSON object a line.
         #[arg(long, value_enum, default_value = "text")]
@@ -267,6 +277,10 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Codes { control, lang, format } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
             print(|out| codes(out, list, language(lang), format))?;
+            Ok(ExitCode::SUCCESS)
+        }
+        Command::Rules { lang, format } => {
+            print(|out| rules::write(out, language(lang), format))?;
             Ok(ExitCode::SUCCESS)
         }
         Command::Part { file, with } => {

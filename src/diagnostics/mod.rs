@@ -3,7 +3,9 @@
 mod diagnostic;
 mod message;
 pub mod messages;
+mod register;
 pub mod rules;
 
 pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
 pub use message::{Kind, Message, Severity};
+pub use register::{Rule, register};

@@ -8,6 +8,7 @@ import type { EditorView } from '@codemirror/view';
 import { make, prose } from './dom';
 import type { Strings } from './i18n';
 import type { Diagnostic, Fix } from './protocol';
+import { ruleLink } from './rule-link';
 
 /** More squiggles than this tell nothing and cost time on every key. */
 const SHOWN = 1000;
@@ -49,6 +50,7 @@ function explain(diagnostic: Diagnostic, strings: Strings): HTMLElement {
   if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
   const explanation = make('div', { className: 'explanation' }, make('p', { className: 'message' }, ...prose(diagnostic.message)));
   if (diagnostic.help !== undefined) explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
-  explanation.append(make('p', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')));
+  const known = facts.filter((fact) => fact !== '').join(' · ');
+  explanation.append(make('p', { className: 'facts' }, `${known} · `, ruleLink(diagnostic, strings.rules)));
   return explanation;
 }

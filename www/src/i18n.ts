@@ -8,6 +8,7 @@ import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
 import { viewStrings, type ViewStrings } from './i18n-views';
 import { playbackStrings, type PlaybackStrings } from './i18n-playback';
+import { ruleStrings, type RuleStrings } from './i18n-rules';
 import { counter } from './plural';
 
 export const LANGUAGES = ['en', 'zh', 'ru'] as const;
@@ -117,6 +118,7 @@ export interface Strings {
   readonly shortcuts: readonly (readonly [keys: string, what: string])[];
   readonly close: string;
   readonly setup: SetupTexts;
+  readonly rules: RuleStrings;
   // the page around the element
   readonly page: {
     readonly title: string;
@@ -247,6 +249,7 @@ const en: Strings = {
   ],
   close: 'Close',
   setup: setupTexts.en,
+  rules: ruleStrings.en,
   page: {
     title: 'G-code playground',
     example: 'Example',
@@ -375,6 +378,7 @@ const zh: Strings = {
   ],
   close: '关闭',
   setup: setupTexts.zh,
+  rules: ruleStrings.zh,
   page: {
     title: 'G 代码演练场',
     example: '示例',
@@ -504,6 +508,7 @@ const ru: Strings = {
   ],
   close: 'Закрыть',
   setup: setupTexts.ru,
+  rules: ruleStrings.ru,
   page: {
     title: 'Песочница G-кода',
     example: 'Пример',

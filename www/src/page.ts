@@ -1,6 +1,6 @@
 // The page around the element: header, gallery, the reader's choices, and what is kept between visits.
 //
-// In: the address (`#example`), the browser's store, the header's controls. Out: attributes and the value of the
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls. Out: attributes and the value of the
 // element; the sentence above the program. Must not know: how the element works inside, or what a setup holds
 // beyond the name of its control.
 
@@ -10,6 +10,7 @@ import { make } from './dom';
 import type { GcodePlayground } from './element';
 import type { ProgramFile } from './editor-file';
 import { exampleOf, examples, type Example } from './gallery';
+import { linkedProgram, type LinkedProgram } from './linked';
 import { LANGUAGES, languageOf, strings, type Language } from './i18n';
 import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
 
@@ -39,7 +40,7 @@ const fileInput = find<HTMLInputElement>('file');
 const settingsToggle = find<HTMLButtonElement>('settings-toggle');
 const settings = find('settings');
 
-let language: Language = languageOf(choices().language ?? navigator.language);
+let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
 let example: Example | undefined;
 let above: Above = { kind: 'example' };
 let keeping: ReturnType<typeof setTimeout> | undefined;
@@ -59,8 +60,15 @@ function start(): void {
   begin();
 }
 
-/** The kept program, the example of the address, or the first one. */
+/** The program of the address, the kept one, the example of the address, or the first one. */
 function begin(): void {
+  const linked = linkedProgram(location.hash);
+  if (linked !== undefined) {
+    const kept = keptProgram();
+    loadLinked(linked);
+    if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
+    return;
+  }
   const asked = exampleOf(location.hash.slice(1));
   const kept = keptProgram();
   if (kept !== undefined && (asked === undefined || asked.id === kept.example)) {
@@ -69,6 +77,18 @@ function begin(): void {
   }
   load(asked ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
   if (kept !== undefined) showAbove({ kind: 'kept', program: kept });
+}
+
+/** A program of the reader's own choice is no example. */
+function loadLinked({ text, setup }: LinkedProgram): void {
+  load(undefined);
+  playground.setup = setup;
+  playground.blockSkip = playground.program = null;
+  playground.control = controlSelect.value = controlOf(setup ?? '{}');
+  playground.value = text;
+  known = playground.value;
+  showExamples();
+  showAbove({ kind: 'example' });
 }
 
 function load(chosen: Example | undefined): void {
@@ -86,7 +106,8 @@ function load(chosen: Example | undefined): void {
 }
 
 function restore(kept: KeptProgram): void {
-  load(exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  load(kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]));
+  showExamples();
   // A file that was kept before setups were is no example.
   if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
   else if (kept.file !== undefined) playground.setup = null;
@@ -106,6 +127,12 @@ function listen(): void {
     if (chosen !== undefined) history.replaceState(null, '', `#${chosen.id}`);
   });
   window.addEventListener('hashchange', () => {
+    const linked = linkedProgram(location.hash);
+    if (linked !== undefined) {
+      keepNow();
+      loadLinked(linked);
+      return;
+    }
     const asked = exampleOf(location.hash.slice(1));
     if (asked === undefined || asked === example) return;
     keepNow();
@@ -170,6 +197,8 @@ function keepNow(): void {
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
   else {
+    // Who comes back finds what was kept, not what the address held.
+    if (linkedProgram(location.hash) !== undefined) history.replaceState(null, '', location.pathname + location.search);
     keepProgram({
       text: playground.opened.text, example: id, control: controlSelect.value, setup: setup ?? '',
       ...(file === undefined ? {} : { file }),
@@ -194,7 +223,7 @@ function showAbove(what: Above): void {
   if (what.kind === 'restored') {
     lines.push(offer(texts.page.restored, texts.page.startAfresh, () => {
       forgetProgram();
-      load(example);
+      load(example ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
     }));
   }
   if (what.kind === 'kept') lines.push(offer(texts.page.kept, texts.page.bringBack, () => restore(what.program)));
@@ -228,7 +257,9 @@ function showLanguage(): void {
 }
 
 function showExamples(): void {
+  const own = make('option', { value: '', hidden: true }, strings(language).page.ownProgram);
   exampleSelect.replaceChildren(
+    ...(example === undefined ? [own] : []),
     ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),
   );
   exampleSelect.value = example?.id ?? '';
@@ -246,8 +277,13 @@ function label(select: HTMLSelectElement, text: string): void {
 }
 
 function controlOf(setup: string): string {
-  const parsed = JSON.parse(setup) as { readonly dialect?: { readonly control?: string } };
-  return parsed.dialect?.control ?? 'fanuc';
+  try {
+    const parsed = Object(JSON.parse(setup)) as { readonly dialect?: { readonly control?: string } };
+    return parsed.dialect?.control ?? 'fanuc';
+  } catch {
+    // The interpreter says what is wrong with the setup of an address.
+    return 'fanuc';
+  }
 }
 
 function find<E extends HTMLElement = HTMLElement>(id: string): E {

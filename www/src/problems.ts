@@ -6,6 +6,7 @@
 import { icon, make, prose } from './dom';
 import type { Strings } from './i18n';
 import type { Diagnostic, Fix } from './protocol';
+import { ruleLink } from './rule-link';
 
 /** A program can have any number of problems; nobody reads more than these. */
 const SHOWN = 200;
@@ -82,7 +83,7 @@ export class Problems {
       ),
     );
     button.addEventListener('click', () => this.#events.chosen(diagnostic));
-    const item = make('li', {}, button);
+    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
     for (const fix of diagnostic.fixes) {
       const repair = make('button', { type: 'button', className: 'fix' }, strings.fix(fix.title));
       repair.addEventListener('click', () => this.#events.fixed(fix));

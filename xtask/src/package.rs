@@ -130,9 +130,12 @@ pub fn size() -> Result<Duration> {
     run::step("weighing the module", &mut node)
 }
 
-/// Builds the page into www/dist.
+/// Builds the page into www/dist, and the pages of the rules beside it.
 pub fn page(setup: &Setup) -> Result<Duration> {
-    run::step("building the page", &mut setup.npm(&["run", "build"]))
+    let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
+    let mut rules = run::command("cargo");
+    rules.args(["run", "--quiet", "--example", "rule-pages", "--"]).arg(run::www().join("dist/rules"));
+    Ok(page + run::step("writing the pages of the rules", &mut rules)?)
 }
 
 /// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed.

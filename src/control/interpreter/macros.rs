@@ -409,7 +409,7 @@ impl Interpreter {
         let flow = self.call(block, CallKind::Macro, head, back, rounds);
         if matches!(flow, Flow::Jump(_)) {
             // Deeper than the control allows was told by the call.
-            let _ = self.state.variables.push_level(arguments);
+            self.state.variables.push_level(arguments);
         }
         flow
     }

@@ -69,8 +69,6 @@ pub enum FaultKind {
     BracketsTooDeep,
     /// A value the function has no result for: PS0119.
     FunctionArgument,
-    /// Too many macro calls inside each other: PS0122.
-    CallsTooDeep,
     /// DO without its END; told by the caller, who sees the blocks: PS0124.
     EndMissing,
     /// A statement that cannot be read: PS0125.
@@ -97,7 +95,6 @@ impl FaultKind {
             Self::ReadOnly => "PS0116",
             Self::BracketsTooDeep => "PS0118",
             Self::FunctionArgument => "PS0119",
-            Self::CallsTooDeep => "PS0122",
             Self::EndMissing => "PS0124",
             Self::Format => "PS0125",
             Self::LoopNumber => "PS0126",
@@ -120,7 +117,6 @@ impl FaultKind {
             Self::ReadOnly => "macro-read-only",
             Self::BracketsTooDeep => "macro-brackets-too-deep",
             Self::FunctionArgument => "macro-function-argument",
-            Self::CallsTooDeep => "macro-calls-too-deep",
             Self::EndMissing => "macro-end-missing",
             Self::Format => "macro-format",
             Self::LoopNumber => "macro-loop-number",

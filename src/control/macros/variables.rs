@@ -129,13 +129,13 @@ impl Variables {
         Ok(Stored::Done)
     }
 
-    /// Enters a macro, whose local variables are these.
-    pub fn push_level(&mut self, arguments: Locals) -> Result<(), FaultKind> {
-        if self.levels.len() >= MOST_LEVELS {
-            return Err(FaultKind::CallsTooDeep);
+    /// Enters a macro, whose local variables are these. False: there are as many levels as a control has.
+    pub fn push_level(&mut self, arguments: Locals) -> bool {
+        let is_room = self.levels.len() < MOST_LEVELS;
+        if is_room {
+            Arc::make_mut(&mut self.levels).push(arguments);
         }
-        Arc::make_mut(&mut self.levels).push(arguments);
-        Ok(())
+        is_room
     }
 
     /// Leaves a macro: the local variables of the program that called it are back. In the main program nothing

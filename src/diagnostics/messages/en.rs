@@ -97,7 +97,6 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroBracketsTooDeep => "More than five brackets stand inside each other.",
         MacroFunctionArgument => "The function has no result for this value.\n\
             Such as the root or the logarithm of a negative number.",
-        MacroCallsTooDeep => "Too many macro calls stand inside each other.",
         MacroEndMissing => "This DO has no END of the same number.",
         MacroFormat => "This macro statement cannot be read.\n\
             Such as `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`.",

@@ -1,12 +1,14 @@
-//! The words of the setup form: what each field is called, and what is wrong with what was entered.
+//! Words that stand beside something: how grave a message is and whose matter; the setup form: what each field is
+//! called, and what is wrong with what was entered.
 //!
-//! In: a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside a field.
+//! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
 
 use super::{Language, number};
 use crate::control::setup::ToolKind;
 use crate::control::setup::draft::Slip;
 use crate::control::setup::faults::Need;
 use crate::control::setup::fields::{Name, Unit, Unread};
+use crate::diagnostics::{Kind, Severity};
 
 impl Language {
     /// The one of three texts that is in this language.
@@ -17,6 +19,24 @@ impl Language {
             Self::Russian => russian,
         }
     }
+}
+
+/// How grave a message is.
+pub fn severity(severity: Severity, language: Language) -> &'static str {
+    language.among(match severity {
+        Severity::Info => ["Note", "提示", "Примечание"],
+        Severity::Warning => ["Warning", "警告", "Предупреждение"],
+        Severity::Error => ["Error", "错误", "Ошибка"],
+    })
+}
+
+/// Whose matter a message is.
+pub fn matter(kind: Kind, language: Language) -> &'static str {
+    language.among(match kind {
+        Kind::Wrong => ["fault in the program", "程序有误", "ошибка в программе"],
+        Kind::Unsupported => ["not supported here", "此处不支持", "здесь не поддерживается"],
+        Kind::Machine => ["depends on the machine", "取决于机床", "зависит от станка"],
+    })
 }
 
 /// What a field is called.

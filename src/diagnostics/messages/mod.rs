@@ -7,8 +7,7 @@ mod en;
 pub mod labels;
 mod phrases;
 mod ru;
-#[cfg(test)]
-mod tests;
+pub(crate) mod samples;
 mod wording;
 mod zh;
 

@@ -99,7 +99,6 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroBracketsTooDeep => "Вложено больше пяти скобок.",
         MacroFunctionArgument => "Для этого значения у функции нет результата.\n\
             Например, корень или логарифм отрицательного числа.",
-        MacroCallsTooDeep => "Слишком много вложенных вызовов макропрограмм.",
         MacroEndMissing => "У этого DO нет END с тем же номером.",
         MacroFormat => "Этот оператор макропрограммы не прочитать.\n\
             Например, `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`.",

@@ -97,7 +97,6 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroBracketsTooDeep => "方括号嵌套超过五层。",
         MacroFunctionArgument => "函数对该值无解。\n\
             例如负数的平方根或对数。",
-        MacroCallsTooDeep => "宏调用嵌套层数太多。",
         MacroEndMissing => "该 DO 没有同号的 END。",
         MacroFormat => "无法读取该宏语句。\n\
             写法如 `#1=#2+1`、`IF[#1 GT 5]GOTO 10`、`IF[#1 EQ 0]THEN #2=1`、`WHILE[#1 LE 9]DO1` … `END1`。",

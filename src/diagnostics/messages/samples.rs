@@ -1,77 +1,15 @@
-//! The templates of all languages, held against the messages they are filled from.
+//! Every message once, with words and numbers made up: for the list of rules, and for the tests of the templates.
+//!
+//! In: nothing. Out: messages of which each wording says one, and one for each alarm where several are raised.
 
-use super::wording::Wording;
-use super::*;
 use crate::control::dialect::GSystem;
 use crate::control::macros::FaultKind;
 use crate::control::origin::Origin;
 use crate::control::setup::faults::Need;
+use crate::diagnostics::Message;
 
-#[test]
-fn every_sentence_quotes_nothing_but_what_its_message_has() {
-    let mut said = Vec::new();
-    for message in samples() {
-        let arguments = message.arguments();
-        for language in Language::ALL {
-            let template = language.template(Wording::of(&message));
-            for name in placeholders(template) {
-                assert!(arguments.iter().any(|argument| argument.0 == name), "{name} in {template}");
-            }
-            assert!(!template.is_empty() && template.lines().count() <= 2, "{template}");
-            let sentence = message.sentence(language);
-            let help = sentence.help.unwrap_or_default();
-            assert!(!format!("{}{help}", sentence.message).contains(['{', '}']), "{template}");
-        }
-        said.push(Wording::of(&message));
-    }
-    for wording in Wording::ALL {
-        assert!(said.contains(wording), "no sample is said by {wording:?}");
-    }
-}
-
-#[test]
-fn languages_quote_the_same() {
-    let sorted = |template| {
-        let mut names: Vec<&str> = placeholders(template).collect();
-        names.sort_unstable();
-        names.dedup();
-        names
-    };
-    for &wording in Wording::ALL {
-        let [english, others @ ..] = Language::ALL.map(|language| sorted(language.template(wording)));
-        for other in others {
-            assert_eq!(english, other, "{wording:?}");
-        }
-    }
-    for &phrase in Phrase::ALL {
-        let [english, others @ ..] = Language::ALL.map(|language| sorted(language.phrase(phrase)));
-        for other in others {
-            assert_eq!(english, other, "{phrase:?}");
-        }
-    }
-}
-
-#[test]
-fn what_a_message_quotes_is_not_a_template() {
-    let text = "{text} {0}".to_owned();
-    let message = Message::PlainText { text }.sentence(Language::English).message;
-    assert_eq!(message, "`{text} {0}` is plain text, not a block.");
-}
-
-#[test]
-fn numbers_read_as_people_write_them() {
-    let cases = [(10.0, "10"), (-0.00001, "0"), (2.5, "2.5"), (1.0 / 3.0, "0.3333"), (-20.0, "-20")];
-    for (value, text) in cases {
-        assert_eq!(number(value), text);
-    }
-}
-
-fn placeholders(template: &str) -> impl Iterator<Item = &str> {
-    template.split('{').skip(1).map(|part| part.split_once('}').expect("a closed placeholder").0)
-}
-
-/// A message for each wording; the test above misses one that is not here.
-fn samples() -> Vec<Message> {
+/// A message for each wording; a test misses one that is not here.
+pub(crate) fn samples() -> Vec<Message> {
     let mut samples = vec![
         Message::NumberMissing { address: 'X' },
         Message::AddressMissing { number: "X1".into() },
@@ -101,7 +39,8 @@ fn samples() -> Vec<Message> {
         Message::CallNoNumber { code: "G71" },
         Message::ProgramNotFound { word: "X1".into() },
         Message::SequenceNotFound { sequence: 7 },
-        Message::CallTooDeep { most: 5, alarm: "G71" },
+        Message::CallTooDeep { most: 5, alarm: "PS0077" },
+        Message::CallTooDeep { most: 5, alarm: "PS0122" },
         Message::NoReturn,
         Message::EndlessMain,
         Message::TooManyRepeats { most: 5 },
@@ -120,7 +59,8 @@ fn samples() -> Vec<Message> {
         Message::OffsetNumber { word: "X1".into() },
         Message::TipNumber { word: "X1".into() },
         Message::DataPassedOver,
-        Message::HoleInForce { word: "X1".into(), hole: "G71", alarm: "G71" },
+        Message::HoleInForce { word: "X1".into(), hole: "G83", alarm: "PS0044" },
+        Message::HoleInForce { word: "X1".into(), hole: "G83", alarm: "PS0327" },
         Message::PeckZero { word: "X1".into() },
         Message::HoleNoDepth { code: "G71" },
         Message::HoleOfOthers { code: "G71" },
@@ -188,9 +128,11 @@ fn samples() -> Vec<Message> {
         Message::ContourBothAxes { code: "G71", other: 'X' },
         Message::ContourTypeTwo { code: "G71" },
         Message::ContourTurnsBack { code: "G71", axis: 'X', line: 7 },
+        Message::ContourTurnsBack { code: "G71", axis: 'Z', line: 7 },
         Message::ContourBeyondStart { code: "G71", axis: 'X' },
         Message::ContourNothingToCut { code: "G71" },
-        Message::ContourOpenEnd { word: "X1".into(), alarm: "G71" },
+        Message::ContourOpenEnd { word: "X1".into(), alarm: "PS0326" },
+        Message::ContourOpenEnd { word: "X1".into(), alarm: "PS0069" },
         Message::DepthNotPositive { code: "G71", depth: None },
         Message::DepthNotPositive { code: "G71", depth: Some(-1.0) },
         Message::AllowanceSign { word: "X1".into() },
@@ -209,18 +151,24 @@ fn samples() -> Vec<Message> {
         Message::CornerNoMove { word: "X1".into() },
         Message::CornerTooLarge { word: "X1".into() },
         Message::CornerNone { word: "X1".into() },
-        Message::CornerAxis { word: "X1".into(), alarm: "G71" },
+        Message::CornerAxis { word: "X1".into(), alarm: "PS0051" },
+        Message::CornerAxis { word: "X1".into(), alarm: "PS0054" },
+        Message::CornerAxis { word: "X1".into(), alarm: "PS0306" },
         Message::CornerTwice { word: "X1".into(), other: "X1".into() },
         Message::CornerInThread { word: "X1".into() },
         Message::CornerWithCompensation { word: "X1".into() },
-        Message::CyclePlane { code: "G71", alarm: "G71" },
+        Message::CyclePlane { code: "G71", alarm: "PS0327" },
+        Message::CyclePlane { code: ",A", alarm: "PS0212" },
         Message::CycleWord { code: "G71", word: "X1".into() },
         Message::CycleAxis { code: "G71", word: "X1".into() },
         Message::FinishStart { roughed_x: 1.5, roughed_z: 1.5 },
         Message::FinishWithoutRoughing { first: 7, last: 7 },
-        Message::AngleNoPoint { word: "X1".into(), alarm: "G71" },
+        Message::AngleNoPoint { word: "X1".into(), alarm: "PS0056" },
+        Message::AngleNoPoint { word: "X1".into(), alarm: "PS0057" },
+        Message::AngleNoPoint { word: "X1".into(), alarm: "PS0058" },
         Message::CompensationOnArc { code: "G71" },
-        Message::CompensationOvercut { radius: 1.5, alarm: "G71" },
+        Message::CompensationOvercut { radius: 1.5, alarm: "PS0041" },
+        Message::CompensationOvercut { radius: 1.5, alarm: "PS0038" },
         Message::CompensationNoIntersection { radius: 1.5 },
         Message::CompensationPlane,
         Message::LeadRunsOut { lead: 1.5 },
@@ -255,7 +203,6 @@ fn samples() -> Vec<Message> {
         FaultKind::ReadOnly,
         FaultKind::BracketsTooDeep,
         FaultKind::FunctionArgument,
-        FaultKind::CallsTooDeep,
         FaultKind::EndMissing,
         FaultKind::Format,
         FaultKind::LoopNumber,
@@ -266,4 +213,76 @@ fn samples() -> Vec<Message> {
     samples.extend(kinds.map(|kind| Message::Macro { kind }));
     samples.extend(Origin::ALL.map(|origin| Message::Foreign { origin }));
     samples
+}
+
+#[cfg(test)]
+mod tests {
+    //! The templates of all languages, held against the messages they are filled from.
+
+    use super::super::wording::Wording;
+    use super::super::*;
+    use super::samples;
+
+    #[test]
+    fn every_sentence_quotes_nothing_but_what_its_message_has() {
+        let mut said = Vec::new();
+        for message in samples() {
+            let arguments = message.arguments();
+            for language in Language::ALL {
+                let template = language.template(Wording::of(&message));
+                for name in placeholders(template) {
+                    assert!(arguments.iter().any(|argument| argument.0 == name), "{name} in {template}");
+                }
+                assert!(!template.is_empty() && template.lines().count() <= 2, "{template}");
+                let sentence = message.sentence(language);
+                let help = sentence.help.unwrap_or_default();
+                assert!(!format!("{}{help}", sentence.message).contains(['{', '}']), "{template}");
+            }
+            said.push(Wording::of(&message));
+        }
+        for wording in Wording::ALL {
+            assert!(said.contains(wording), "no sample is said by {wording:?}");
+        }
+    }
+
+    #[test]
+    fn languages_quote_the_same() {
+        let sorted = |template| {
+            let mut names: Vec<&str> = placeholders(template).collect();
+            names.sort_unstable();
+            names.dedup();
+            names
+        };
+        for &wording in Wording::ALL {
+            let [english, others @ ..] = Language::ALL.map(|language| sorted(language.template(wording)));
+            for other in others {
+                assert_eq!(english, other, "{wording:?}");
+            }
+        }
+        for &phrase in Phrase::ALL {
+            let [english, others @ ..] = Language::ALL.map(|language| sorted(language.phrase(phrase)));
+            for other in others {
+                assert_eq!(english, other, "{phrase:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_message_quotes_is_not_a_template() {
+        let text = "{text} {0}".to_owned();
+        let message = Message::PlainText { text }.sentence(Language::English).message;
+        assert_eq!(message, "`{text} {0}` is plain text, not a block.");
+    }
+
+    #[test]
+    fn numbers_read_as_people_write_them() {
+        let cases = [(10.0, "10"), (-0.00001, "0"), (2.5, "2.5"), (1.0 / 3.0, "0.3333"), (-20.0, "-20")];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
+    }
+
+    fn placeholders(template: &str) -> impl Iterator<Item = &str> {
+        template.split('{').skip(1).map(|part| part.split_once('}').expect("a closed placeholder").0)
+    }
 }

@@ -1,0 +1,274 @@
+//! The pages as HTML.
+//!
+//! In: pages. Out: files by their names: plain HTML without scripts, one style sheet with the colours of the playground, and
+//! the pictures, which all languages share.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::{Language, labels};
+use gcode_playground::diagnostics::{Diagnostic, Rule, Severity, register};
+
+use crate::outcome::Outcome;
+use crate::page::{Mark, Page};
+use crate::words::words;
+
+/// Colours first, so that the page and the playground have the same.
+const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_str!("rules.css")];
+
+/// A page with what its programs gave.
+struct Shown<'a> {
+    page: &'a Page,
+    rule: Rule,
+    /// As the failing program has it, which may be milder than usual.
+    severity: Severity,
+    told: Diagnostic,
+    /// Names of the pictures, where something moves: failing, corrected.
+    pictures: [Option<String>; 2],
+}
+
+/// All files by name, or what is wrong with the pages.
+pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
+    let mut files = BTreeMap::from([("rules.css".to_owned(), STYLES.concat())]);
+    let rules = register();
+    let (mut shown, mut slips) = (Vec::new(), Vec::new());
+    for page in pages {
+        match Shown::of(page, &rules, &mut files) {
+            Ok(one) => shown.push(one),
+            Err(slip) => slips.push(format!("{}: {slip}", page.slug)),
+        }
+    }
+    if !slips.is_empty() {
+        return Err(slips.join("\n"));
+    }
+    for language in Language::ALL {
+        let tag = language.tag();
+        for one in &shown {
+            files.insert(format!("{tag}/{}.html", one.page.slug), one.html(language));
+        }
+        files.insert(format!("{tag}/index.html"), index(&shown, language));
+    }
+    Ok(files)
+}
+
+impl<'a> Shown<'a> {
+    /// Runs the programs of a page, and draws them.
+    fn of(page: &'a Page, rules: &[Rule], files: &mut BTreeMap<String, String>) -> Result<Self, String> {
+        let slug = &page.slug;
+        let rule = rules.iter().find(|rule| rule.slug == slug).cloned().ok_or("there is no such rule")?;
+        let setup = Setup::from_json(&page.setup).map_err(|error| format!("setup: {error}"))?;
+        let wrong = Outcome::of(&page.wrong, &setup, page.stop);
+        let right = Outcome::of(&page.right, &setup, None);
+        let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not make it speak")?;
+        let pictures = [("wrong", wrong), ("right", right)].map(|(name, outcome)| {
+            let picture = outcome.picture()?;
+            let name = format!("pictures/{slug}-{name}.svg");
+            files.insert(name.clone(), picture);
+            Some(name)
+        });
+        Ok(Self { page, rule, severity: told.severity, told, pictures })
+    }
+
+    fn html(&self, language: Language) -> String {
+        let words = words(language);
+        let Page { slug, setup, .. } = self.page;
+        let text = self.page.text(language);
+        let sentence = self.told.message.sentence(language);
+        let mut out = String::new();
+        let title = format!("{} · {}", text.title.replace('`', ""), words.playground);
+        head(&mut out, language, &title, &format!("{slug}.html"));
+        put(&mut out, format_args!("<h1>{}</h1>", prose(&text.title)));
+        self.facts(&mut out, language);
+        put(&mut out, format_args!("<div class=\"said {}\">", self.severity.name()));
+        put(&mut out, format_args!("<p>{}</p>", prose(&sentence.message)));
+        if let Some(help) = sentence.help {
+            put(&mut out, format_args!("<p class=\"help\">{}</p>", prose(&help)));
+        }
+        put(&mut out, "</div>");
+        for (heading, said) in
+            [(words.what, &text.what), (words.why, &text.why), (words.repair, &text.repair)]
+        {
+            put(&mut out, format_args!("<h2>{heading}</h2>\n<p>{}</p>", prose(said)));
+        }
+        put(&mut out, format_args!("<h2>{}</h2>", words.example));
+        if setup != "{}" {
+            put(&mut out, format_args!("<p>{} <code>{}</code></p>", words.setup, escaped(setup)));
+        }
+        put(&mut out, "<div class=\"examples\">");
+        let Page { wrong, right, marks, .. } = self.page;
+        let [wrong_picture, right_picture] = &self.pictures;
+        self.example(&mut out, language, (words.wrong, wrong, marks, wrong_picture), &text.title);
+        self.example(&mut out, language, (words.right, right, &[], right_picture), &text.title);
+        put(&mut out, "</div>");
+        put(&mut out, format_args!("<h2>{}</h2>\n<p>{}</p>", words.off, prose(words.off_how)));
+        put(&mut out, "<dl class=\"switch\">");
+        put(&mut out, format_args!("<dt>{}</dt><dd><code>(RULES {slug}=OFF)</code></dd>", words.off_program));
+        let json = escaped(&format!("{{\"rules\": {{\"{slug}\": \"off\"}}}}"));
+        put(&mut out, format_args!("<dt>{}</dt><dd><code>{json}</code></dd>", words.off_setup));
+        put(&mut out, "</dl>\n</main>\n</body>\n</html>");
+        out
+    }
+
+    /// Severity, codes, name, kind and alarms.
+    fn facts(&self, out: &mut String, language: Language) {
+        let words = words(language);
+        let Rule { slug, codes, kind, alarms, .. } = &self.rule;
+        let codes: Vec<_> = codes.iter().map(|code| format!("<code>{code}</code>")).collect();
+        let severity = labels::severity(self.severity, language);
+        let mut facts = vec![
+            format!("<span class=\"severity {}\">{severity}</span>", self.severity.name()),
+            codes.join(" "),
+            format!("<code>{slug}</code>"),
+            labels::matter(*kind, language).to_owned(),
+        ];
+        if !alarms.is_empty() {
+            facts.push(format!("{} {}", words.alarm, alarms.join(", ")));
+        }
+        put(out, format_args!("<p class=\"facts\">{}</p>", facts.join(" · ")));
+    }
+
+    /// A program with its picture.
+    fn example(
+        &self,
+        out: &mut String,
+        language: Language,
+        (heading, program, marks, picture): (&str, &str, &[Mark], &Option<String>),
+        title: &str,
+    ) {
+        let words = words(language);
+        put(out, format_args!("<section>\n<h3>{heading}</h3>"));
+        let listing = listing(program, marks, self.severity);
+        put(out, format_args!("<pre lang=\"en\" tabindex=\"0\"><code>{listing}</code></pre>"));
+        let address = address(program, &self.page.setup, language);
+        put(out, format_args!("<p><a href=\"../../index.html#{address}\">{}</a></p>", words.open));
+        match picture {
+            Some(name) => {
+                let alt = escaped(&format!("{heading}: {}", title.replace('`', "")));
+                put(out, format_args!("<img src=\"../{name}\" alt=\"{alt}\">"));
+            }
+            None => put(out, format_args!("<p class=\"nothing\">{}</p>", words.nothing_drawn)),
+        }
+        put(out, "</section>");
+    }
+}
+
+/// The list of all rules, by kind, and then by title.
+fn index(shown: &[Shown], language: Language) -> String {
+    let words = words(language);
+    let mut out = String::new();
+    head(&mut out, language, &format!("{} · {}", words.rules, words.playground), "index.html");
+    put(&mut out, format_args!("<h1>{}</h1>\n<p>{}</p>", words.rules, words.about));
+    for (kind, heading) in words.kinds {
+        let mut rows: Vec<_> = shown.iter().filter(|one| one.rule.kind == kind).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        rows.sort_by_key(|one| one.page.text(language).title.replace('`', "").to_lowercase());
+        put(&mut out, format_args!("<h2>{heading}</h2>\n<table>\n<thead><tr>"));
+        for heading in [words.message, words.severity, words.code, words.alarm] {
+            put(&mut out, format_args!("<th scope=\"col\">{heading}</th>"));
+        }
+        put(&mut out, "</tr></thead>\n<tbody>");
+        for one in rows {
+            let Rule { slug, codes, alarms, .. } = &one.rule;
+            let (grade, severity) = (one.severity.name(), labels::severity(one.severity, language));
+            let title = prose(&one.page.text(language).title);
+            put(&mut out, format_args!("<tr><td><a href=\"{slug}.html\">{title}</a></td>"));
+            put(&mut out, format_args!("<td><span class=\"severity {grade}\">{severity}</span></td>"));
+            put(&mut out, format_args!("<td>{}</td><td>{}</td></tr>", codes.join(" "), alarms.join(" ")));
+        }
+        put(&mut out, "</tbody>\n</table>");
+    }
+    put(&mut out, "</main>\n</body>\n</html>");
+    out
+}
+
+/// All that stands before what a page is about.
+fn head(out: &mut String, language: Language, title: &str, file: &str) {
+    let (tag, words) = (language.tag(), words(language));
+    put(out, format_args!("<!doctype html>\n<html lang=\"{tag}\">\n<head>\n<meta charset=\"utf-8\">"));
+    put(out, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">");
+    put(out, "<meta name=\"color-scheme\" content=\"light dark\">");
+    put(out, format_args!("<title>{}</title>", escaped(title)));
+    put(out, "<link rel=\"stylesheet\" href=\"../rules.css\">");
+    let others = || Language::ALL.into_iter().map(|other| (other.tag(), self::words(other).own_name));
+    for (other, _) in others() {
+        put(out, format_args!("<link rel=\"alternate\" hreflang=\"{other}\" href=\"../{other}/{file}\">"));
+    }
+    put(out, "</head>\n<body>\n<header>\n<nav>");
+    put(out, format_args!("<a href=\"../../index.html\">{}</a>", words.playground));
+    put(out, format_args!("<a href=\"index.html\">{}</a>\n</nav>", words.rules));
+    put(out, format_args!("<nav aria-label=\"{}\">", words.languages));
+    for (other, name) in others() {
+        let link = format!("lang=\"{other}\" hreflang=\"{other}\" href=\"../{other}/{file}\"");
+        match other == tag {
+            true => put(out, format_args!("<span aria-current=\"true\">{name}</span>")),
+            false => put(out, format_args!("<a {link}>{name}</a>")),
+        }
+    }
+    put(out, "</nav>\n</header>\n<main>");
+}
+
+/// The lines of a program, with what is marked.
+fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
+    let mut out = String::new();
+    for (number, line) in program.lines().enumerate() {
+        out.push_str("<span class=\"line\">");
+        let letters: Vec<char> = line.chars().collect();
+        let piece = |from: usize, to: usize| {
+            let to = to.min(letters.len());
+            escaped(&letters[from.min(to)..to].iter().collect::<String>())
+        };
+        let mut at = 0;
+        // Messages may stand on each other's places: what is marked stays marked.
+        for mark in marks.iter().filter(|mark| mark.line == number) {
+            let (from, to) = (mark.column.max(at), mark.column + mark.length);
+            if from < to {
+                let name = severity.name();
+                let _ = write!(out, "{}<mark class=\"{name}\">{}</mark>", piece(at, from), piece(from, to));
+                at = to;
+            }
+        }
+        out.push_str(&piece(at, letters.len()));
+        out.push_str("\n</span>");
+    }
+    out
+}
+
+/// What stands behind `#` in the address of the playground with a program.
+fn address(program: &str, setup: &str, language: Language) -> String {
+    let encoded = |text: &str| {
+        text.bytes().fold(String::new(), |mut out, byte| {
+            match byte {
+                b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => out.push(byte.into()),
+                _ => drop(write!(out, "%{byte:02X}")),
+            }
+            out
+        })
+    };
+    let setup = if setup == "{}" { String::new() } else { format!("&amp;setup={}", encoded(setup)) };
+    let program = encoded(program);
+    format!("program={program}{setup}&amp;language={}", language.tag())
+}
+
+/// A sentence; what stands in backticks is program text.
+fn prose(text: &str) -> String {
+    let mut out = String::new();
+    for (index, part) in text.split('`').enumerate() {
+        let part = escaped(part);
+        match index % 2 {
+            1 => drop(write!(out, "<code lang=\"en\">{part}</code>")),
+            _ => out.push_str(&part),
+        }
+    }
+    out
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+fn put(out: &mut String, line: impl std::fmt::Display) {
+    let _ = writeln!(out, "{line}");
+}

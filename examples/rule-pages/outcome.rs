@@ -1,0 +1,75 @@
+//! What a program of a page gives.
+//!
+//! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
+
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::{Diagnostic, rules, sort_by_place};
+use gcode_playground::run::{Analysis, Run};
+use gcode_playground::scene::Scene;
+use gcode_playground::scene::face::Face;
+use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::svg::{SvgOptions, svg};
+use gcode_playground::scene::work::Work;
+use gcode_playground::shop::Shop;
+
+use crate::page::Stop;
+
+/// CSS pixels of a picture: one of two side by side, or as wide as a phone.
+const WIDTH: f64 = 520.0;
+
+/// Seconds after which the run of an example is stopped, as the message has them.
+const STOPPED_AFTER: f64 = 10.0;
+
+/// Blocks it has carried out by then.
+const STOPPED_AFTER_BLOCKS: usize = 20;
+
+/// A program that was run.
+pub struct Outcome {
+    /// What it gave.
+    pub analysis: Analysis,
+}
+
+impl Outcome {
+    /// Runs a program; somebody may stop it on the way.
+    pub fn of(text: &str, setup: &Setup, stop: Option<Stop>) -> Self {
+        let mut run = Run::new(text.as_bytes().to_vec(), setup.clone());
+        if stop == Some(Stop::Run) {
+            run.advance(STOPPED_AFTER_BLOCKS);
+            run.stop(STOPPED_AFTER);
+        }
+        while !run.advance(usize::MAX) {}
+        let mut analysis = run.into_analysis();
+        if stop == Some(Stop::Part) {
+            let mut shop = Shop::new(&analysis.motions, &analysis.setup);
+            shop.stop();
+            analysis.diagnostics.extend(rules::machine::diagnostics(&shop, &analysis.motions));
+            sort_by_place(&mut analysis.diagnostics);
+        } else {
+            analysis.look_at_machine();
+        }
+        Self { analysis }
+    }
+
+    /// The messages of a rule.
+    pub fn told(&self, slug: &str) -> impl Iterator<Item = &Diagnostic> {
+        self.analysis.diagnostics.iter().filter(move |found| found.message.slug() == slug)
+    }
+
+    /// The half-section, or the end face where polar interpolation mills there; nothing where nothing moves.
+    pub fn picture(&self) -> Option<String> {
+        let Analysis { motions, setup, .. } = &self.analysis;
+        if motions.is_empty() {
+            return None;
+        }
+        let shop = Shop::done(motions, setup);
+        let options =
+            SvgOptions { width: WIDTH, x_plus: setup.machine.turret.into(), ..SvgOptions::default() };
+        if let Some(face) = Face::of(motions, &shop) {
+            let work = face.work(&shop, None);
+            let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };
+            return Some(svg(&face.scene(work.as_ref()), &options));
+        }
+        let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));
+        Some(svg(&Scene::new(motions, &outline, work.as_ref()), &options))
+    }
+}

@@ -1,0 +1,118 @@
+// The pages of the rules: from a message to its page, in each language, and from there back with the program.
+import { expect, test, type Page } from '@playwright/test';
+import { editor, open, problems, type, value } from './page';
+
+const FAULTY = 'O0001 (STOCK D=50 LENGTH=80)\nT0101\nG97 S800 M03\nG00 X52 Z M08\nG00 X200 Z200 M09\nM30';
+
+/** Opens a link that leads to a page of its own. */
+async function follow(page: Page, click: () => Promise<void>): Promise<Page> {
+  const [opened] = await Promise.all([page.context().waitForEvent('page'), click()]);
+  await opened.waitForLoadState();
+  return opened;
+}
+
+for (const [language, more, heading, failing] of [
+  ['en', 'More', 'Repair', 'Failing'],
+  ['zh', '详情', '如何改正', '有误的程序'],
+  ['ru', 'Подробнее', 'Как исправить', 'С ошибкой'],
+] as const) {
+  test(`a message leads to the page of its rule: ${language}`, async ({ page }) => {
+    await open(page);
+    await page.locator('#language').selectOption(language);
+    await type(page, FAULTY);
+    const link = page.getByRole('region', { name: /Problems|问题|Замечания/ }).getByRole('link', { name: more });
+    await expect(link).toHaveCount(1);
+    await expect(link).toHaveAttribute('rel', 'noopener');
+    const rule = await follow(page, () => link.click());
+    expect(rule.url()).toMatch(new RegExp(`/rules/${language}/number-missing\\.html$`));
+    await expect(rule.locator('html')).toHaveAttribute('lang', language);
+    await expect(rule.getByRole('heading', { name: heading, exact: true })).toBeVisible();
+    await expect(rule.getByRole('heading', { name: failing, exact: true })).toBeVisible();
+    await expect(rule.locator('mark')).toHaveText('Z');
+    await expect(rule.getByText('(RULES number-missing=OFF)')).toBeVisible();
+    const pictures = rule.getByRole('img');
+    await expect(pictures).toHaveCount(2);
+    for (const picture of await pictures.all()) {
+      await picture.scrollIntoViewIfNeeded();
+      await expect(picture).toHaveJSProperty('complete', true);
+      expect(await picture.evaluate((image) => (image as HTMLImageElement).naturalWidth)).toBeGreaterThan(100);
+    }
+  });
+}
+
+test('the tooltip of a problem leads there too', async ({ page }) => {
+  await open(page);
+  await type(page, FAULTY);
+  await page.locator('.cm-lintRange-error').first().hover();
+  const rule = await follow(page, () => page.locator('.cm-tooltip').getByRole('link', { name: 'More' }).click());
+  await expect(rule).toHaveURL(/rules\/en\/number-missing\.html$/);
+});
+
+test('both programs open in the playground, in the language of the page', async ({ page }) => {
+  await page.goto('./rules/ru/number-missing.html');
+  const rule = page.url();
+  const found = page.getByRole('region', { name: 'Замечания' });
+  for (const which of [0, 1]) {
+    await page.goto(rule);
+    const listing = await page.locator('pre').nth(which).textContent();
+    await page.getByRole('link', { name: 'Открыть в песочнице' }).nth(which).click();
+    await expect(editor(page)).toBeVisible();
+    expect(await value(page)).toBe(listing?.trimEnd());
+    if (which === 0) await expect(found).toContainText('PS0005');
+    else await expect(found).toBeHidden();
+  }
+});
+
+test('what is changed in a program of an address is kept, and found again', async ({ page }) => {
+  await open(page, `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`);
+  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+  expect(await value(page)).toBe('O0001\nG00 X20 Z2\nM30');
+  await type(page, 'O0002\nG00 X30 Z2\nM30');
+  await expect(page).toHaveURL(/\/$/);
+  await page.reload();
+  await expect(editor(page)).toContainText('O0002');
+  await expect(page.getByLabel('Control')).toHaveValue('gsk');
+});
+
+test('an address with a setup that is none is told, not fatal', async ({ page }) => {
+  await open(page, '#program=M30&setup=nonsense');
+  expect(await value(page)).toBe('M30');
+  await expect(page.locator('gcode-playground').getByRole('alert').or(page.getByText(/setup was not accepted/)).first()).toBeVisible();
+});
+
+test('the list of all rules leads to each of them', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  const list = await follow(page, () => page.getByRole('link', { name: 'All rules' }).click());
+  const links = list.getByRole('table').getByRole('link');
+  expect(await links.count()).toBeGreaterThan(2);
+  for (const href of await links.evaluateAll((all) => all.map((link) => (link as HTMLAnchorElement).href))) {
+    expect((await list.request.get(href)).ok(), href).toBe(true);
+  }
+  await list.getByRole('link', { name: 'Русский' }).click();
+  await expect(list.getByRole('heading', { name: 'Все правила' })).toBeVisible();
+  await links.first().click();
+  await list.getByRole('link', { name: 'Все правила' }).click();
+  await expect(list.getByRole('heading', { level: 1 })).toHaveText('Все правила');
+});
+
+test('on a phone a page fits', async ({ page }) => {
+  await page.setViewportSize({ width: 400, height: 800 });
+  for (const name of ['index', 'rapid-through-stock']) {
+    await page.goto(`./rules/ru/${name}.html`);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(400);
+  }
+});
+
+test('the link of a problem stands beside it, its repair below', async ({ page }) => {
+  await open(page);
+  await type(page, 'GO1 X5\nM30');
+  const item = problems(page).getByRole('listitem').first();
+  await expect(item.getByRole('button')).toHaveCount(2);
+  await expect(async () => {
+    const places = [item.getByRole('button').first(), item.getByRole('link'), item.getByRole('button').last()];
+    const [told, link, repair] = await Promise.all(places.map(async (place) => (await place.boundingBox())!));
+    expect(told!.x + told!.width).toBeLessThanOrEqual(link!.x + 1);
+    expect(repair!.y).toBeGreaterThanOrEqual(told!.y + told!.height - 1);
+  }).toPass({ timeout: 5000 });
+});

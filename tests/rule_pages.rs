@@ -1,0 +1,236 @@
+//! The pages of the rules: every rule has one, its examples do what it says, and the HTML made of them holds together.
+//!
+//! Everything that is wrong with all pages is told at once. `RULE_PAGES=slug,slug` looks at these only.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "../examples/rule-pages/book.rs"]
+mod book;
+#[path = "../examples/rule-pages/outcome.rs"]
+mod outcome;
+#[path = "../examples/rule-pages/page.rs"]
+mod page;
+#[path = "../examples/rule-pages/words.rs"]
+mod words;
+
+use std::path::{Component, Path, PathBuf};
+
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::diagnostics::{Diagnostic, Severity, register};
+use gcode_playground::text::source::LineIndex;
+
+use outcome::Outcome;
+use page::{INDENT, Mark, Page};
+
+/// All pages that can be read.
+fn pages() -> Vec<Page> {
+    page::all().into_iter().filter_map(|(_, page)| page.ok()).collect()
+}
+
+#[test]
+fn every_rule_has_a_page_and_every_page_a_rule() {
+    let files: Vec<String> = page::all().into_iter().map(|(name, _)| name).collect();
+    let slugs: Vec<&str> = register().iter().map(|rule| rule.slug).collect();
+    let without: Vec<_> = slugs.iter().filter(|slug| !files.iter().any(|file| file == *slug)).collect();
+    let beyond: Vec<_> = files.iter().filter(|file| !slugs.contains(&file.as_str())).collect();
+    assert!(
+        without.is_empty() && beyond.is_empty(),
+        "rules without a page: {without:?}\npages without a rule: {beyond:?}"
+    );
+}
+
+#[test]
+fn pages_do_what_they_say() {
+    let only = std::env::var("RULE_PAGES").unwrap_or_default();
+    let only: Vec<&str> = only.split(',').filter(|slug| !slug.is_empty()).collect();
+    let mut all = Vec::new();
+    for (name, page) in page::all() {
+        if only.is_empty() || only.contains(&name.as_str()) {
+            let slips = page.map_or_else(|slips| slips, |page| slips(&page));
+            all.extend(slips.into_iter().map(|slip| format!("{name}: {slip}")));
+        }
+    }
+    assert!(all.is_empty(), "{} slips in the pages:\n{}", all.len(), all.join("\n"));
+}
+
+/// What is wrong with the programs of a page.
+fn slips(page: &Page) -> Vec<String> {
+    let setup = match Setup::from_json(&page.setup) {
+        Ok(setup) => setup,
+        Err(error) => return vec![format!("setup: {error}")],
+    };
+    let mut slips = Vec::new();
+    let wrong = Outcome::of(&page.wrong, &setup, page.stop);
+    let mut found: Vec<Mark> = wrong.told(&page.slug).map(|found| mark(&page.wrong, found)).collect();
+    found.sort_unstable();
+    if found.is_empty() {
+        slips.push("`wrong` does not make it speak".to_owned());
+    } else if page.is_placeless {
+        if wrong.told(&page.slug).any(|told| !told.span.is_empty()) {
+            slips.push(format!("it does stand at a place{}", shown(&page.wrong, &found)));
+        }
+    } else if found != page.marks {
+        slips.push(format!("it stands elsewhere than marked; as it is told:{}", shown(&page.wrong, &found)));
+    }
+    let grave = |found: &&Diagnostic| found.severity > Severity::Info;
+    let others = |found: &&Diagnostic| {
+        let slug = found.message.slug();
+        slug != page.slug && !page.also.iter().any(|also| also == slug)
+    };
+    for other in wrong.analysis.diagnostics.iter().filter(grave).filter(others) {
+        slips.push(format!("`wrong` says more: {}", told(&page.wrong, other)));
+    }
+    let right = Outcome::of(&page.right, &setup, None);
+    for other in right.analysis.diagnostics.iter().filter(|found| grave(found) || !others(found)) {
+        slips.push(format!("`right` is not: {}", told(&page.right, other)));
+    }
+    if page.is_fixed {
+        let repaired = repaired(&page.wrong, wrong.told(&page.slug));
+        if repaired != page.right {
+            slips.push(format!("the repairs do not make `right` of `wrong`, but\n{repaired}"));
+        }
+    }
+    slips
+}
+
+/// The characters a message is about, as far as they stand on its first line, without blanks around them.
+fn mark(text: &str, found: &Diagnostic) -> Mark {
+    let text = text.as_bytes();
+    let lines = LineIndex::new(text);
+    let line = lines.line_of(found.span.start);
+    let whole = lines.line(text, line);
+    let part = |from: u32, to: u32| String::from_utf8_lossy(&text[from as usize..to.max(from) as usize]);
+    let spanned = part(found.span.start, found.span.end.min(whole.end));
+    let blanks = spanned.chars().take_while(|letter| letter.is_whitespace()).count();
+    let before = part(whole.start, found.span.start).chars().count();
+    Mark { line: line as usize, column: before + blanks, length: spanned.trim().chars().count() }
+}
+
+/// A program with the first repair of each of these messages.
+fn repaired<'a>(text: &str, told: impl Iterator<Item = &'a Diagnostic>) -> String {
+    let fixes = told.filter_map(|found| found.fixes.first());
+    let mut edits: Vec<_> = fixes.flat_map(|fix| fix.edits.clone()).collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    let mut text = text.to_owned();
+    for edit in edits {
+        text.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.text);
+    }
+    text
+}
+
+/// A message in one line.
+fn told(text: &str, found: &Diagnostic) -> String {
+    let (slug, Mark { line, column, .. }) = (found.message.slug(), mark(text, found));
+    format!("{}:{} {slug}: {}", line + 1, column + 1, found.message.sentence(Language::English).message)
+}
+
+/// A program with carets, as a page has it.
+fn shown(program: &str, marks: &[Mark]) -> String {
+    let mut out = String::new();
+    for (number, line) in program.lines().enumerate() {
+        let marks = || marks.iter().filter(|mark| mark.line == number);
+        let indent = if marks().any(|mark| mark.column < 2) { INDENT } else { "" };
+        out += &format!("\n    {indent}{line}");
+        for Mark { column, length, .. } in marks() {
+            let blanks = " ".repeat(indent.len() + column - 2);
+            out += &format!("\n    //{blanks}{}", "^".repeat(*length));
+        }
+    }
+    out
+}
+
+#[test]
+fn a_page_that_is_not_well_formed_is_told_in_full() {
+    let text = "# x\n\nfix: perhaps\n\n```wrong\n// ^\n```\n\n```right\nG00\n// ^\n```\n\n## de: Titel\n## en: {a}\nWhy: `a";
+    let slips = Page::read(text).expect_err("not well formed").join("\n");
+    for said in [
+        "fix: perhaps",
+        "no line to mark",
+        "nothing is marked",
+        "## de",
+        "bracket",
+        "backtick",
+        "en: no What:",
+        "zh: no title",
+    ] {
+        assert!(slips.contains(said), "{said} in\n{slips}");
+    }
+}
+
+#[test]
+fn what_a_page_says_is_held_against_what_happens() {
+    let read = |wrong: &str, right: &str, head: &str| {
+        let said = "What: a\n\nWhy: b\n\nRepair: c\n";
+        let texts: String =
+            Language::ALL.iter().map(|language| format!("\n## {}: t\n{said}", language.tag())).collect();
+        let page = format!(
+            "# number-missing\n\n{head}\n\n```wrong\n{wrong}\n```\n\n```right\n{right}\n```\n{texts}"
+        );
+        slips(&Page::read(&page).expect("well formed")).join("\n")
+    };
+    assert_eq!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", ""), "");
+    assert!(read("G00 X50 Z\n// ^^\nM30", "G00 X50 Z5\nM30", "").contains("elsewhere"));
+    assert!(read("G00 X50 Z5\n// ^^\nM30", "G00 X50\nM30", "").contains("does not make it speak"));
+    assert!(read("G00 X50 Z\n//      ^", "G00 X50 Z5\nM30", "").contains("no-program-end"));
+    assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5", "").contains("`right` is not"));
+    assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", "fix: yes").contains("the repairs"));
+    assert!(read("G00 X50 Z\nM30", "G00 X50 Z5\nM30", "placeless: yes").contains("at a place"));
+}
+
+#[test]
+fn links_between_the_pages_lead_somewhere() {
+    let files = book::files(&pages()).unwrap_or_else(|problem| panic!("{problem}"));
+    let links = |html: &str| -> Vec<String> {
+        let after = |name: &'static str| html.split(name).skip(1).collect::<Vec<_>>();
+        let quoted = [after(" href=\""), after(" src=\"")].concat();
+        quoted.into_iter().filter_map(|rest| Some(rest.split_once('"')?.0.to_owned())).collect()
+    };
+    let mut dead = Vec::new();
+    for (name, html) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
+        let found = links(html);
+        assert!(found.len() > 4, "{name} has links");
+        for link in found {
+            let path = link.split('#').next().unwrap_or_default();
+            let target = resolved(Path::new(name).parent().unwrap_or(Path::new("")), path);
+            // The playground stands beside the folder of the pages.
+            let is_there = match &target {
+                Some(target) => files.contains_key(&target.to_string_lossy().replace('\\', "/")),
+                None => path == "../../index.html",
+            };
+            if !is_there {
+                dead.push(format!("{name}: {link}"));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "{}", dead.join("\n"));
+}
+
+/// Where a relative link leads; nothing outside the folder.
+fn resolved(from: &Path, link: &str) -> Option<PathBuf> {
+    let mut path = from.to_path_buf();
+    for part in Path::new(link).components() {
+        match part {
+            Component::ParentDir if !path.pop() => return None,
+            Component::ParentDir | Component::CurDir => {}
+            part => path.push(part),
+        }
+    }
+    Some(path)
+}
+
+#[test]
+fn each_language_has_every_page_with_what_is_said_in_it() {
+    let pages = pages();
+    let files = book::files(&pages).unwrap_or_else(|problem| panic!("{problem}"));
+    for page in &pages {
+        for language in Language::ALL {
+            let tag = language.tag();
+            let html = &files[&format!("{tag}/{}.html", page.slug)];
+            assert!(html.contains(&format!("<html lang=\"{tag}\">")));
+            assert!(html.matches("<pre ").count() == 2 && html.contains("#program="), "{tag}: {}", page.slug);
+            assert!(page.is_placeless || html.contains("<mark "), "{tag}: {}", page.slug);
+            let index = &files[&format!("{tag}/index.html")];
+            assert!(index.contains(&format!("href=\"{}.html\"", page.slug)), "{tag}: {}", page.slug);
+        }
+    }
+}

@@ -1,0 +1,17 @@
+// Words of the links to the pages of the rules, in the three languages.
+
+import type { Language } from './i18n';
+
+export interface RuleStrings {
+  /** The language the pages are read in. */
+  readonly language: Language;
+  readonly more: string;
+  readonly moreAbout: (message: string) => string;
+  readonly all: string;
+}
+
+export const ruleStrings: Readonly<Record<Language, RuleStrings>> = {
+  en: { language: 'en', more: 'More', moreAbout: (message) => `More: ${message}`, all: 'All rules' },
+  zh: { language: 'zh', more: '详情', moreAbout: (message) => `详情：${message}`, all: '全部规则' },
+  ru: { language: 'ru', more: 'Подробнее', moreAbout: (message) => `Подробнее: ${message}`, all: 'Все правила' },
+};
