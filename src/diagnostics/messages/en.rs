@@ -367,6 +367,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Digit => "Write the digit {digit}",
         LetterO => "Write the letter O",
         Minus => "Write a minus",
+        AsCycle => "Write these four moves as {cycle}",
+        AsCyclePasses => "Write these {passes} passes as {cycle}",
         Rapid => "rapid to {to}",
         Feed => "feed to {to}",
         ArcClockwise => "arc G02 to {to}",

@@ -369,6 +369,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Digit => "Поставить цифру {digit}",
         LetterO => "Поставить букву O",
         Minus => "Поставить минус",
+        AsCycle => "Записать эти четыре перемещения циклом {cycle}",
+        AsCyclePasses => "Записать эти проходы ({passes}) циклом {cycle}",
         Rapid => "ускоренное перемещение в {to}",
         Feed => "перемещение на подаче в {to}",
         ArcClockwise => "дуга G02 до {to}",

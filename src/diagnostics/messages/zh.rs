@@ -367,6 +367,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Digit => "改成数字 {digit}",
         LetterO => "改成字母 O",
         Minus => "改成负号",
+        AsCycle => "将这四个动作写成 {cycle}",
+        AsCyclePasses => "将这 {passes} 刀写成 {cycle}",
         Rapid => "快速移动至 {to}",
         Feed => "切削进给至 {to}",
         ArcClockwise => "圆弧 G02 至 {to}",
