@@ -137,6 +137,11 @@ fn a_thread_becomes_g92() {
         "G97 S500 M03\nG00 X32 Z3\nX29.4\nG32 Z-23 F2\nG00 X32\nZ3\nX29\nG32 Z-23\nG00 X32\nZ3\nX100\nM30\n",
         "G97 S500 M03\nG00 X32 Z3\nG92 X29.4 Z-23 F2\nX29\nG00 X100\nM30\n",
     );
+    // The last depth once more.
+    check(
+        "G97 S500 M03\nG00 X32 Z3\nX29\nG32 Z-23 F2\nG00 X32\nZ3\nX29\nG32 Z-23\nG00 X32\nZ3\nM30\n",
+        "G97 S500 M03\nG00 X32 Z3\nG92 X29 Z-23 F2\nX29\nM30\n",
+    );
     check(
         "G97 S500 M03\nG00 X40 Z3\nX28\nG32 X30 Z-23 F2\nG00 X40\nZ3\nX27\nG32 X29 Z-23 F2\nG00 X40\nZ3\nM30\n",
         "G97 S500 M03\nG00 X40 Z3\nG92 X30 Z-23 R-1 F2\nX29\nM30\n",

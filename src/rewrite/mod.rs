@@ -21,8 +21,10 @@ use crate::text::source::Span;
 
 /// Most offers for one program.
 pub const MOST_OFFERS: usize = 200;
-/// Most blocks that are run to try changed programs; one is tried however long it is.
-const MOST_BLOCKS: usize = 3_000_000;
+/// Most blocks and motions of changed programs that are tried, together; one is tried however long it is.
+const MOST_WORK: usize = 2_000_000;
+/// What one try counts at least: a short program may still take its time.
+const LEAST_WORK: usize = 10_000;
 /// Most rounds of taking offers.
 const MOST_ROUNDS: usize = 50;
 /// Motions nearer than this are the same, mm.
@@ -71,7 +73,7 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     if let Some(near) = near {
         candidates.sort_by_key(|candidate| distance(candidate, near));
     }
-    let mut tries = Tries { text, setup, before: &before, left: MOST_BLOCKS };
+    let mut tries = Tries { text, setup, before: &before, left: MOST_WORK };
     let mut found = Vec::new();
     for candidate in candidates {
         if found.len() >= MOST_OFFERS || !tries.may_go_on() {
@@ -206,7 +208,7 @@ struct Tries<'a> {
     text: &'a [u8],
     setup: &'a Setup,
     before: &'a Analysis,
-    /// Blocks that may still be run.
+    /// Blocks and motions that may still be run.
     left: usize,
 }
 
@@ -217,7 +219,8 @@ impl Tries<'_> {
 
     /// Whether the program with these edits makes the same motions, and no control would object to it more.
     fn keeps(&mut self, edits: &[Edit]) -> bool {
-        self.left = self.left.saturating_sub(self.before.blocks.max(1));
+        self.left =
+            self.left.saturating_sub((self.before.blocks + self.before.motions.len()).max(LEAST_WORK));
         let after = crate::analyze(&applied(self.text, edits), self.setup);
         self.before.codes == after.codes
             && same_motions(&self.before.motions, &after.motions)
