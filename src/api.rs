@@ -4,11 +4,13 @@
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
 mod readout;
+mod rewrite;
 pub mod setup;
 
 use serde::Serialize;
 
 pub use readout::{Readout, Shown, Stop, Time};
+pub use rewrite::Rewriting;
 
 use crate::control::codes;
 use crate::control::dialect::CodeList;

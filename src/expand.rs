@@ -113,7 +113,7 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
 
 /// The motions of each block that was carried out. Motions may wait for a later block, but keep their order; where a
 /// block is carried out again, what came before belongs to the first time.
-fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
+pub(crate) fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
     let mut again = BTreeMap::new();
     let mut limits = vec![motions.len(); trace.len()];
     for (index, executed) in trace.iter().enumerate().rev() {

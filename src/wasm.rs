@@ -6,6 +6,7 @@
 
 mod files;
 mod playback;
+mod rewrite;
 mod setup;
 mod views;
 

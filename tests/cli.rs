@@ -220,6 +220,24 @@ fn messages_quote_a_program_in_any_encoding() {
 }
 
 #[test]
+fn rewrite_tells_what_it_wrote_as_a_cycle() {
+    let cut = |x: u32| format!("G00 X{x}\nG01 Z-30 F0.1\nX62\nG00 Z2\n");
+    let facing = "Z-2\nG01 X20\nZ2\nG00 X62\n";
+    let program = format!("G00 X62 Z2\n{}{}{facing}T0202\n{}M30\n", cut(56), cut(50), cut(40));
+    let output = run(&["rewrite", "-", "--lang", "ru"], program.as_bytes());
+    assert_eq!(output.status.code(), Some(0));
+    let written = "G00 X62 Z2\nG90 X56 Z-30 F0.1\nX50\nG94 X20 Z-2\nT0202\nG90 X40 Z-30 F0.1\nM30\n";
+    assert_eq!(String::from_utf8_lossy(&output.stdout), written);
+    // The lines are those of the file, whatever was changed before them.
+    let told = [
+        "<stdin>:2-9: Записать эти проходы (2) циклом G90",
+        "<stdin>:10-13: Записать эти четыре перемещения циклом G94",
+        "<stdin>:15-18: Записать эти четыре перемещения циклом G90",
+    ];
+    assert_eq!(String::from_utf8_lossy(&output.stderr).lines().collect::<Vec<_>>(), told);
+}
+
+#[test]
 fn expand_keeps_the_encoding_and_every_comment() {
     for Encoded { encoding, text, bytes } in encoded() {
         let output = run(&["expand", "-"], &bytes);

@@ -4,9 +4,9 @@
 //! `cargo test --test mutations -- --nocapture` prints the table.
 #![cfg(not(target_arch = "wasm32"))]
 
-mod fixtures;
 #[path = "mutations/classes.rs"]
 mod classes;
+mod fixtures;
 #[path = "mutations/text.rs"]
 mod text;
 
@@ -98,9 +98,8 @@ impl Correct {
 /// Whether a message stands where the fault is.
 fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
     let (from, to) = (told.span.start as usize, told.span.end as usize);
-    let touches = |start: usize, end: usize| {
-        from < end && start < to || from == to && (start..=end).contains(&from)
-    };
+    let touches =
+        |start: usize, end: usize| from < end && start < to || from == to && (start..=end).contains(&from);
     let same_line = |at: usize| line(&mutant.text, from) == line(&mutant.text, at);
     match mutant.place {
         Place::At(start, end) => touches(start, end),
@@ -171,10 +170,19 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
         let told = first.map_or("nothing".to_owned(), |told| {
             let quoted = told.span.quote(mutant.text.as_bytes());
             let fixes = told.fixes.len();
-            format!("{} at line {} `{quoted}` fixes {fixes}", told.message.slug(), 1 + line(&mutant.text, told.span.start as usize))
+            format!(
+                "{} at line {} `{quoted}` fixes {fixes}",
+                told.message.slug(),
+                1 + line(&mutant.text, told.span.start as usize)
+            )
         });
         let what = if at_place { "not restored" } else { "misplaced" };
-        misses.push(format!("{what} | {} | {} | line {} `{row}` | {told}", class.name, correct.id, 1 + line(&mutant.text, place)));
+        misses.push(format!(
+            "{what} | {} | {} | line {} `{row}` | {told}",
+            class.name,
+            correct.id,
+            1 + line(&mutant.text, place)
+        ));
     }
 }
 
@@ -208,7 +216,8 @@ fn the_first_message_stands_at_the_fault() {
     println!("{:32} {:>8} {:>8} {:>9}", "fault", "programs", "at place", "restored");
     for (index, class) in CLASSES.iter().enumerate() {
         let score = scores.remove(&index).unwrap_or_default();
-        let (place, restored) = (percent(score.at_place, score.mutants), percent(score.restored, score.mutants));
+        let (place, restored) =
+            (percent(score.at_place, score.mutants), percent(score.restored, score.mutants));
         println!("{:32} {:>8} {place:>7.1}% {restored:>8.1}%", class.name, score.mutants);
         whole.mutants += score.mutants;
         whole.at_place += score.at_place;

@@ -5,6 +5,7 @@
 mod compare;
 mod encoding;
 mod export;
+mod rewrite;
 mod rules;
 mod summary;
 mod terminal;
@@ -69,6 +70,19 @@ enum Command {
         file: PathBuf,
         #[command(flatten)]
         with: With,
+        /// Where to write it; standard output when left out.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
+    /// Write plain moves that form a cycle as that cycle (the four moves of a G90, say); the motions stay the same.
+    Rewrite {
+        /// The program; `-` reads standard input.
+        file: PathBuf,
+        #[command(flatten)]
+        with: With,
+        /// Language of what is told on standard error.
+        #[arg(long, value_enum, default_value = "en")]
+        lang: LanguageName,
         /// Where to write it; standard output when left out.
         #[arg(short, long)]
         output: Option<PathBuf>,
@@ -274,6 +288,9 @@ fn run(command: Command) -> Result<ExitCode, String> {
             save(output.as_deref(), &encoded(&program, &expanded))?;
             Ok(status(&program.analysis))
         }
+        Command::Rewrite { file, with, lang, output } => {
+            rewrite::write(&file, &with, language(lang), output.as_deref())
+        }
         Command::Codes { control, lang, format } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
             print(|out| codes(out, list, language(lang), format))?;
@@ -421,6 +438,18 @@ fn program(file: &Path, with: &With) -> Result<Program, String> {
 
 /// Reads and runs a program; `begin` may change how.
 fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
+    let setup = setup_of(with)?;
+    let (name, text) = read(file)?;
+    let (text, encoding) = encoding::decode(text);
+    let mut run = begin(Run::new(text.clone(), setup));
+    while !run.advance(usize::MAX) {}
+    let mut analysis = run.into_analysis();
+    analysis.look_at_machine();
+    Ok(Program { name, text, encoding, analysis })
+}
+
+/// The setup that is named.
+fn setup_of(with: &With) -> Result<Setup, String> {
     let mut setup = match &with.setup {
         None => Setup::default(),
         Some(path) => {
@@ -432,13 +461,7 @@ fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Resu
     if let Some(control) = with.control {
         setup.dialect.control = control.control();
     }
-    let (name, text) = read(file)?;
-    let (text, encoding) = encoding::decode(text);
-    let mut run = begin(Run::new(text.clone(), setup));
-    while !run.advance(usize::MAX) {}
-    let mut analysis = run.into_analysis();
-    analysis.look_at_machine();
-    Ok(Program { name, text, encoding, analysis })
+    Ok(setup)
 }
 
 /// A text made from a program, in the encoding of the program's file.

@@ -123,7 +123,8 @@ impl Fix {
         let blanks = before.take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let from = Span { start: span.start - blanks, end: span.end };
         // At the head of a line the blanks behind it go.
-        let behind = text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
+        let behind =
+            text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let first = from.start == 0 || matches!(text[from.start as usize - 1], b'\n' | b'\r');
         let whole = if first { Span { start: span.start, end: span.end + behind } } else { from };
         Self::replace(Repair::Delete { text: span.quote(text) }, whole, "").asking()

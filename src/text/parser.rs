@@ -297,7 +297,9 @@ impl<'a> Parser<'a> {
             let fix = without_second_point(&quote);
             let told = Diagnostic::new(Message::SecondPoint { word: quote }, span);
             block.fault(match fix {
-                Some(text) => told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking()),
+                Some(text) => {
+                    told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking())
+                }
                 None => told,
             });
             return;

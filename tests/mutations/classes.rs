@@ -170,8 +170,7 @@ fn names_contour(words: &Words, word: &Word) -> bool {
 fn missing_n(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for n in words.words.iter().filter(|word| word.address == 'N') {
-        let Some(named) =
-            words.words.iter().find(|word| names_contour(words, word) && word.value == n.value)
+        let Some(named) = words.words.iter().find(|word| names_contour(words, word) && word.value == n.value)
         else {
             continue;
         };
@@ -233,9 +232,10 @@ fn depth_negative(words: &Words) -> Vec<Mutant> {
 /// The single cycle in force at a block.
 fn single_cycle(words: &Words, block: usize) -> Option<u32> {
     let group_01 = [0.0, 1.0, 2.0, 3.0, 32.0, 34.0, 90.0, 92.0, 94.0];
-    let last = words.words.iter().filter(|word| {
-        word.block <= block && word.address == 'G' && group_01.contains(&word.value)
-    });
+    let last = words
+        .words
+        .iter()
+        .filter(|word| word.block <= block && word.address == 'G' && group_01.contains(&word.value));
     let code = last.last()?.value as u32;
     let has_setting = [50.0, 28.0, 4.0, 30.0].iter().any(|&code| words.has_g(block, code));
     ((90..=94).contains(&code) && !has_setting).then_some(code)
@@ -279,7 +279,8 @@ fn r_not_extended(words: &Words) -> Vec<Mutant> {
                 let (start, end) = (place('X')?, words.find(word.block, 'X')?.value);
                 (2..=40).map(|step| start - f64::from(step) / 2.0).find_map(|surface| {
                     let share = (surface - end) / (start - end);
-                    (share > 0.2 && is_round(word.value * share) && !is_round(word.value)).then_some(share)
+                    (share > 0.2 && is_round(word.value * share) && !is_round(word.value))
+                        .then_some(share)
                         .or_else(|| (share > 0.2 && surface == 50.0).then_some(share))
                 })?
             }
@@ -398,18 +399,16 @@ fn surface_speed_in_thread(words: &Words) -> Vec<Mutant> {
 fn missing_clamp(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for word in words.words.iter().filter(|word| word.address == 'S' && words.has_g(word.block, 50.0)) {
-        let css = words.words.iter().find(|other| {
-            other.address == 'G' && other.value == 96.0 && other.start > word.start
-        });
+        let css = words
+            .words
+            .iter()
+            .find(|other| other.address == 'G' && other.value == 96.0 && other.start > word.start);
         let Some(css) = css else { continue };
         let g50 = words.of_block(word.block).find(|other| other.address == 'G' && other.value == 50.0);
         let start = g50.map_or(word.start, |g50| g50.start.min(word.start));
         let (text, at, _) = words.replaced(start, word.end, "");
         let shift = word.end - start;
-        made.push(Mutant {
-            text,
-            place: Place::Needed(at, Need::Word(css.start - shift, css.end - shift)),
-        });
+        made.push(Mutant { text, place: Place::Needed(at, Need::Word(css.start - shift, css.end - shift)) });
     }
     made
 }

@@ -119,6 +119,11 @@ export class Editor {
     return this.#view.state.selection.main.head;
   }
 
+  get selection(): Span {
+    const { from, to } = this.#view.state.selection.main;
+    return { from, to };
+  }
+
   set language(language: Language) {
     this.#shownLanguage = language;
     this.#view.dispatch({ effects: this.#language.reconfigure(this.#languageExtension(language)) });

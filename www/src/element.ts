@@ -24,7 +24,7 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// setup views playback play readout doing status notice written-out codes solid export-menu help.
+// setup views playback play readout doing status notice written-out rewrite codes solid export-menu help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -45,8 +45,9 @@ import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Readout, Report, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
+import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
 import type { CanvasCommand } from './protocol-views';
+import { RewriteDialog } from './rewrite';
 import { SetupBar } from './setup-bar';
 import { SetupDialog } from './setup-form';
 import { SolidDialog } from './solid';
@@ -105,6 +106,7 @@ export class GcodePlayground extends HTMLElement {
   #before: { readonly length: number; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null } | undefined;
   #help!: Help;
   #writtenOut!: WrittenOutDialog;
+  #rewrite!: RewriteDialog;
   #codes!: CodesDialog;
   #exports!: Exports;
   #solid!: SolidDialog;
@@ -378,6 +380,10 @@ export class GcodePlayground extends HTMLElement {
       wanted: () => void this.#writeOut(),
       taken: (text) => this.#takeOver(text),
     });
+    this.#rewrite = new RewriteDialog(texts, {
+      wanted: () => void this.#offerRewritings(),
+      taken: (rewriting) => this.#writeAsCycle(rewriting),
+    });
     this.#exports = new Exports(texts, { chosen: (format) => void this.#export(format) });
     this.#solid = new SolidDialog(texts, { wanted: () => this.#askSection() });
     this.#views.element.prepend(this.#setupBar.element);
@@ -388,9 +394,10 @@ export class GcodePlayground extends HTMLElement {
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#playback.element),
-      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#writtenOut.button, this.#help.button),
+      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#rewrite.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
+      this.#rewrite.element,
       this.#codes.element,
       this.#setupForm.element,
       this.#exports.element,
@@ -442,13 +449,14 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#writtenOut.open || this.#codes.open || this.#setupForm.open) return;
+    if (this.#writtenOut.open || this.#rewrite.open || this.#codes.open || this.#setupForm.open) return;
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
     else if (event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey) this.saveFile();
     else if (event.key === 'F9') this.#playback.step(event.ctrlKey || event.metaKey ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else if (event.key === 'F8') this.#editor?.nextProblem(event.shiftKey ? 'previous' : 'next');
+    else if (event.key === 'Enter' && event.altKey && !(inside instanceof HTMLInputElement)) void this.#offerRewritings();
     else if (event.key === '?' && !typing) this.#help.toggle();
     else return;
     event.preventDefault();
@@ -514,7 +522,7 @@ export class GcodePlayground extends HTMLElement {
     console.error('gcode-playground: the interpreter was lost', loss);
     this.#playback.program(0, 0);
     this.#drawing.summary = undefined;
-    this.#writtenOut.available = this.#exports.available = this.#solid.available = false;
+    this.#writtenOut.available = this.#rewrite.available = this.#exports.available = this.#solid.available = false;
     this.#drawing.showTip(undefined);
     const texts = this.#strings;
     if (loss.kind === 'load-failed') {
@@ -594,6 +602,27 @@ export class GcodePlayground extends HTMLElement {
     const { revision } = editor;
     const written = await line.client.ask('expand', undefined);
     if (editor.revision === revision) this.#writtenOut.show(written, editor.text);
+  }
+
+  async #offerRewritings(): Promise<void> {
+    const editor = this.#editor;
+    const line = this.#line;
+    if (editor === undefined || line === undefined || !this.#rewrite.available) return;
+    if (this.#sending !== undefined) {
+      this.#sendText();
+      this.#changed();
+    }
+    const { revision } = editor;
+    const rewritings = await line.client.ask('rewritings', editor.selection);
+    if (editor.revision === revision) this.#rewrite.show(rewritings);
+  }
+
+  #writeAsCycle({ edits, cycle }: Rewriting): void {
+    this.#editor?.change(edits);
+    this.#sendText();
+    this.#notice.show(this.#strings.rewrite.took(cycle), 'program');
+    this.#editor?.focus();
+    this.#changed();
   }
 
   /** Only while it is looked at. */
@@ -720,7 +749,7 @@ export class GcodePlayground extends HTMLElement {
     this.#status.summary = summary;
     this.#drawing.summary = summary;
     this.#setupBar.fitted = fitted;
-    this.#writtenOut.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;
+    this.#writtenOut.available = this.#rewrite.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;
     this.#askSection();
     this.#problems.diagnostics = diagnostics;
     // The path was there before, and the reader may be playing it.
@@ -759,7 +788,7 @@ export class GcodePlayground extends HTMLElement {
     const texts = (this.#strings = strings(language));
     for (const shown of [
       this.#drawing, this.#face, this.#views, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
-      this.#writtenOut, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid,
+      this.#writtenOut, this.#rewrite, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid,
     ]) {
       shown.strings = texts;
     }

@@ -7,6 +7,7 @@
 import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
 import { viewStrings, type ViewStrings } from './i18n-views';
+import { rewriteStrings, type RewriteStrings } from './i18n-rewrite';
 import { playbackStrings, type PlaybackStrings } from './i18n-playback';
 import { ruleStrings, type RuleStrings } from './i18n-rules';
 import { counter } from './plural';
@@ -45,6 +46,7 @@ export interface Strings {
   readonly feed: string;
   readonly thread: string;
   readonly views: ViewStrings;
+  readonly rewrite: RewriteStrings;
   // playing
   readonly playback: string;
   readonly play: string;
@@ -168,6 +170,7 @@ const en: Strings = {
   feed: 'cutting',
   thread: 'thread',
   views: viewStrings.en,
+  rewrite: rewriteStrings.en,
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
@@ -239,6 +242,7 @@ const en: Strings = {
     ['Alt F9  Alt Shift F9', 'next or previous pass of a cycle'],
     ['F8  Shift F8', 'next or previous problem'],
     ['Ctrl F', 'search in the program'],
+    ['Alt Enter', 'write the moves at the cursor as a cycle'],
     ['Ctrl S', 'save the program as a file'],
     ['Ctrl Z  Ctrl Y', 'undo, redo'],
     ['Tab', 'leave the editor'],
@@ -297,6 +301,7 @@ const zh: Strings = {
   feed: '切削进给',
   thread: '螺纹切削',
   views: viewStrings.zh,
+  rewrite: rewriteStrings.zh,
   playback: '播放',
   play: '播放',
   pause: '暂停',
@@ -368,6 +373,7 @@ const zh: Strings = {
     ['Alt F9  Alt Shift F9', '循环的下一次或上一次走刀'],
     ['F8  Shift F8', '下一个或上一个问题'],
     ['Ctrl F', '在程序中查找'],
+    ['Alt Enter', '将光标处的移动写成循环'],
     ['Ctrl S', '将程序保存为文件'],
     ['Ctrl Z  Ctrl Y', '撤销、重做'],
     ['Tab', '离开编辑器'],
@@ -427,6 +433,7 @@ const ru: Strings = {
   feed: 'рабочий ход',
   thread: 'резьба',
   views: viewStrings.ru,
+  rewrite: rewriteStrings.ru,
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',
@@ -498,6 +505,7 @@ const ru: Strings = {
     ['Alt F9  Alt Shift F9', 'следующий или предыдущий проход цикла'],
     ['F8  Shift F8', 'следующее или предыдущее замечание'],
     ['Ctrl F', 'поиск в программе'],
+    ['Alt Enter', 'записать перемещения у курсора циклом'],
     ['Ctrl S', 'сохранить программу в файл'],
     ['Ctrl Z  Ctrl Y', 'отменить, вернуть'],
     ['Tab', 'выйти из редактора'],

@@ -5,13 +5,13 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Diagnostic, Fitted, Palette, Readout, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Diagnostic, Fitted, Palette, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
 } from '../pkg/gcode_playground.js';
 import type { ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 import type { SwitchesInText } from './switches-in-text';
 
-export type { Codes, Diagnostic, Palette, Readout, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
+export type { Codes, Diagnostic, Palette, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
 export type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { CodeRow, Edit, Fix, SetupField, SetupState } from '../pkg/gcode_playground.js';
 
@@ -83,6 +83,8 @@ export interface Questions extends ViewQuestions {
   /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
   expand: { ask: undefined; answer: WrittenOut };
+  /** What can be written as a cycle; offsets of the reader's selection. */
+  rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { ask: undefined; answer: Codes };
   /** The bytes of a file; none where there is nothing to put into it. */
   export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };

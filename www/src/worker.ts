@@ -184,6 +184,10 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       return answerView(playground, question.about, question.ask as Questions[typeof question.about]['ask']);
     case 'expand':
       return writtenOut(playground);
+    case 'rewritings': {
+      const { from, to } = question.ask as Questions['rewritings']['ask'];
+      return playground.rewritings(from, to);
+    }
     case 'codes':
       return playground.codes();
     case 'export':

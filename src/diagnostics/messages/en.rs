@@ -370,6 +370,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Write => "Write `{text}`",
         Delete => "Delete `{text}`",
         Insert => "Insert `{text}`",
+        AsCycle => "Write these four moves as {cycle}",
+        AsCyclePasses => "Write these {passes} passes as {cycle}",
         Rapid => "rapid to {to}",
         Feed => "feed to {to}",
         ArcClockwise => "arc G02 to {to}",

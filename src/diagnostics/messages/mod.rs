@@ -14,7 +14,7 @@ mod zh;
 use super::message::Message;
 use arguments::fill;
 use phrases::Phrase;
-pub use phrases::describe_motion;
+pub use phrases::{describe_motion, describe_rewrite};
 use wording::Wording;
 
 /// A language the messages exist in.

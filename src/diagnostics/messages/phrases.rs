@@ -1,4 +1,4 @@
-//! What a stroke of the picture is, and the titles of repairs, as templates of every language.
+//! What a stroke of the picture is, and the titles of repairs and rewritings, as templates of every language.
 
 use super::Language;
 use super::arguments::{Arguments, Value, fill};
@@ -24,6 +24,8 @@ macro_rules! phrases {
 phrases! {
     // Titles of repairs
     CloseComment, DecimalPoint, LetterO, Minus, Write, Delete, Insert,
+    // Moves that are a cycle
+    AsCycle, AsCyclePasses,
     // Motions
     Rapid, Feed, ArcClockwise, ArcCounterclockwise, Thread, Dwell, DwellFor,
     // Motions of cycles, and their parts
@@ -46,6 +48,14 @@ impl Repair {
         };
         fill(language.phrase(phrase), &vec![("text", Value::Text(text))])
     }
+}
+
+/// What writing the moves of so many passes as the cycle of a code does.
+pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String {
+    let phrase = if passes == 1 { Phrase::AsCycle } else { Phrase::AsCyclePasses };
+    let arguments: Arguments =
+        vec![("cycle", Value::Text(code)), ("passes", Value::Count(passes.try_into().unwrap_or(i64::MAX)))];
+    fill(language.phrase(phrase), &arguments)
 }
 
 /// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.

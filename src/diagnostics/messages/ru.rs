@@ -372,6 +372,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Write => "Написать `{text}`",
         Delete => "Убрать `{text}`",
         Insert => "Вставить `{text}`",
+        AsCycle => "Записать эти четыре перемещения циклом {cycle}",
+        AsCyclePasses => "Записать эти проходы ({passes}) циклом {cycle}",
         Rapid => "ускоренное перемещение в {to}",
         Feed => "перемещение на подаче в {to}",
         ArcClockwise => "дуга G02 до {to}",

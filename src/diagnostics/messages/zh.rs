@@ -370,6 +370,8 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Write => "改写为 `{text}`",
         Delete => "删除 `{text}`",
         Insert => "插入 `{text}`",
+        AsCycle => "将这四个动作写成 {cycle}",
+        AsCyclePasses => "将这 {passes} 刀写成 {cycle}",
         Rapid => "快速移动至 {to}",
         Feed => "切削进给至 {to}",
         ArcClockwise => "圆弧 G02 至 {to}",

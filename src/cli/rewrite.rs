@@ -1,0 +1,27 @@
+//! Plain moves as cycles: the program on standard output, what was done to it on standard error.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use super::{With, encoded, program, save, setup_of, status};
+use crate::diagnostics::messages::Language;
+use crate::rewrite::rewritten;
+use crate::text::source::LineIndex;
+
+/// Writes the program with every offer taken.
+pub(super) fn write(
+    file: &Path,
+    with: &With,
+    language: Language,
+    output: Option<&Path>,
+) -> Result<ExitCode, String> {
+    let program = program(file, with)?;
+    let (text, taken) = rewritten(&program.text, &setup_of(with)?);
+    let lines = LineIndex::new(&program.text);
+    for offer in taken {
+        let (first, last) = (lines.line_of(offer.span.start) + 1, lines.line_of(offer.span.end) + 1);
+        eprintln!("{}:{first}-{last}: {}", program.name, offer.title(language));
+    }
+    save(output, &encoded(&program, &String::from_utf8_lossy(&text)))?;
+    Ok(status(&program.analysis))
+}

@@ -1,0 +1,294 @@
+//! The edits that write moves as a cycle.
+//!
+//! In: moves and the passes they are. Out: an [`Offer`], not tried yet. Words keep the way they were typed wherever
+//! they still mean the same; comments stay; the block behind is given its G00 where it relied on the one that goes.
+
+use super::Offer;
+use super::places::{Move, Places, ends_program, g, is_plain};
+use super::shape::{Pass, level};
+use crate::control::codes::{self, G, MotionMode};
+use crate::control::dialect::DecimalRule;
+use crate::control::words::{Reading, Unit, plain, quote};
+use crate::cycles::single::Single;
+use crate::diagnostics::Edit;
+use crate::run::Analysis;
+use crate::text::block::{Block, Word};
+use crate::text::parser::{Parser, Resume};
+use crate::text::source::Span;
+
+/// Words that a block may have without a code of group 01, and that mean nothing without one.
+const MODAL: &[u8] = b"XZUWYVCHIJKRAE";
+
+/// Writes the cycles of one program.
+pub struct Writer<'a> {
+    /// The program.
+    pub text: &'a [u8],
+    /// Its traced run.
+    pub analysis: &'a Analysis,
+    /// What is known of its blocks.
+    pub places: &'a Places,
+    /// How numbers are read.
+    pub decimal: DecimalRule,
+}
+
+/// How the program is written where it is changed.
+struct Style {
+    /// Between two words.
+    gap: &'static str,
+    lower_case: bool,
+    /// Behind whole numbers.
+    point: &'static str,
+    /// G00, as it is written here.
+    rapid: String,
+}
+
+/// A block and its place.
+struct Placed {
+    block: Block,
+    /// One past its last byte, with its end of block.
+    next: u32,
+}
+
+impl Writer<'_> {
+    /// The offer for the moves of some passes; none where something would be lost.
+    pub fn offer(&self, moves: &[Move], passes: &[Pass]) -> Option<Offer> {
+        let single = passes.first()?.single;
+        let code = self.code(single)?;
+        let blocks: Vec<Placed> = moves.iter().map(|own| self.read(own.at)).collect();
+        let style = self.style(&blocks);
+        let mut edits = Vec::new();
+        let mut feed = None;
+        for (number, pass) in passes.iter().enumerate() {
+            let own = 4 * number..4 * number + 4;
+            let before = number.checked_sub(1).map(|before| &passes[before]);
+            let (moves, blocks) = (&moves[own.clone()], &blocks[own]);
+            // A jump may only lead to the first.
+            if blocks[1..].iter().any(|placed| self.places.is_target(&placed.block)) {
+                return None;
+            }
+            let mut words = Vec::new();
+            words.extend(before.is_none().then(|| code.clone()));
+            words.extend(self.cycle_words(moves, blocks, pass, before, &style));
+            words.extend(self.feed_word(blocks, &mut feed)?);
+            let mut line = words.join(style.gap);
+            if style.lower_case {
+                line.make_ascii_lowercase();
+            }
+            edits.push(self.replaced(&blocks[0].block, line));
+            edits.extend(blocks[1..].iter().map(|placed| self.removed(placed)));
+        }
+        let (last, move_) = (blocks.last()?, moves.last()?);
+        self.restore_rapid(move_.index, last, &style.rapid, &mut edits);
+        let span = Span { start: blocks[0].block.words_span().start, end: last.block.words_span().end };
+        Some(Offer { span, single, code, passes: passes.len(), edits })
+    }
+
+    /// X, Z and R, as far as they differ from the pass before.
+    fn cycle_words(
+        &self,
+        moves: &[Move],
+        blocks: &[Placed],
+        pass: &Pass,
+        before: Option<&Pass>,
+        style: &Style,
+    ) -> Vec<String> {
+        let mut words = Vec::new();
+        let differs =
+            |value: fn(&Pass) -> f64| before.is_none_or(|before| !level(value(before), value(pass)));
+        let (x, z) = (differs(|pass| pass.end.x), differs(|pass| pass.end.z));
+        // A pass once more at the same depth still has to be called.
+        let again = before.is_some() && !x && !z;
+        if x || (again && pass.single != Single::Facing) {
+            words.push(self.axis_word(moves, blocks, b"XU", (pass.start.x, pass.end.x), style));
+        }
+        if z || (again && pass.single == Single::Facing) {
+            words.push(self.axis_word(moves, blocks, b"ZW", (pass.start.z, pass.end.z), style));
+        }
+        if before.map_or(pass.taper != 0.0, |before| !level(before.taper, pass.taper)) {
+            words.push(format!("R{}", number(pass.taper, moves[0].unit, style.point)));
+        }
+        words
+    }
+
+    /// The word for where the cut ends along an axis, typed anew only where the typed one would mean another place.
+    fn axis_word(
+        &self,
+        moves: &[Move],
+        blocks: &[Placed],
+        letters: &[u8; 2],
+        (start, end): (f64, f64),
+        style: &Style,
+    ) -> String {
+        let unit = moves[0].unit;
+        let scale = if letters[0] == b'X' { 2.0 } else { 1.0 };
+        let find =
+            |placed: &Placed| placed.block.words.iter().find(|word| letters.contains(&word.address)).copied();
+        let typed = find(&blocks[1]).or_else(|| find(&blocks[0]));
+        let letter = typed.map_or(letters[0], |word: Word| word.address);
+        let way = letter == letters[1] || moves[0].incremental;
+        let target = scale * if way { end - start } else { end };
+        let reading = Reading { unit, decimal: self.decimal };
+        let means_it = |word: &Word| reading.length(word).is_some_and(|value| level(value, target));
+        match typed.filter(means_it) {
+            Some(word) => quote(self.text, word.span),
+            None => format!("{}{}", char::from(letter), number(target, unit, style.point)),
+        }
+    }
+
+    /// F, where it is another one than before; `None` where one of the blocks sets an F that the cycle could not.
+    fn feed_word(&self, blocks: &[Placed], feed: &mut Option<f64>) -> Option<Option<String>> {
+        let find = |placed: &Placed| placed.block.words.iter().find(|word| word.address == b'F').copied();
+        let own = find(&blocks[1]).or_else(|| find(&blocks[0]));
+        let value = own.as_ref().and_then(plain);
+        let new = own.filter(|_| *feed != value).map(|word| quote(self.text, word.span));
+        *feed = value.or(*feed);
+        let late = blocks[2..].iter().filter_map(find).all(|word| plain(&word) == *feed);
+        late.then_some(new)
+    }
+
+    /// The words of a block replaced; comments between them stand behind.
+    fn replaced(&self, block: &Block, mut line: String) -> Edit {
+        let span = block.words_span();
+        for comment in block.comments.iter().filter(|own| span.start < own.start && own.end < span.end) {
+            line = format!("{line} {}", comment.quote(self.text));
+        }
+        Edit { span, text: line }
+    }
+
+    /// A block taken out; its comments stay in its place.
+    fn removed(&self, placed: &Placed) -> Edit {
+        let block = &placed.block;
+        let comments: Vec<String> = block.comments.iter().map(|own| own.quote(self.text)).collect();
+        if comments.is_empty() {
+            return Edit {
+                span: Span { start: block.span.start, end: self.cut_end(placed) },
+                text: String::new(),
+            };
+        }
+        Edit { span: self.content(block), text: comments.join(" ") }
+    }
+
+    /// What a block holds, without the blanks around it.
+    fn content(&self, block: &Block) -> Span {
+        let bytes = block.span.of(self.text);
+        let start = block.span.start as usize + bytes.len() - bytes.trim_ascii_start().len();
+        Span::new(start, start + bytes.trim_ascii().len())
+    }
+
+    /// One past what goes with a block that is taken out: its end of block, and of a line of its own the line end.
+    fn cut_end(&self, placed: &Placed) -> u32 {
+        let (span, next) = (placed.block.span, placed.next as usize);
+        let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        let begins_line = span.start == 0 || is_line_end(&self.text[span.start as usize - 1]);
+        let semicolon = self.text[span.end as usize..next].contains(&b';');
+        match (begins_line, semicolon) {
+            (true, true) => {
+                let blank = self.text[next..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+                let rest = &self.text[next + blank..];
+                let end = if rest.starts_with(b"\r\n") {
+                    2
+                } else {
+                    rest.iter().take(1).filter(|byte| is_line_end(byte)).count()
+                };
+                if end > 0 || rest.is_empty() { (next + blank + end) as u32 } else { placed.next }
+            }
+            (true, false) => placed.next,
+            // Behind others on its line: the line still ends.
+            (false, true) => placed.next,
+            (false, false) => span.end,
+        }
+    }
+
+    /// Gives what follows the cycle its G00, where it relies on that of the last block, which is at `index`.
+    fn restore_rapid(&self, index: usize, last: &Placed, rapid: &str, edits: &mut Vec<Edit>) {
+        let mut at = last.block.span.start;
+        for executed in &self.analysis.trace[index + 1..] {
+            let Placed { block, .. } = self.read(executed.at);
+            let has = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
+            let found = || block.words.iter().filter_map(|word| g(word, self.analysis.codes));
+            if is_plain(&block)
+                && block.words.iter().any(|word| ends_program(word) && !codes::is_passage(word))
+            {
+                return;
+            }
+            let straight = executed.at.byte > at && !executed.steers && executed.values.is_none();
+            at = executed.at.byte;
+            // The program may come to a block from elsewhere, or not at all.
+            if !straight || !is_plain(&block) || self.places.is_target(&block) {
+                break;
+            }
+            if found().any(|code| matches!(code, G::Motion(_))) {
+                return;
+            }
+            if found().any(|code| matches!(code, G::Multiple(_) | G::Hole(_) | G::Polar(_) | G::Cylinder)) {
+                break;
+            }
+            let alone = found().any(|code| {
+                matches!(code, G::Dwell | G::Home | G::OtherHome | G::Setting | G::LocalFrame | G::Data)
+            });
+            if alone || !has(MODAL) {
+                continue;
+            }
+            let start = block.words_span().start;
+            edits.push(Edit { span: Span { start, end: start }, text: format!("{rapid} ") });
+            return;
+        }
+        if self.analysis.trace.len() == index + 1 {
+            return;
+        }
+        // A block of its own, in place of the last one.
+        let mut line = rapid.to_owned();
+        for comment in &last.block.comments {
+            line = format!("{line} {}", comment.quote(self.text));
+        }
+        edits.pop();
+        edits.push(Edit { span: self.content(&last.block), text: line });
+    }
+
+    /// The code of a cycle in the list of codes in force.
+    fn code(&self, single: Single) -> Option<String> {
+        let is_it = |number: &u64| {
+            codes::g_code(10 * number, self.analysis.codes)
+                .is_some_and(|found| found.code == G::Motion(MotionMode::Cycle(single)))
+        };
+        (0..100).find(is_it).map(|number| format!("G{number:02}"))
+    }
+
+    fn style(&self, blocks: &[Placed]) -> Style {
+        let words = || blocks[..2].iter().flat_map(|placed| &placed.block.words);
+        let has_gap =
+            |placed: &Placed| placed.block.words.windows(2).any(|pair| pair[0].span.end < pair[1].span.start);
+        let tight = blocks[..2].iter().all(|placed| !has_gap(placed))
+            && blocks[..2].iter().any(|placed| placed.block.words.len() > 1);
+        let lower_case = words().all(|word| self.text[word.span.start as usize].is_ascii_lowercase());
+        let has_point = |word: &Word| quote(self.text, word.span).ends_with('.');
+        let pointed = self.decimal == DecimalRule::LeastIncrement
+            || words().any(|word| word.address != b'F' && has_point(word));
+        let is_rapid = |word: &&Word| g(word, self.analysis.codes) == Some(G::Motion(MotionMode::Rapid));
+        let typed = blocks.iter().rev().find_map(|placed| placed.block.words.iter().find(is_rapid));
+        Style {
+            gap: if tight { "" } else { " " },
+            lower_case,
+            point: if pointed { "." } else { "" },
+            rapid: typed.map_or_else(|| "G00".into(), |word| quote(self.text, word.span)),
+        }
+    }
+
+    fn read(&self, at: Resume) -> Placed {
+        let mut parser = Parser::resume(self.text, at);
+        let mut block = Block::default();
+        parser.next_block(&mut block);
+        Placed { block, next: parser.position().byte }
+    }
+}
+
+/// A length, mm, as a number of the program, to its least increment.
+fn number(value: f64, unit: Unit, point: &str) -> String {
+    let text = match unit {
+        Unit::Millimetre => format!("{value:.3}"),
+        Unit::Inch => format!("{:.4}", value / unit.millimetres()),
+    };
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    let text = if text == "-0" { "0" } else { text };
+    if text.contains('.') { text.to_owned() } else { format!("{text}{point}") }
+}

@@ -1,0 +1,23 @@
+//! Plain moves as cycles, for JavaScript.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js};
+use crate::rewrite::offers;
+use crate::text::source::Span;
+
+#[wasm_bindgen]
+impl Playground {
+    /// What can be written as a cycle without changing a motion, in order of place. `from` and `to` are the reader's
+    /// selection, UTF-16 offsets: where there is much, what is near it is looked at.
+    #[wasm_bindgen(unchecked_return_type = "Rewriting[]")]
+    pub fn rewritings(&self, from: u32, to: u32) -> Result<JsValue, JsValue> {
+        let (text, places) = (self.run.text(), self.places());
+        let byte = |offset: u32| self.lines().byte_at_utf16(text, offset) as usize;
+        let start = byte(from);
+        let selection = Some(Span::new(start, byte(to).max(start)));
+        let found = offers(text, &self.setup, selection);
+        let rows = found.iter().map(|offer| places.rewriting(offer, selection, self.language));
+        to_js(&rows.collect::<Vec<_>>())
+    }
+}

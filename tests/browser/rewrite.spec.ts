@@ -1,0 +1,52 @@
+// Plain moves written as a cycle, on the page.
+import { expect, test, type Page } from '@playwright/test';
+import { editor, motionCount, open, problems, program, status, type, value } from './page';
+
+const button = (page: Page) => page.getByRole('button', { name: 'Write as a cycle…' });
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'Write as a cycle' });
+
+test('four moves become a G90, and undo brings them back', async ({ page }) => {
+  await open(page, '#s001-o0001');
+  const motions = `${motionCount('s001-o0001')} motions`;
+  await expect(status(page)).toContainText(motions);
+  await button(page).click();
+  const offer = dialog(page).getByRole('listitem');
+  await expect(offer).toHaveCount(1);
+  await expect(offer.getByRole('heading')).toHaveText('Write these four moves as G90');
+  await expect(offer).toContainText('Lines 5 to 8');
+  await expect(offer).toContainText('G90 X26 Z-30 F0.1');
+  await dialog(page).getByRole('button', { name: 'Write it so' }).click();
+  await expect(dialog(page)).toBeHidden();
+  await expect.poll(() => value(page)).toBe(program('s001-o0002').replace('O0002', 'O0001'));
+  await expect(status(page)).toContainText(motions);
+  await expect(page.getByText('Written as G90')).toBeVisible();
+  await expect(editor(page)).toBeFocused();
+  await page.keyboard.press('Control+Z');
+  await expect.poll(() => value(page)).toBe(program('s001-o0001'));
+});
+
+test('by keys: the blocks at the cursor come first', async ({ page }) => {
+  await open(page);
+  const cut = (x: number) => `G00 X${x}\nG01 Z-30 F0.1\nX62\nG00 Z2\n`;
+  await type(page, `G00 X62 Z2\n${cut(56)}G00 X62 Z2 M08\nM09\n${cut(40)}`);
+  await expect(status(page)).toContainText('9 motions');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Alt+Enter');
+  const offers = dialog(page).getByRole('listitem');
+  await expect(offers).toHaveCount(2);
+  await expect(offers.first()).toContainText('G90 X40 Z-30');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => value(page)).toBe(`G00 X62 Z2\n${cut(56)}G00 X62 Z2 M08\nM09\nG90 X40 Z-30 F0.1\n`);
+  await expect(problems(page)).not.toContainText('error');
+});
+
+test('a program without such moves says what would be one', async ({ page }) => {
+  await open(page, '#s001-o0002');
+  await button(page).click();
+  await expect(dialog(page)).toContainText('No plain moves of this program');
+  await expect(dialog(page).getByRole('listitem')).toHaveCount(0);
+  await page.keyboard.press('Escape');
+  await page.getByLabel('Language').selectOption('zh');
+  await page.getByRole('button', { name: '写成循环…' }).click();
+  await expect(page.getByRole('dialog', { name: '写成循环' })).toContainText('没有构成');
+});
