@@ -19,6 +19,7 @@ pub mod export;
 pub mod geometry;
 pub mod limits;
 pub mod motion;
+pub mod paste;
 mod room;
 pub mod run;
 pub mod scene;

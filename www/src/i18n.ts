@@ -7,6 +7,7 @@
 import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
 import { viewStrings, type ViewStrings } from './i18n-views';
+import { pasteStrings, type PasteStrings } from './i18n-paste';
 import { playbackStrings, type PlaybackStrings } from './i18n-playback';
 import { counter } from './plural';
 
@@ -44,6 +45,7 @@ export interface Strings {
   readonly feed: string;
   readonly thread: string;
   readonly views: ViewStrings;
+  readonly paste: PasteStrings;
   // playing
   readonly playback: string;
   readonly play: string;
@@ -166,6 +168,7 @@ const en: Strings = {
   feed: 'cutting',
   thread: 'thread',
   views: viewStrings.en,
+  paste: pasteStrings.en,
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
@@ -294,6 +297,7 @@ const zh: Strings = {
   feed: '切削进给',
   thread: '螺纹切削',
   views: viewStrings.zh,
+  paste: pasteStrings.zh,
   playback: '播放',
   play: '播放',
   pause: '暂停',
@@ -423,6 +427,7 @@ const ru: Strings = {
   feed: 'рабочий ход',
   thread: 'резьба',
   views: viewStrings.ru,
+  paste: pasteStrings.ru,
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',
