@@ -117,8 +117,8 @@ fn a_digit_lost_in_other_signs_is_asked_for() {
     let program = &found.programs[0];
     let asked: Vec<_> = program.questions().collect();
     assert_eq!(asked.len(), 1);
-    assert_eq!(asked[0].choices, ["G0", "G00", "G01", "G02", "G03"]);
-    assert_eq!(program.answered(|_| 2), "O0001;\nG00 X 26 ;\nG01 Z-30 F0.1;\nX32;\nM30;\n");
+    assert_eq!(asked[0].choices, ["G0", "G01", "G02", "G03", "G04"]);
+    assert_eq!(program.answered(|_| 1), "O0001;\nG00 X 26 ;\nG01 Z-30 F0.1;\nX32;\nM30;\n");
 }
 
 #[test]
@@ -229,7 +229,7 @@ fn short_text_behind_a_block_becomes_a_remark() {
 
 #[test]
 fn a_program_as_a_control_takes_it_stays_as_it_is() {
-    let text = "%\nO1000 (PART)\n(ROUGH)\nN10 G18 G20 G40 G80 G99\n/2 M98 P2000\n#100=[#1+2.5]*3\nIF [#100 GT 4] GOTO 20\n\
+    let text = "%\nO1000 (PART)\n(ROUGH)\nN10 G18 G20 G40 G80 G99\n/2 M98 P2000\n/\n#100=[#1+2.5]*3\nIF [#100 GT 4] GOTO 20\n\
 G01 X#100 Z[-#3/2] ,C2 ,R1. F.2\nX-21.75,A30\nN20 G65 P9010 A1. B2.\nWHILE [#1 LT 3] DO1\nEND1\nG28 U0. W0.\nM30\n%\n";
     let found = checked(text);
     assert!(!found.doubtful, "{found:#?}");

@@ -287,6 +287,10 @@ impl Reader<'_> {
                 let to = if level.is_some() { seen.end + 1 } else { seen.end };
                 let next = to + blanks(text, to);
                 let glued = before.is_some_and(char::is_alphabetic);
+                let alone = first && sign_at(text, next).is_none_or(|c| matches!(c, '\n' | '\r'));
+                if alone {
+                    return Some((Kind::Slash, to));
+                }
                 if !glued && to <= end && (self.word(next).is_some() || self.is_macro(next, end)) {
                     return Some((Kind::Slash, to));
                 }
@@ -374,7 +378,7 @@ impl Reader<'_> {
 
     /// Whether a macro statement begins here.
     fn is_macro(&self, at: usize, end: usize) -> bool {
-        let rest = self.text[at..end].as_bytes();
+        let rest = &self.text.as_bytes()[at..end];
         let before = self.text[..at].chars().next_back();
         if !rest.first().is_some_and(|byte| b"#IiWwGgDdEeBbSsPp".contains(byte)) {
             return false;

@@ -13,6 +13,12 @@ use crate::text::source::Span;
 /// Longest text behind a block that becomes a remark, characters.
 const LONGEST_REMARK: usize = 40;
 
+/// Codes a G word may have been whose second digit cannot be read; `G0` is G00 already.
+const CODES: [&str; 22] = [
+    "G01", "G02", "G03", "G04", "G20", "G21", "G28", "G32", "G50", "G70", "G71", "G72", "G73", "G74", "G75",
+    "G76", "G90", "G92", "G94", "G96", "G97", "G98",
+];
+
 /// Writes a program.
 pub(super) fn write(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Vec<Piece> {
     let (Some(&first), Some(&last)) = (stretch.blocks.first(), stretch.blocks.last()) else {
@@ -110,10 +116,10 @@ impl Writer<'_> {
             .get(at + 1)
             .filter(|next| next.kind == Kind::Foreign && next.span.start == item.span.end);
         if next.is_some() && word.letter == b'G' && self.blocks.owner[at + 1] == self.blocks.owner[at] {
-            let more = ["G00", "G01", "G02", "G03"].map(str::to_string);
-            let choices =
-                [now.clone()].into_iter().chain(more.into_iter().filter(|code| *code != now)).collect();
-            self.push(end, now, Some(Reason::UnreadableDigit));
+            let longer = CODES.into_iter().filter(|code| code.len() > now.len() && code.starts_with(&now));
+            let choices: Vec<String> = [now.as_str()].into_iter().chain(longer).map(str::to_string).collect();
+            let reason = if choices.len() > 1 { Some(Reason::UnreadableDigit) } else { word.reason };
+            self.push(end, now, reason);
             return self.ask(choices);
         }
         let reason = if now == was { None } else { word.reason };
