@@ -235,6 +235,7 @@ G01 X#100 Z[-#3/2] ,C2 ,R1. F.2\nX-21.75,A30\nN20 G65 P9010 A1. B2.\nWHILE [#1 L
     assert!(!found.doubtful, "{found:#?}");
     assert_eq!(found.programs.len(), 1);
     assert_eq!(found.programs[0].text(), text.replace("%\n", ""));
+    assert!(!checked("O1;\nG00U2W1;每刀切深2毫米\nM30;\n").doubtful);
     let with_subprogram = "O1\nG00 X5 Z5\nM98 P2\nM30\nO2\nG01 U-1 F.1\nM99\n";
     assert!(!checked(with_subprogram).doubtful);
     assert_eq!(checked(with_subprogram).programs.len(), 2);

@@ -146,8 +146,14 @@ fn is_doubtful(text: &str, items: &[items::Item], programs: &[Program]) -> bool 
     if programs.is_empty() {
         return false;
     }
-    let repaired =
-        |piece: &Piece| piece.is_question() || piece.reason.is_some_and(|reason| !reason.is_parsers_own());
+    // Text behind a `;` the parser takes for a remark too.
+    let remark = |piece: &Piece| {
+        piece.reason == Some(Reason::Remark) && text[..piece.span.start as usize].ends_with([';', '；'])
+    };
+    let repaired = |piece: &Piece| {
+        let more = piece.reason.is_some_and(|reason| !reason.is_parsers_own());
+        piece.is_question() || (more && !remark(piece))
+    };
     if programs.iter().any(|program| program.pieces.iter().any(repaired)) {
         return true;
     }
