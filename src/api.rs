@@ -3,6 +3,7 @@
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
+pub mod paste;
 mod readout;
 mod rewrite;
 pub mod setup;

@@ -19,6 +19,7 @@ pub mod export;
 pub mod geometry;
 pub mod limits;
 pub mod motion;
+pub mod paste;
 pub mod rewrite;
 mod room;
 pub mod run;

@@ -115,3 +115,9 @@ pub const LOOPS: usize = 30;
 
 /// Levels of local variables below the main program.
 pub const MACRO_LEVELS: usize = 5;
+
+/// Longest text that is searched for programs, bytes.
+pub const PASTED_TEXT: usize = 16 << 20;
+
+/// Most programs that are listed of a text; how many more there are is said.
+pub const FOUND_PROGRAMS: usize = 200;

@@ -5,6 +5,7 @@
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
 mod files;
+mod paste;
 mod playback;
 mod rewrite;
 mod setup;

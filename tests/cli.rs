@@ -172,6 +172,25 @@ fn codes_are_listed_for_all_controls_or_one() {
 }
 
 #[test]
+fn clean_lists_the_programs_of_a_text_and_writes_one() {
+    let text =
+        "Example 1: O0007; G00 X32 Z2; G01 Z–30 F0.1; M30;\nand so on\nO8\nG00 X1 Z?2\nM30\n".as_bytes();
+    let list = run(&["clean", "-", "--list"], text);
+    let listed = String::from_utf8_lossy(&list.stdout).into_owned();
+    assert_eq!(listed.lines().count(), 2, "{listed}");
+    assert!(listed.starts_with("1\tlines 1-1\t4 changes\t0 questions\tO0007\n"), "{listed}");
+    assert!(listed.ends_with("1 questions\tO0008\n"), "{listed}");
+    let first = run(&["clean", "-"], text);
+    assert_eq!(String::from_utf8_lossy(&first.stdout), "O0007;\nG00 X32 Z2;\nG01 Z-30 F0.1;\nM30;\n");
+    assert!(String::from_utf8_lossy(&first.stderr).contains("<stdin>:1:35: A printed dash became a minus"));
+    let second = run(&["clean", "-", "--program", "2", "--lang", "ru"], text);
+    assert_eq!(String::from_utf8_lossy(&second.stdout), "O8\nG00 X1 Z?2\nM30\n");
+    assert!(String::from_utf8_lossy(&second.stderr).contains("Z?2 / Z-2 / Z2"));
+    assert_eq!(run(&["clean", "-", "--program", "3"], text).status.code(), Some(2));
+    assert_eq!(run(&["clean", "-"], b"no program").status.code(), Some(2));
+}
+
+#[test]
 fn svg_goes_to_a_file_or_to_standard_output() {
     let program = b"M3 S1\nG0 X20 Z2\nG1 Z-10 F0.2\nM30";
     let output = run(&["svg", "-"], program);

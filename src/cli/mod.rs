@@ -2,6 +2,7 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
+mod clean;
 mod compare;
 mod encoding;
 mod export;
@@ -57,6 +58,8 @@ enum Command {
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
     },
+    /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
+    Clean(clean::Clean),
     /// Print every motion as one JSON object a line.
     Motions {
         /// The program; `-` reads standard input.
@@ -272,6 +275,10 @@ pub fn main() -> ExitCode {
 fn run(command: Command) -> Result<ExitCode, String> {
     match command {
         Command::Check { files, with, lang, format } => check(&files, &with, language(lang), format),
+        Command::Clean(clean) => {
+            clean::run(&clean)?;
+            Ok(ExitCode::SUCCESS)
+        }
         Command::Motions { file, with } => {
             let program = program(&file, &with)?;
             print(|out| {

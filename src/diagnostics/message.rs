@@ -368,6 +368,92 @@ pub enum Message {
 
     /// Nose compensation in force where it does nothing.
     CompensationIdle { code: &'static str },
+    /// `F02`: a zero before a number without a point.
+    LeadingZero { word: String, value: f64, meant: String },
+    /// One number without a point among many with one.
+    PointMissing { word: String, thousandths: f64 },
+    /// A place far beyond all others of the program.
+    FarOff { word: String, axis: char, to: f64, farthest: f64 },
+    /// A cut that leads away from the work.
+    MinusMissing { word: String, meant: String },
+    /// U where X was probably meant.
+    IncrementalForAbsolute { word: String, axis: char, to: f64, meant: String },
+    /// The spindle is to turn, but has no speed.
+    SpeedMissing,
+    /// G96 or G97 changes what S means, but no S stands there.
+    SpeedNotRepeated { code: &'static str, speed: f64 },
+    /// The spindle turns too fast for the lead.
+    ThreadTooFast { speed: f64, pitch: f64, limit: f64 },
+    /// The spindle changes between two passes of a thread.
+    ThreadSpeedChanged { before: f64, now: f64 },
+    /// Two passes of a thread do not start in the same groove.
+    ThreadStartMoved { before: f64, now: f64, lead: f64 },
+    /// Too little way before the thread.
+    ThreadRunIn { have: f64, need: f64 },
+    /// A thread much higher or lower than its pitch asks for.
+    ThreadHeight { height: f64, pitch: f64, usual: f64 },
+    /// The first cut of a thread is deeper than the thread.
+    ThreadFirstDepth { first: f64, height: f64 },
+    /// The least depth of G76 is very large.
+    ThreadLeastLarge { word: String, least: f64 },
+    /// The pull-out of a thread is longer than the way out.
+    ThreadPullOut { pull_out: f64, way: f64 },
+    /// The lead of a thread is still the feed of a cut.
+    FeedOfThread { feed: f64 },
+    /// The feed of a cut has become the lead of a thread.
+    LeadOfFeed { code: &'static str, feed: f64 },
+    /// A taper that becomes thinner toward the chuck.
+    TaperNarrows { word: String },
+    /// A taper whose cut begins beyond the axis.
+    TaperCrossesAxis { word: String, x: f64 },
+    /// The first pass of a taper is very deep at one end.
+    TaperEdge { depth: f64 },
+    /// A pass of a cycle that cuts nothing.
+    PassNotDeeper { word: String, deepest: f64 },
+    /// A cycle that starts far from the work.
+    AirCut { axis: char, distance: f64 },
+    /// A facing cycle that starts behind the face.
+    StartBehindFace { z: f64, face: f64 },
+    /// A cycle that starts at a diameter within the blank.
+    StartInStock { code: &'static str, x: f64, diameter: f64 },
+    /// The turret turns near the work.
+    ToolChangeNear { tool: String, x: f64, z: f64 },
+    /// The tool leaves a bore sideways.
+    BoreRetract { x: f64, z: f64 },
+    /// The step of a groove is as wide as the blade.
+    GrooveStep { step: f64, width: f64 },
+    /// The retract of a roughing pass is larger than the pass.
+    EscapeTooLarge { escape: f64, depth: f64 },
+    /// The contour does not begin where the cycle starts.
+    ContourStartMoved { code: &'static str, axis: char, start: f64, first: f64 },
+    /// The contour ends within the blank.
+    ContourNotClosed { x: f64, diameter: f64 },
+    /// The first pass of G73 is too deep.
+    PatternShallow { depth: f64, relief: f64 },
+    /// Most of the first pass of G73 cuts air.
+    PatternAir { share: f64 },
+    /// Compensation is switched within a cycle.
+    CompensationInCycle { word: String, code: &'static str },
+    /// Compensation is still on where the tool leaves.
+    CompensationLeftOn { code: &'static str, word: String },
+    /// The nose is on the wrong side of the path.
+    CompensationSide { code: &'static str, right: &'static str },
+    /// Blocks without a move under compensation.
+    CompensationIdleBlocks,
+    /// The move that begins or ends compensation is too short.
+    CompensationShort { length: f64, radius: f64 },
+    /// The tip number does not fit a turning tool.
+    CompensationTip { tip: f64 },
+    /// The chuck opens while the spindle turns.
+    ChuckOpen { word: String },
+    /// A tap is pulled out without turning back.
+    TapReverse,
+    /// Tapping at constant surface speed.
+    TapSurface,
+    /// A sequence number that is searched for stands twice.
+    DuplicateSequence { sequence: u32, line: u32 },
+    /// An arc of more than a half circle.
+    ArcOverHalf { word: String },
 
     // Setup
     /// A value of the setup that cannot be.
@@ -458,6 +544,8 @@ impl Message {
             | Self::ProgramNotFound { .. }
             | Self::ToolNotListed { .. }
             | Self::DoglegThroughStock { .. }
+            | Self::CompensationTip { .. }
+            | Self::ChuckOpen { .. }
             | Self::OverTravel { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
@@ -639,6 +727,55 @@ impl Message {
             Self::CompensationPlane => ("PS0037", "compensation-plane-change", Error, Some("PS0037")),
             Self::LeadRunsOut { .. } => ("PS0313", "lead-runs-out", Error, Some("PS0313")),
             Self::CompensationIdle { .. } => ("W-TNRC-CYCLE", "compensation-without-effect", Warning, None),
+            Self::LeadingZero { .. } => ("W-POINT", "leading-zero", Warning, None),
+            Self::PointMissing { .. } => ("W-POINT", "point-missing", Warning, None),
+            Self::FarOff { .. } => ("W-FAR", "far-beyond-the-rest", Warning, None),
+            Self::MinusMissing { .. } => ("W-SIGN", "minus-missing", Warning, None),
+            Self::IncrementalForAbsolute { .. } => ("W-U-FOR-X", "incremental-for-absolute", Warning, None),
+            Self::SpeedMissing => ("W-NO-SPEED", "speed-missing", Warning, None),
+            Self::SpeedNotRepeated { .. } => ("W-SPEED-KEPT", "speed-kept-in-other-unit", Warning, None),
+            Self::ThreadTooFast { .. } => ("W-SPINDLE-THREAD", "thread-spindle-too-fast", Warning, None),
+            Self::ThreadSpeedChanged { .. } => ("W-THREAD-S-CHANGE", "thread-speed-changed", Warning, None),
+            Self::ThreadStartMoved { .. } => ("W-THREAD-START-Z", "thread-start-moved", Warning, None),
+            Self::ThreadRunIn { .. } => ("W-THREAD-LEADIN", "thread-run-in-short", Info, None),
+            Self::ThreadHeight { .. } => ("W-THREAD-DEPTH", "thread-height-unusual", Warning, None),
+            Self::ThreadFirstDepth { .. } => {
+                ("W-THREAD-DEPTH", "thread-first-depth-too-large", Warning, None)
+            }
+            Self::ThreadLeastLarge { .. } => ("W-THREAD-DEPTH", "thread-least-depth-large", Warning, None),
+            Self::ThreadPullOut { .. } => ("W-THREAD-PULLOUT", "thread-pull-out-too-long", Warning, None),
+            Self::FeedOfThread { .. } => ("W-FEED-KEPT", "feed-of-thread-kept", Warning, None),
+            Self::LeadOfFeed { .. } => ("W-FEED-KEPT", "lead-of-feed-kept", Warning, None),
+            Self::TaperNarrows { .. } => ("W-TAPER-SIGN", "taper-narrows-to-chuck", Warning, None),
+            Self::TaperCrossesAxis { .. } => {
+                ("W-TAPER-START-CROSS", "taper-begins-beyond-axis", Warning, None)
+            }
+            Self::TaperEdge { .. } => ("W-TAPER-EDGE", "taper-first-pass-deep", Info, None),
+            Self::PassNotDeeper { .. } => ("W-PASS-NOT-DEEPER", "pass-not-deeper", Warning, None),
+            Self::AirCut { .. } => ("W-AIR-CUT", "start-far-from-work", Info, None),
+            Self::StartBehindFace { .. } => ("W-START-BEHIND-FACE", "start-behind-face", Warning, None),
+            Self::StartInStock { .. } => ("W-START-IN-STOCK", "cycle-starts-in-stock", Warning, None),
+            Self::ToolChangeNear { .. } => ("W-TOOLCHANGE-POS", "tool-change-near-work", Warning, None),
+            Self::BoreRetract { .. } => ("W-BORE-RETRACT", "leaves-bore-sideways", Error, None),
+            Self::GrooveStep { .. } => ("W-GROOVE-OVERLAP", "groove-step-too-wide", Warning, None),
+            Self::EscapeTooLarge { .. } => ("W-G71-E-BIG", "escape-larger-than-depth", Warning, None),
+            Self::ContourStartMoved { .. } => ("W-NS-Z", "contour-begins-elsewhere", Info, None),
+            Self::ContourNotClosed { .. } => ("W-CONTOUR-NOT-CLOSED", "contour-ends-in-stock", Info, None),
+            Self::PatternShallow { .. } => ("W-G73-DI", "pattern-first-pass-deep", Warning, None),
+            Self::PatternAir { .. } => ("W-G73-AIR", "pattern-cuts-air", Info, None),
+            Self::CompensationInCycle { .. } => {
+                ("W-TNRC-INSIDE", "compensation-switched-in-cycle", Warning, None)
+            }
+            Self::CompensationLeftOn { .. } => ("W-TNRC-LEFT-ON", "compensation-left-on", Warning, None),
+            Self::CompensationSide { .. } => ("W-TNRC-SIDE", "compensation-side", Warning, None),
+            Self::CompensationIdleBlocks => ("W-TNRC-NOMOVE", "compensation-without-moves", Warning, None),
+            Self::CompensationShort { .. } => ("W-TNRC-SHORT", "compensation-move-short", Warning, None),
+            Self::CompensationTip { .. } => ("W-TNRC-TIP", "compensation-tip", Warning, None),
+            Self::ChuckOpen { .. } => ("W-M11-SPINDLE", "chuck-opens-while-turning", Warning, None),
+            Self::TapReverse => ("W-TAP-REVERSE", "tap-not-reversed", Error, None),
+            Self::TapSurface => ("W-TAP-CSS", "tap-at-surface-speed", Warning, None),
+            Self::DuplicateSequence { .. } => ("W-DUP-N", "sequence-number-twice", Warning, None),
+            Self::ArcOverHalf { .. } => ("W-ARC-OVER-HALF", "arc-over-half-circle", Warning, None),
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),

@@ -35,6 +35,8 @@ export interface EditorEvents {
   cursorMoved(): void;
   viewMoved(): void;
   fileChanged(): void;
+  /** A text was pasted or dropped; it stands there now. */
+  pasted(from: number, to: number): void;
 }
 
 /** Marks a change that the page made, not the reader. */
@@ -80,6 +82,11 @@ export class Editor {
 
   get text(): string {
     return this.#view.state.doc.toString();
+  }
+
+  /** Line ends count and read as one unit. */
+  textBetween(from: number, to: number): string {
+    return this.#view.state.sliceDoc(from, to);
   }
 
   /** With the line ends of the file. */
@@ -211,7 +218,7 @@ export class Editor {
   }
 
   /** Changes of the reader's that undo takes back in one. */
-  change(edits: Fix['edits']): void {
+  change(edits: readonly Pick<Fix['edits'][number], 'from' | 'to' | 'text'>[]): void {
     if (edits.length === 0) return;
     this.#view.dispatch({
       changes: edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
@@ -255,6 +262,10 @@ export class Editor {
       const undone = update.transactions.some((transaction) => transaction.isUserEvent('undo'));
       if (update.docChanged) this.#events.changed(undone ? 'undone' : 'edited');
       else if (update.selectionSet) this.#events.cursorMoved();
+    }
+    for (const transaction of update.transactions) {
+      if (!transaction.isUserEvent('input.paste') && !transaction.isUserEvent('input.drop')) continue;
+      transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.pasted(from, to));
     }
     if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
     if (update.viewportChanged) this.#events.viewMoved();

@@ -24,7 +24,7 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// setup views playback play readout doing status notice written-out rewrite codes solid export-menu help.
+// setup views playback play readout doing status notice written-out rewrite codes solid export-menu paste help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
@@ -43,6 +43,7 @@ import { bytesToSave, download, readProgram, reread } from './files';
 import { Help } from './help';
 import { languageOf, strings, type Language, type Strings } from './i18n';
 import { Notice } from './notice';
+import { Pasting } from './pasting';
 import { Playback } from './playback';
 import { Problems } from './problems';
 import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
@@ -57,11 +58,12 @@ import { Switches } from './switches';
 import { Views, type Pictures } from './views';
 import { WrittenOutDialog } from './written-out';
 import colours from './colours.css?inline';
+import pasteStyles from './paste.css?inline';
 import playbackStyles from './playback.css?inline';
 import setupStyles from './setup.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles, setupStyles, playbackStyles].map((text) => {
+const sheets = [colours, styles, setupStyles, playbackStyles, pasteStyles].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;
@@ -110,6 +112,7 @@ export class GcodePlayground extends HTMLElement {
   #codes!: CodesDialog;
   #exports!: Exports;
   #solid!: SolidDialog;
+  #pasting!: Pasting;
   #sending: ReturnType<typeof setTimeout> | undefined;
   #opening: Promise<unknown> | undefined;
   #cursorKnown = false;
@@ -277,6 +280,7 @@ export class GcodePlayground extends HTMLElement {
       else if (encoding === 'utf-8') this.#notice.show(texts.opened(name));
       else this.#notice.show(texts.openedAs(name, ENCODING_NAMES[encoding]));
       this.#changed();
+      this.#pasting.arrived();
     }
   }
 
@@ -317,6 +321,7 @@ export class GcodePlayground extends HTMLElement {
       },
       viewMoved: () => void this.#askTokens(),
       fileChanged: () => (this.#fileBar.file = this.#editor?.file),
+      pasted: (from, to) => this.#pasting.arrived(from, to),
     }));
     this.#drawing = new Drawing(texts, {
       resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
@@ -386,6 +391,12 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#exports = new Exports(texts, { chosen: (format) => void this.#export(format) });
     this.#solid = new SolidDialog(texts, { wanted: () => this.#askSection() });
+    this.#pasting = new Pasting(texts, {
+      client: () => this.#line?.client,
+      editor: () => this.#editor,
+      language: () => this.language,
+      notice: (text) => this.#notice.show(text, 'program'),
+    });
     this.#views.element.prepend(this.#setupBar.element);
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element, this.#switches.element);
@@ -394,7 +405,7 @@ export class GcodePlayground extends HTMLElement {
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
       make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#playback.element),
-      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#solid.button, this.#exports.button, this.#rewrite.button, this.#writtenOut.button, this.#help.button),
+      make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#pasting.button, this.#solid.button, this.#exports.button, this.#rewrite.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
       this.#rewrite.element,
@@ -402,6 +413,7 @@ export class GcodePlayground extends HTMLElement {
       this.#setupForm.element,
       this.#exports.element,
       this.#solid.element,
+      this.#pasting.element,
     );
     root.append(frame);
     acceptFiles(editor.element, {
@@ -449,7 +461,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#writtenOut.open || this.#rewrite.open || this.#codes.open || this.#setupForm.open) return;
+    if (this.#writtenOut.open || this.#rewrite.open || this.#codes.open || this.#setupForm.open || this.#pasting.open) return;
     const inside = event.composedPath()[0];
     const typing = inside instanceof HTMLElement && (inside.isContentEditable || inside.matches('input:not([type=range]), textarea'));
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) this.#playback.toggle();
@@ -788,7 +800,7 @@ export class GcodePlayground extends HTMLElement {
     const texts = (this.#strings = strings(language));
     for (const shown of [
       this.#drawing, this.#face, this.#views, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
-      this.#writtenOut, this.#rewrite, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid,
+      this.#writtenOut, this.#rewrite, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid, this.#pasting,
     ]) {
       shown.strings = texts;
     }

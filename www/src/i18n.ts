@@ -8,6 +8,7 @@ import type { FileFormat } from './protocol';
 import { setupTexts, type SetupTexts } from './setup-texts';
 import { viewStrings, type ViewStrings } from './i18n-views';
 import { rewriteStrings, type RewriteStrings } from './i18n-rewrite';
+import { pasteStrings, type PasteStrings } from './i18n-paste';
 import { playbackStrings, type PlaybackStrings } from './i18n-playback';
 import { ruleStrings, type RuleStrings } from './i18n-rules';
 import { counter } from './plural';
@@ -47,6 +48,7 @@ export interface Strings {
   readonly thread: string;
   readonly views: ViewStrings;
   readonly rewrite: RewriteStrings;
+  readonly paste: PasteStrings;
   // playing
   readonly playback: string;
   readonly play: string;
@@ -171,6 +173,7 @@ const en: Strings = {
   thread: 'thread',
   views: viewStrings.en,
   rewrite: rewriteStrings.en,
+  paste: pasteStrings.en,
   playback: 'Playback',
   play: 'Play',
   pause: 'Pause',
@@ -302,6 +305,7 @@ const zh: Strings = {
   thread: '螺纹切削',
   views: viewStrings.zh,
   rewrite: rewriteStrings.zh,
+  paste: pasteStrings.zh,
   playback: '播放',
   play: '播放',
   pause: '暂停',
@@ -434,6 +438,7 @@ const ru: Strings = {
   thread: 'резьба',
   views: viewStrings.ru,
   rewrite: rewriteStrings.ru,
+  paste: pasteStrings.ru,
   playback: 'Воспроизведение',
   play: 'Пуск',
   pause: 'Пауза',

@@ -5,15 +5,15 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Diagnostic, Fitted, Palette, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Diagnostic, Fitted, FoundPiece, FoundPrograms, Palette, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
 } from '../pkg/gcode_playground.js';
 import type { ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 import type { SwitchesInText } from './switches-in-text';
 
 export type { Codes, Diagnostic, Palette, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
-export type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
-export type { CodeRow, Edit, Fix, SetupField, SetupState } from '../pkg/gcode_playground.js';
+export type { Fitted, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
+export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
 export interface Size {
@@ -90,6 +90,9 @@ export interface Questions extends ViewQuestions {
   export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
+  /** The programs found in a text, and one of them in pieces. */
+  'programs-in': { ask: { readonly text: string }; answer: FoundPrograms };
+  'pieces-of': { ask: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
   'setup-form': { ask: undefined; answer: SetupForm };
   'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
   'read-setup': { ask: SetupTyped; answer: SetupAnswer };

@@ -11,6 +11,7 @@ import type {
   Command, Question, QuestionKind, Questions, TextChange, WorkerEvent, WrittenOut,
 } from './protocol';
 import { handIn } from './text-in';
+import { piecesOf, programsIn } from './worker-paste';
 import { answerView, doView, drawAll, viewsState } from './worker-views';
 import { toolAnswers } from './tool-answers';
 
@@ -194,6 +195,12 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       return fileOf(playground, (question.ask as Questions['export']['ask']).format);
     case 'section':
       return playground.section();
+    case 'programs-in':
+      return programsIn((question.ask as Questions['programs-in']['ask']).text);
+    case 'pieces-of': {
+      const { program, language } = question.ask as Questions['pieces-of']['ask'];
+      return piecesOf(program, language);
+    }
     case 'setup-form':
       return playground.setupForm();
     case 'another-tool':

@@ -253,6 +253,96 @@ impl Message {
                 vec![("first", Count(i64::from(*first))), ("last", Count(i64::from(*last)))]
             }
             Self::LeadRunsOut { lead } => vec![("lead", Number(*lead))],
+            Self::LeadingZero { word, value, meant } => {
+                vec![("word", Text(word)), ("value", Number(*value)), ("meant", Text(meant))]
+            }
+            Self::PointMissing { word, thousandths } => {
+                vec![("word", Text(word)), ("thousandths", Number(*thousandths))]
+            }
+            Self::FarOff { word, axis, to, farthest } => vec![
+                ("word", Text(word)),
+                ("axis", Letter(*axis)),
+                ("to", Number(*to)),
+                ("farthest", Number(*farthest)),
+            ],
+            Self::MinusMissing { word, meant } => vec![("word", Text(word)), ("meant", Text(meant))],
+            Self::IncrementalForAbsolute { word, axis, to, meant } => vec![
+                ("word", Text(word)),
+                ("axis", Letter(*axis)),
+                ("to", Number(*to)),
+                ("meant", Text(meant)),
+            ],
+            Self::SpeedMissing => vec![],
+            Self::SpeedNotRepeated { code, speed } => vec![("code", Text(code)), ("speed", Number(*speed))],
+            Self::ThreadTooFast { speed, pitch, limit } => {
+                vec![("speed", Number(*speed)), ("pitch", Number(*pitch)), ("limit", Number(*limit))]
+            }
+            Self::ThreadSpeedChanged { before, now } => {
+                vec![("before", Number(*before)), ("now", Number(*now))]
+            }
+            Self::ThreadStartMoved { before, now, lead } => {
+                vec![("before", Number(*before)), ("now", Number(*now)), ("lead", Number(*lead))]
+            }
+            Self::ThreadRunIn { have, need } => vec![("have", Number(*have)), ("need", Number(*need))],
+            Self::ThreadHeight { height, pitch, usual } => {
+                vec![("height", Number(*height)), ("pitch", Number(*pitch)), ("usual", Number(*usual))]
+            }
+            Self::ThreadFirstDepth { first, height } => {
+                vec![("first", Number(*first)), ("height", Number(*height))]
+            }
+            Self::ThreadLeastLarge { word, least } => vec![("word", Text(word)), ("least", Number(*least))],
+            Self::ThreadPullOut { pull_out, way } => {
+                vec![("pull_out", Number(*pull_out)), ("way", Number(*way))]
+            }
+            Self::FeedOfThread { feed } => vec![("feed", Number(*feed))],
+            Self::LeadOfFeed { code, feed } => vec![("code", Text(code)), ("feed", Number(*feed))],
+            Self::TaperNarrows { word } => vec![("word", Text(word))],
+            Self::TaperCrossesAxis { word, x } => vec![("word", Text(word)), ("x", Number(*x))],
+            Self::TaperEdge { depth } => vec![("depth", Number(*depth))],
+            Self::PassNotDeeper { word, deepest } => {
+                vec![("word", Text(word)), ("deepest", Number(*deepest))]
+            }
+            Self::AirCut { axis, distance } => vec![("axis", Letter(*axis)), ("distance", Number(*distance))],
+            Self::StartBehindFace { z, face } => vec![("z", Number(*z)), ("face", Number(*face))],
+            Self::StartInStock { code, x, diameter } => {
+                vec![("code", Text(code)), ("x", Number(*x)), ("diameter", Number(*diameter))]
+            }
+            Self::ToolChangeNear { tool, x, z } => {
+                vec![("tool", Text(tool)), ("x", Number(*x)), ("z", Number(*z))]
+            }
+            Self::BoreRetract { x, z } => vec![("x", Number(*x)), ("z", Number(*z))],
+            Self::GrooveStep { step, width } => vec![("step", Number(*step)), ("width", Number(*width))],
+            Self::EscapeTooLarge { escape, depth } => {
+                vec![("escape", Number(*escape)), ("depth", Number(*depth))]
+            }
+            Self::ContourStartMoved { code, axis, start, first } => vec![
+                ("code", Text(code)),
+                ("axis", Letter(*axis)),
+                ("start", Number(*start)),
+                ("first", Number(*first)),
+            ],
+            Self::ContourNotClosed { x, diameter } => {
+                vec![("x", Number(*x)), ("diameter", Number(*diameter))]
+            }
+            Self::PatternShallow { depth, relief } => {
+                vec![("depth", Number(*depth)), ("relief", Number(*relief))]
+            }
+            Self::PatternAir { share } => vec![("share", Number(*share))],
+            Self::CompensationInCycle { word, code } => vec![("word", Text(word)), ("code", Text(code))],
+            Self::CompensationLeftOn { code, word } => vec![("code", Text(code)), ("word", Text(word))],
+            Self::CompensationSide { code, right } => vec![("code", Text(code)), ("right", Text(right))],
+            Self::CompensationIdleBlocks => vec![],
+            Self::CompensationShort { length, radius } => {
+                vec![("length", Number(*length)), ("radius", Number(*radius))]
+            }
+            Self::CompensationTip { tip } => vec![("tip", Number(*tip))],
+            Self::ChuckOpen { word } => vec![("word", Text(word))],
+            Self::TapReverse => vec![],
+            Self::TapSurface => vec![],
+            Self::DuplicateSequence { sequence, line } => {
+                vec![("sequence", Count(i64::from(*sequence))), ("line", Count(i64::from(*line)))]
+            }
+            Self::ArcOverHalf { word } => vec![("word", Text(word))],
             Self::SetupValue { key, value, need } => {
                 let mut all = vec![("key", Text(key)), ("value", Number(*value))];
                 if let Need::Below(most) | Need::AtMost(most) = need {

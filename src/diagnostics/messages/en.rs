@@ -321,6 +321,92 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             K is the change of lead for each turn; it must leave the lead positive to the end.",
         CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
             Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",
+        LeadingZero => "`{word}` counts as {value}: a zero in front changes nothing.\n\
+            A decimal point was probably lost: `{meant}`. Without it the number is ten times or more too large.",
+        PointMissing => "`{word}` has no decimal point, though the program writes all others with one.\n\
+            Was a point lost? A control that counts thousandths reads it as {thousandths} mm.",
+        FarOff => "`{word}` leads to {axis}{to}, far beyond the rest of the program, which stays within {axis}{farthest}.\n\
+            Was a decimal point lost, or a digit typed twice?",
+        MinusMissing => "`{word}` cuts away from the chuck, in front of the work.\n\
+            Was the minus lost? `{meant}` would cut into the work. In front of the face there is only air.",
+        IncrementalForAbsolute => "`{word}` counts from where the tool stands and leads to {axis}{to}.\n\
+            U and W are increments, X and Z places. The rest of the program writes places: was `{meant}` meant?",
+        SpeedMissing => "The tool cuts, but no spindle speed S was given.\n\
+            Write S with G97 (turns a minute) or G96 (metres a minute) before the first cut, such as G97 S800 M03.",
+        SpeedNotRepeated => "{code} changes what S means, but the old S{speed} stays.\n\
+            S counts metres a minute under G96, turns a minute under G97. Write S anew with {code}.",
+        ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} mm: the slides follow up to about {limit} turns a minute.\n\
+            The rule is n ≤ 1200/P − 80. Above it the thread loses its pitch at both ends.",
+        ThreadSpeedChanged => "The spindle speed changes from {before} to {now} between two passes of one thread.\n\
+            The passes then do not meet in the same groove. Keep one speed from the first to the last pass.",
+        ThreadStartMoved => "This pass starts at Z{now}, the one before at Z{before}: the threads do not meet.\n\
+            The difference must be a multiple of the lead {lead} mm, or Q must give the angle of another start.",
+        ThreadRunIn => "The run-in of {have} mm is short for this speed and lead: about {need} mm are needed.\n\
+            While the slide speeds up the pitch is wrong. Start farther in front, or turn slower.",
+        ThreadHeight => "A thread height of {height} mm does not fit a pitch of {pitch} mm; about {usual} mm are usual at 60°.\n\
+            P is the height on one side (radius), in micrometres: 0.65 of the pitch or so. Was the diameter given, or a digit lost?",
+        ThreadFirstDepth => "The first cut of {first} mm is deeper than the whole thread of {height} mm.\n\
+            P is the height, Q the first depth, both as radius values in micrometres. Did they change places?",
+        ThreadLeastLarge => "`{word}` makes the least depth of a pass {least} mm.\n\
+            Q of the first block is in micrometres, usually 20 to 100. The digits for finishing, pull-out and angle belong to P.",
+        ThreadPullOut => "The pull-out of {pull_out} mm is longer than the way of {way} mm back to the start diameter.\n\
+            At 45° the tool would leave the start point behind. Start farther outside, or make r in the first P smaller.",
+        FeedOfThread => "F{feed} is still the lead of the thread before; now it is the feed of this cut.\n\
+            Write F anew for turning after a thread: {feed} mm a turn would break the tool.",
+        LeadOfFeed => "{code} has no F of its own: the feed F{feed} of the cut before becomes the lead of the thread.\n\
+            Write the lead with {code}, such as F1.5.",
+        TaperNarrows => "With `{word}` the cone becomes narrower toward the chuck.\n\
+            Outside cones that grow toward the chuck have a negative R, bores that narrow toward it a positive one: R is the start of the cut minus its end, in radius. Was the sign meant?",
+        TaperCrossesAxis => "With `{word}` the cut begins at X{x}, beyond the spindle axis.\n\
+            R is a radius difference: X of the end plus twice R is the start of the cut. Check sign and point of R.",
+        TaperEdge => "This pass of the taper is {depth} mm deep at its thin end.\n\
+            With a taper the depth differs along the cut. Begin farther outside and come nearer pass by pass.",
+        PassNotDeeper => "`{word}` is no deeper than an earlier pass at {deepest}: it cuts air.\n\
+            Each pass of the cycle should go deeper. Was a digit misread, or the order of the lines changed?",
+        AirCut => "The cycle starts {distance} mm away from the work in {axis}; each pass repeats this way at feed.\n\
+            Start 1 to 3 mm outside the blank.",
+        StartBehindFace => "The cycle starts at Z{z}, behind the face of the blank at Z{face}.\n\
+            The material in front of it stays and is cut in one go at full depth. Start in front of the face.",
+        StartInStock => "{code} starts at X{x}, within the blank of Ø{diameter}.\n\
+            The tool comes back to the start diameter at rapid after each pass: it must lie outside the material.",
+        ToolChangeNear => "The tool changes to {tool} at X{x} Z{z}, close to the work.\n\
+            The other tools of the turret swing around there. Go to the change point first, such as X200 Z200; boring bars need more room.",
+        BoreRetract => "The rapid out of the bore runs into its wall at X{x} Z{z}.\n\
+            Leave the wall towards smaller X first, then go out along Z alone, and only then to the change point.",
+        GrooveStep => "The step of {step} mm is not smaller than the blade of {width} mm: ridges stay between the cuts.\n\
+            The cuts must overlap: make Q smaller than the width of the blade.",
+        EscapeTooLarge => "The retract R{escape} is larger than the depth of cut {depth}.\n\
+            After each pass the tool lifts by R at 45°; half a millimetre is usual.",
+        ContourStartMoved => "The contour begins at {axis}{first}, but {code} starts at {axis}{start}.\n\
+            The first block should move the other axis only: both points share {axis}.",
+        ContourNotClosed => "The contour ends at X{x}, within the blank of Ø{diameter}: a step of material stays there.\n\
+            Let the last block go out to the start diameter, so that the tool leaves the work.",
+        PatternShallow => "The first pass of G73 is {depth} mm deep: the relief of {relief} mm is less than the material to take off.\n\
+            U of the first block is the whole depth to remove, as a radius: stock minus thinnest diameter, halved.",
+        PatternAir => "{share} % of the first pass of G73 run outside the blank.\n\
+            G73 repeats a shape, for castings and forgings. From a bar G71 is quicker.",
+        CompensationInCycle => "`{word}` stands in a block of {code}.\n\
+            Switch compensation in a block of its own, on the move to the start point and behind the last pass.",
+        CompensationLeftOn => "{code} is still on at `{word}`.\n\
+            The path is shifted by the nose radius until G40. Cancel it on a move away from the work first.",
+        CompensationSide => "{code} puts the nose on the side of the material here; {right} belongs to this cut.\n\
+            Toward the chuck, outside work needs G42 and bores G41; the other way round they change.",
+        CompensationIdleBlocks => "Two blocks without a move stand one behind the other while compensation is on.\n\
+            The control looks only a few blocks ahead; without a next move it cuts too much or too little at the corner. Put such blocks elsewhere.",
+        CompensationShort => "The move of {length} mm that begins or ends compensation is shorter than the nose radius {radius} mm.\n\
+            Give it at least the radius, better twice, outside the material.",
+        CompensationTip => "The tool's tip number is {tip}, so its centre is compensated, not its tip.\n\
+            Turning tools have 3, boring bars 2: the setup's `tip` says where the imaginary tip lies.",
+        ChuckOpen => "`{word}` opens the chuck on many machines, and the spindle still turns.\n\
+            Stop it first with M05.",
+        TapReverse => "The tap leaves the hole without the spindle turning back.\n\
+            Thread in, M05 at the bottom, then M04 (M03 for left-hand threads), and out by G32 with the same F. A rapid tears the thread off.",
+        TapSurface => "A tap on the axis needs a constant speed: G97 with S.\n\
+            Under G96 the speed rises to the limit at X0.",
+        DuplicateSequence => "N{sequence} stands a second time, in line {line}; the first behind this block is taken.\n\
+            P, Q, GOTO and M99 P search by number. Give each block that is searched for a number of its own.",
+        ArcOverHalf => "`{word}` is negative: the arc goes the long way round, more than 180°.\n\
+            A turned profile hardly ever does. Was a positive R meant?",
         SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
             The picture goes on without it: what is wrong counts as not given.",
         SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\

@@ -321,6 +321,92 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
         CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
             车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
+        LeadingZero => "`{word}` 的值是 {value}：前面的零不起作用。\n\
+            很可能漏了小数点，应为 `{meant}`。漏掉后数值大了十倍以上。",
+        PointMissing => "`{word}` 没有小数点，而程序中其他数都写了小数点。\n\
+            是否漏了小数点？按最小设定单位计数的系统会读成 {thousandths} mm。",
+        FarOff => "`{word}` 走到 {axis}{to}，远远超出程序其余部分（不超过 {axis}{farthest}）。\n\
+            是否漏了小数点，或多打了一位数字？",
+        MinusMissing => "`{word}` 向远离卡盘的方向切削，在工件前方走空。\n\
+            是否漏了负号？`{meant}` 才会切入工件；端面前方没有材料。",
+        IncrementalForAbsolute => "`{word}` 是从刀具当前位置起算的增量，走到 {axis}{to}。\n\
+            U、W 是增量，X、Z 是绝对坐标。程序其余部分都用绝对坐标：是否应为 `{meant}`？",
+        SpeedMissing => "开始切削，但没有指定主轴转速 S。\n\
+            第一次切削前请用 G97（r/min）或 G96（m/min）给出 S，如 G97 S800 M03。",
+        SpeedNotRepeated => "{code} 改变了 S 的含义，但 S 仍是原来的 {speed}。\n\
+            G96 时 S 是线速度（m/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
+        ThreadTooFast => "螺距 {pitch} mm 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
+            经验公式 n ≤ 1200/P − 80。超过时螺纹两端会乱扣。",
+        ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
+            各刀将不在同一螺旋槽内（乱扣）。从第一刀到最后一刀请保持转速不变。",
+        ThreadStartMoved => "本刀起点为 Z{now}，上一刀为 Z{before}：两刀不在同一螺旋槽。\n\
+            差值必须是导程 {lead} mm 的整数倍，或用 Q 指定另一线的起始角。",
+        ThreadRunIn => "引入段 {have} mm 对此转速和导程偏短，约需 {need} mm。\n\
+            拖板加速期间螺距不准。请把起点放远些，或降低转速。",
+        ThreadHeight => "螺距 {pitch} mm 的 60° 螺纹，牙高 {height} mm 不合适，一般约 {usual} mm。\n\
+            P 是单边牙高（半径值），单位 µm，约为螺距的 0.65 倍。是否写成了直径值或漏了一位？",
+        ThreadFirstDepth => "第一刀切深 {first} mm 大于整个牙高 {height} mm。\n\
+            P 是牙高，Q 是第一刀切深，都是半径值、单位 µm。是否写反了？",
+        ThreadLeastLarge => "`{word}` 使最小切深为 {least} mm。\n\
+            第一段的 Q 单位是 µm，通常 20～100。精车次数、倒角量、刀尖角是 P 的数字。",
+        ThreadPullOut => "倒角退尾量 {pull_out} mm 大于退回起点直径的距离 {way} mm。\n\
+            45° 退尾会越过起点。请把起点放远，或减小第一段 P 中的 r。",
+        FeedOfThread => "F{feed} 仍是前面螺纹的导程，现在成了本次切削的进给量。\n\
+            螺纹之后车削请重新写 F：每转 {feed} mm 会崩刀。",
+        LeadOfFeed => "{code} 段没有写 F：前面切削的进给 F{feed} 成了螺纹导程。\n\
+            请在 {code} 段写出导程，如 F1.5。",
+        TaperNarrows => "`{word}` 使锥面朝卡盘方向变小。\n\
+            外圆锥朝卡盘方向变大时 R 为负，内锥孔朝卡盘变小时 R 为正：R = 切削起点半径 − 终点半径。符号对吗？",
+        TaperCrossesAxis => "`{word}` 使切削从 X{x} 开始，越过了主轴轴线。\n\
+            R 是半径差：终点 X 加两倍 R 就是切削起点。请检查 R 的符号和小数点。",
+        TaperEdge => "这一刀锥面在小端切深达 {depth} mm。\n\
+            车锥面时切深沿长度变化。请从更大的直径开始逐刀接近。",
+        PassNotDeeper => "`{word}` 没有比之前的 {deepest} 更深，这一刀是空走。\n\
+            循环的每一刀都应更深。是否数字看错或行序颠倒？",
+        AirCut => "循环起点在 {axis} 向距工件 {distance} mm，每一刀都要以切削进给空走这段距离。\n\
+            起点距毛坯 1～3 mm 即可。",
+        StartBehindFace => "循环起点 Z{z} 在毛坯端面 Z{face} 之后。\n\
+            前面的材料没有切除，会一刀切到全深。起点应在端面之前。",
+        StartInStock => "{code} 的起点 X{x} 在毛坯 Ø{diameter} 之内。\n\
+            每一刀后刀具都快速返回起点直径，起点必须在材料之外。",
+        ToolChangeNear => "在 X{x} Z{z} 换刀 {tool}，离工件太近。\n\
+            刀架转动时其他刀具会扫过工件。请先退到换刀点，如 X200 Z200；镗刀要更远。",
+        BoreRetract => "快速退出内孔时在 X{x} Z{z} 碰到孔壁。\n\
+            先向小直径方向离开孔壁，再单独沿 Z 退出孔外，最后去换刀点。",
+        GrooveStep => "移动量 {step} mm 不小于刀宽 {width} mm，各刀之间会留下残料。\n\
+            各刀必须重叠：Q 应小于刀宽。",
+        EscapeTooLarge => "退刀量 R{escape} 大于背吃刀量 {depth}。\n\
+            每刀后刀具以 45° 抬起 R，通常 0.5 mm 左右。",
+        ContourStartMoved => "轮廓从 {axis}{first} 开始，而 {code} 的起点是 {axis}{start}。\n\
+            ns 段只应移动另一轴：两点的 {axis} 应相同。",
+        ContourNotClosed => "轮廓终点 X{x} 在毛坯 Ø{diameter} 之内，那里会留下台阶。\n\
+            最后一段应走到起点直径，使刀具离开工件。",
+        PatternShallow => "G73 第一刀切深达 {depth} mm：退刀总量 {relief} mm 小于要切除的余量。\n\
+            第一段的 U 是总切除量（半径值）：毛坯直径减最小直径的一半。",
+        PatternAir => "G73 第一刀有 {share} % 在毛坯之外空走。\n\
+            G73 用于铸锻件毛坯。棒料用 G71 更快。",
+        CompensationInCycle => "`{word}` 写在 {code} 的程序段里。\n\
+            刀尖半径补偿应在单独的段里，在到起点的移动中建立，在最后一刀之后取消。",
+        CompensationLeftOn => "到 `{word}` 时 {code} 仍未取消。\n\
+            在 G40 之前轨迹一直偏移刀尖半径。请先在离开工件的移动中写 G40。",
+        CompensationSide => "这里 {code} 使刀尖偏到材料一侧，应为 {right}。\n\
+            朝卡盘方向车外圆用 G42，镗孔用 G41；反方向时相反。",
+        CompensationIdleBlocks => "补偿有效期间连续两个程序段没有移动。\n\
+            系统只预读几个程序段；读不到下一移动时会在拐角过切或欠切。请把这些段放到别处。",
+        CompensationShort => "建立或取消补偿的移动 {length} mm 小于刀尖半径 {radius} mm。\n\
+            该移动至少为半径，最好两倍，并在材料之外。",
+        CompensationTip => "该刀的假想刀尖号为 {tip}，补偿按圆心而不是刀尖计算。\n\
+            外圆车刀一般为 3，镗刀为 2：在设置的 `tip` 中给出。",
+        ChuckOpen => "`{word}` 在许多机床上是松开卡盘，而主轴仍在旋转。\n\
+            请先用 M05 停主轴。",
+        TapReverse => "丝锥退出时主轴没有反转。\n\
+            攻入后在孔底 M05，再 M04（左旋用 M03），用相同 F 的 G32 退出。快速退出会拉坏螺纹。",
+        TapSurface => "在轴线上攻丝需要恒转速：G97 S…。\n\
+            G96 下 X0 处转速会升到上限。",
+        DuplicateSequence => "N{sequence} 在第 {line} 行又出现一次；这里取本段之后的第一个。\n\
+            P、Q、GOTO、M99 P 按段号查找。被查找的段号应唯一。",
+        ArcOverHalf => "`{word}` 为负：圆弧走大于 180° 的一侧。\n\
+            车削轮廓几乎不会这样。是否应为正 R？",
         SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
             错误的值按未给出处理，图形照常显示。",
         SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\

@@ -1,0 +1,98 @@
+//! `clean`: the programs inside a text, listed or written out one by one.
+//!
+//! In: a file of any kind of text. Out: the cleaned program; on standard error what was changed and what only the reader
+//! can know.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use super::{encoding, print, read, save};
+use crate::api::paste::shortened;
+use crate::diagnostics::messages::Language;
+use crate::paste::{self, Found, Name, Piece, Program};
+use crate::text::source::LineIndex;
+
+/// What to do with what is found.
+#[derive(clap::Args)]
+pub(super) struct Clean {
+    /// The text; `-` reads standard input.
+    file: std::path::PathBuf,
+    /// List the programs that are found instead of writing one.
+    #[arg(long)]
+    list: bool,
+    /// Which of them to write, counted from 1.
+    #[arg(long, default_value_t = 1)]
+    program: usize,
+    /// Language of the reasons.
+    #[arg(long, value_enum, default_value = "en")]
+    lang: super::LanguageName,
+    /// Where to write it; standard output when left out.
+    #[arg(short, long)]
+    output: Option<std::path::PathBuf>,
+}
+
+/// Runs it.
+pub(super) fn run(clean: &Clean) -> Result<(), String> {
+    let (name, bytes) = read(&clean.file)?;
+    let (bytes, from) = encoding::decode(bytes);
+    let text = String::from_utf8_lossy(&bytes);
+    let found = paste::find(&text);
+    if found.too_long {
+        return Err(format!("{name}: the text is longer than {} MB", crate::limits::PASTED_TEXT >> 20));
+    }
+    if clean.list {
+        return print(|out| list(out, &found));
+    }
+    let Some(program) = clean.program.checked_sub(1).and_then(|at| found.programs.get(at)) else {
+        return Err(match found.programs.len() {
+            0 => format!("{name}: no program is found"),
+            count => format!("{name}: there is no program {}; {count} are found", clean.program),
+        });
+    };
+    let language = super::language(clean.lang);
+    tell(&name, &text, program, language);
+    let cleaned = program.text();
+    let bytes = from.encode(&cleaned).unwrap_or_else(|| cleaned.as_bytes().into());
+    save(clean.output.as_deref().map(Path::new), &bytes)
+}
+
+fn list(out: &mut dyn Write, found: &Found) -> io::Result<()> {
+    for (at, program) in found.programs.iter().enumerate() {
+        let (first, last) = (program.lines.0 + 1, program.lines.1 + 1);
+        let (changes, questions) = (program.changes().count(), program.questions().count());
+        let name = match &program.name {
+            Name::Number(number) => format!("O{number:04}"),
+            Name::Title(title) => title.clone(),
+            Name::Line(line) => format!("line {}", line + 1),
+        };
+        writeln!(out, "{}\tlines {first}-{last}\t{changes} changes\t{questions} questions\t{name}", at + 1)?;
+    }
+    if found.more > 0 {
+        writeln!(out, "and {} more, which are not listed", found.more)?;
+    }
+    Ok(())
+}
+
+/// Says on standard error what was changed, and what is still to be said.
+fn tell(name: &str, text: &str, program: &Program, language: Language) {
+    let lines = LineIndex::new(text.as_bytes());
+    for piece in &program.pieces {
+        let Some(reason) = piece.reason else { continue };
+        let place = lines.line_column(text.as_bytes(), piece.span.start);
+        let (line, column) = (place.line + 1, place.column + 1);
+        eprintln!("{name}:{line}:{column}: {}{}", reason.phrase(language), quoted(text, piece));
+    }
+}
+
+/// What stood there and what stands there now, short.
+fn quoted(text: &str, piece: &Piece) -> String {
+    let was = &text[piece.span.start as usize..piece.span.end as usize];
+    if piece.is_question() {
+        return format!(": {}", piece.choices.join(" / "));
+    }
+    match (was.trim(), piece.now.trim()) {
+        ("", "") => String::new(),
+        (was, "") => format!(": {}", shortened(was)),
+        (was, now) => format!(": {} -> {now}", shortened(was)),
+    }
+}

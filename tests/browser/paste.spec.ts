@@ -1,0 +1,96 @@
+// A text that holds more than a program: what is offered after it was pasted or opened, and that nothing typed is lost.
+import { expect, test, type Page } from '@playwright/test';
+import { editor, open, openFile, status, value } from './page';
+
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'Programs in this text' });
+const cleaned = (page: Page) => dialog(page).getByRole('region', { name: 'The program, cleaned' });
+
+const SLIDE = [
+  'Example 4: taper facing. Write the program.',
+  '•O8234 •N10 G50 X100.0 Z100.0; •N30 G00 X85.0 Z5.0; •N40 G94 X20.0 Z–3 F200; •N90 M30;',
+  'Example 5',
+  'O1; G00 X80.0 Z30.0; G98 G01 Z?20.0 F100; M30;',
+  'See figure 4.',
+].join('\n');
+
+/** Pastes a text in place of what is in the editor. */
+async function paste(page: Page, text: string): Promise<void> {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Control+V');
+}
+
+test('a program is chosen, its question answered, and undo brings the text back', async ({ page }) => {
+  await open(page);
+  await paste(page, SLIDE);
+  await expect(dialog(page)).toBeVisible();
+  expect(await value(page)).toBe(SLIDE);
+  await expect(dialog(page).getByRole('radio', { name: /^O8234/ })).toBeChecked();
+  await expect(cleaned(page).locator('del', { hasText: 'Z–3' })).toHaveAttribute('title', /minus/);
+  await expect(cleaned(page).locator('ins', { hasText: 'Z-3' })).toBeVisible();
+
+  await page.keyboard.press('ArrowDown');
+  await expect(dialog(page).getByRole('radio', { name: /^O0001/ })).toBeChecked();
+  await expect(cleaned(page).getByRole('radio', { name: 'Z?20.0 as printed' })).toBeChecked();
+  await cleaned(page).getByRole('radio', { name: 'Z-20.0' }).check();
+  await dialog(page).getByRole('button', { name: 'Take this program' }).click();
+  await expect(dialog(page)).toBeHidden();
+  expect(await value(page)).toBe('O1;\nG00 X80.0 Z30.0;\nG98 G01 Z-20.0 F100;\nM30;\n');
+  await expect(status(page)).toContainText('2 motions');
+
+  await editor(page).focus();
+  await page.keyboard.press('Control+Z');
+  expect(await value(page)).toBe(SLIDE);
+});
+
+test('the text stays when it is pasted as it is', async ({ page }) => {
+  await open(page);
+  await paste(page, SLIDE);
+  await dialog(page).getByRole('button', { name: 'Paste as it is' }).click();
+  await expect(dialog(page)).toBeHidden();
+  expect(await value(page)).toBe(SLIDE);
+
+  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await expect(dialog(page)).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(dialog(page)).toBeHidden();
+  expect(await value(page)).toBe(SLIDE);
+});
+
+test('only what was pasted is replaced', async ({ page }) => {
+  await open(page);
+  await paste(page, 'O9\nM30\n');
+  await expect(editor(page)).toContainText('O9');
+  await page.keyboard.press('Control+End');
+  await page.evaluate((copied) => navigator.clipboard.writeText(copied), SLIDE);
+  await page.keyboard.press('Control+V');
+  await dialog(page).getByRole('button', { name: 'Take this program' }).click();
+  expect(await value(page)).toBe('O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n');
+});
+
+test('a plain program is pasted without a word, and a text without programs is said to have none', async ({ page }) => {
+  await open(page);
+  const plain = 'O1\nG00 X80.0 Z30.0\nG01 Z-20.0 F100 (cut)\nM30\n';
+  await paste(page, plain);
+  await expect(status(page)).toContainText('2 motions');
+  await expect(dialog(page)).toBeHidden();
+  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await expect(cleaned(page)).toContainText('G01 Z-20.0 F100 (cut)');
+  await expect(dialog(page).getByRole('radio', { name: /as it was/ })).toBeChecked();
+  await dialog(page).getByRole('button', { name: 'Close' }).click();
+  await paste(page, 'Nothing but a sentence about turning.');
+  await page.getByRole('button', { name: 'Programs in a text…' }).click();
+  await expect(page.getByText('No program was found in this text.')).toBeVisible();
+});
+
+test('all signs that were lost are answered at once, in a file that is opened', async ({ page }) => {
+  await open(page);
+  const text = 'Program card\nO6003\nG00 X70 Z3 to the start\nG90 X62 Z43 F0.3\nX60.4\nG90 X58.4 Z20 R2.3\nM30\n';
+  await openFile(page, 'card.txt', new TextEncoder().encode(text));
+  await expect(dialog(page)).toBeVisible();
+  await dialog(page).getByRole('button', { name: 'All of these negative' }).click();
+  await dialog(page).getByRole('button', { name: 'Take this program' }).click();
+  expect(await value(page)).toBe('O6003\nG00 X70 Z3 (to the start)\nG90 X62 Z-43 F0.3\nX60.4\nG90 X58.4 Z-20 R-2.3\nM30\n');
+});
