@@ -37,6 +37,8 @@ pub struct Limits {
     pub part_motions: usize,
     /// Most corners of what is left of the blank.
     pub part_corners: usize,
+    /// Most blocks of a program whose numbers are compared with each other, and a tenth of its motions.
+    pub compared_blocks: usize,
     /// Motions from one snapshot to the next: after a change of the text, at least so many run again. It changes nothing
     /// that can be seen, so it is no setting.
     #[serde(skip)]
@@ -59,6 +61,7 @@ impl Default for Limits {
             messages: 500,
             part_motions: 20_000,
             part_corners: 50_000,
+            compared_blocks: 20_000,
             stride: 4096,
         }
     }
@@ -66,7 +69,7 @@ impl Default for Limits {
 
 impl Limits {
     /// The settings by name: what is set, and the most that can be.
-    pub fn settings(&self) -> [(&'static str, usize, usize); 13] {
+    pub fn settings(&self) -> [(&'static str, usize, usize); 14] {
         [
             // Places in the text and in memory are numbers of 32 bits, and a page has 4 GB.
             ("text", self.text, 256 << 20),
@@ -83,6 +86,7 @@ impl Limits {
             ("messages", self.messages, 100_000),
             ("partMotions", self.part_motions, 1_000_000),
             ("partCorners", self.part_corners, 1_000_000),
+            ("comparedBlocks", self.compared_blocks, 10_000_000),
         ]
     }
 

@@ -433,6 +433,20 @@ impl Run {
     fn finish(&mut self) {
         self.interpreter.close();
         self.sorted = self.interpreter.diagnostics().to_vec();
+        let most = self.interpreter.setup().limits.compared_blocks;
+        let motions = self.interpreter.motions();
+        if self.origin.foreign.is_some() || self.stopped {
+            // Nothing was run, or not all of it.
+        } else if self.blocks > most || motions.len() > 10 * most {
+            self.sorted.push(Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0)));
+        } else {
+            let sound = !self.sorted.iter().any(Diagnostic::is_error);
+            let told = rules::plausible::remarks(&self.text, motions, sound, most);
+            // One fault, one message.
+            let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
+            let told: Vec<_> = told.into_iter().filter(|new| !known(new)).collect();
+            self.sorted.extend(told);
+        }
         sort_by_place(&mut self.sorted);
         self.finished = true;
     }

@@ -333,6 +333,7 @@ const SMALL: Limits = Limits {
     messages: 30,
     part_motions: 1000,
     part_corners: 1000,
+    compared_blocks: 20_000,
     stride: 7,
 };
 

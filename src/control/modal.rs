@@ -55,11 +55,51 @@ pub struct CycleMemory {
     pub taper: f64,
     /// Passes run since the cycle came into force.
     pub passes: u32,
+    /// The deepest of them.
+    pub deepest: Option<DeepestPass>,
+}
+
+/// The deepest pass of a run of G90 or G94.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeepestPass {
+    /// Where it started.
+    pub start: Point,
+    /// Where its cut ended.
+    pub end: Point,
+    /// Its taper, mm.
+    pub taper: f64,
+}
+
+/// The last pass of a thread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThreadPass {
+    /// Where the thread began.
+    pub start: Point,
+    /// Where it ended.
+    pub end: Point,
+    /// Its lead, mm.
+    pub lead: f64,
+    /// Turns a minute.
+    pub speed: f64,
+    /// Station and offset of its tool.
+    pub tool: (u16, u16),
+}
+
+/// What the F in force was used for since it was given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FeedUse {
+    /// Nothing yet, or both.
+    #[default]
+    Open,
+    /// Cuts at feed.
+    Cut,
+    /// Threads.
+    Thread,
 }
 
 impl CycleMemory {
     /// Nothing remembered.
-    pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
+    pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0, deepest: None };
 }
 
 /// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
@@ -325,6 +365,10 @@ pub enum Once {
     ThreadAtSurfaceSpeed,
     G90AsAbsolute,
     FeedUnit,
+    SpeedMissing,
+    CompensationSide,
+    CompensationTip,
+    CompensationIdleBlocks,
 }
 
 impl Told {
@@ -377,6 +421,12 @@ pub struct State {
     pub feed: Option<f64>,
     /// The feed mode changed after the last F.
     pub feed_is_old: bool,
+    /// What that F was used for.
+    pub feed_use: FeedUse,
+    /// The last pass of a thread.
+    pub thread: Option<ThreadPass>,
+    /// A tap stands in its hole: the direction in which the spindle turned it in.
+    pub tap: Option<SpindleTurn>,
     /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
     pub threads_per_inch: Option<f64>,
     /// Groups 02 and the M codes of the spindle.
@@ -442,6 +492,9 @@ impl State {
             feed_mode: dialect.feed_mode,
             feed: None,
             feed_is_old: false,
+            feed_use: FeedUse::Open,
+            thread: None,
+            tap: None,
             threads_per_inch: None,
             spindle: Spindle {
                 surface: false,

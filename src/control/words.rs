@@ -35,6 +35,13 @@ impl Unit {
     }
 }
 
+/// What stands behind the letter of a word as it is written.
+pub fn behind_letter(word: &str) -> &str {
+    let mut characters = word.chars();
+    characters.next();
+    characters.as_str()
+}
+
 /// The data words of a block by address; where one stands twice, the later.
 pub struct Words<'b> {
     block: &'b Block,

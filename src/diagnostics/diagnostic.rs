@@ -47,6 +47,12 @@ impl Diagnostic {
         }
     }
 
+    /// Whether it says something of a word already, alone or with a neighbour.
+    pub fn is_about(&self, word: Span) -> bool {
+        let same = self.span.contains(word) && self.span.len() <= 2 * word.len() + 2;
+        same && self.severity > Severity::Info
+    }
+
     /// Whether the block cannot be carried out as it is written.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error

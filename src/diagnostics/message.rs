@@ -415,7 +415,7 @@ pub enum Message {
     /// A facing cycle that starts behind the face.
     StartBehindFace { z: f64, face: f64 },
     /// A cycle that starts at a diameter within the blank.
-    StartInStock { code: &'static str, x: f64, diameter: f64 },
+    StartInStock { code: &'static str, x: f64 },
     /// The turret turns near the work.
     ToolChangeNear { tool: String, x: f64, z: f64 },
     /// The tool leaves a bore sideways.
@@ -454,6 +454,8 @@ pub enum Message {
     DuplicateSequence { sequence: u32, line: u32 },
     /// An arc of more than a half circle.
     ArcOverHalf { word: String },
+    /// The program is too long for its numbers to be compared with each other.
+    NotCompared { most: usize },
 
     // Setup
     /// A value of the setup that cannot be.
@@ -529,6 +531,7 @@ impl Message {
             | Self::PartTooManyMotions { .. }
             | Self::PartTooManyCorners { .. }
             | Self::PartStopped { .. }
+            | Self::NotCompared { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
@@ -776,6 +779,7 @@ impl Message {
             Self::TapSurface => ("W-TAP-CSS", "tap-at-surface-speed", Warning, None),
             Self::DuplicateSequence { .. } => ("W-DUP-N", "sequence-number-twice", Warning, None),
             Self::ArcOverHalf { .. } => ("W-ARC-OVER-HALF", "arc-over-half-circle", Warning, None),
+            Self::NotCompared { .. } => ("I-NOT-COMPARED", "numbers-not-compared", Info, None),
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),

@@ -11,7 +11,7 @@ use super::sweep::{Outline, way_of};
 use super::tool::Action;
 use crate::control::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::geometry::{Point, SAME};
-use crate::motion::{Motion, MotionKind};
+use crate::motion::{Cycle, Motion, MotionKind, Step};
 
 /// A place where something is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +33,10 @@ pub enum Danger {
     DoglegThroughStock,
     /// A rapid goes along the outside of the blank.
     RapidAlongStock,
+    /// A rapid out of a bore goes through its wall.
+    LeavesBore,
+    /// A cycle comes back at rapid to a start within the material.
+    CycleStart,
     /// The tool meets the jaws.
     IntoJaws,
     /// The tool meets the tailstock.
@@ -91,6 +95,9 @@ const BESIDE: f64 = 0.05;
 /// where the tool leaves at rapid, as many programs have it, it scrapes that off.
 const SCRAPED: f64 = 0.25;
 
+/// How far within the material the start of a cycle may lie without a word, mm.
+const INSIDE: f64 = 0.1;
+
 /// Nearer to the blank than this, mm, no tool is changed.
 const CLEAR: f64 = 10.0;
 
@@ -114,6 +121,8 @@ pub struct Watch {
     station: Option<u16>,
     /// Axes whose place is not known, X and Z: the tool was changed at the work, and they have not moved since.
     unknown: [bool; 2],
+    /// Where the pass of a cycle under way began.
+    pass_start: Option<Point>,
     /// All that was found.
     pub findings: Vec<Finding>,
 }
@@ -134,6 +143,7 @@ impl Watch {
             missed: Vec::new(),
             station: None,
             unknown: [false; 2],
+            pass_start: None,
             findings: Vec::new(),
         }
     }
@@ -169,6 +179,9 @@ impl Watch {
         }
         self.hit_obstacles(index, motion, tool);
         if self.stock.is_none() {
+            return;
+        }
+        if motion.cycle.is_some() && self.cycle_start(index, motion, part) {
             return;
         }
         match motion.kind {
@@ -214,6 +227,43 @@ impl Watch {
         }
     }
 
+    /// Whether a cycle starts in the material: each pass comes back at rapid to the start, along the work.
+    fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
+        let Some(tag) = motion.cycle else { return false };
+        let facing = match tag.cycle {
+            Cycle::Turning | Cycle::Threading | Cycle::MultiThreading => false,
+            Cycle::Facing => true,
+            _ => return false,
+        };
+        match tag.step {
+            Step::Infeed => {
+                self.pass_start = Some(motion.from);
+                return false;
+            }
+            Step::Cut => {}
+            _ => return false,
+        }
+        let Some(start) = self.pass_start.take().filter(|_| tag.pass == 1) else { return false };
+        // A little behind the start, seen from the cut.
+        let behind = |start: f64, cut: f64| start + INSIDE * (start - cut).signum();
+        let (from, to) = (motion.from, motion.to);
+        let line = match facing {
+            false => [Point::new(behind(start.x, to.x), from.z), Point::new(behind(start.x, to.x), to.z)],
+            true => [Point::new(from.x, behind(start.z, to.z)), Point::new(to.x, behind(start.z, to.z))],
+        };
+        let shares = (1..=9).map(|tenth| f64::from(tenth) / 10.0);
+        let now = part.now();
+        let between = |share: f64, from: f64, to: f64| from + share * (to - from);
+        let mut places = shares.map(|share| {
+            Point::new(between(share, line[0].x, line[1].x), between(share, line[0].z, line[1].z))
+        });
+        let found = places.any(|place| now.holds(place));
+        if found {
+            self.tell(index, start, Danger::CycleStart);
+        }
+        found
+    }
+
     fn rapid(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
         let Some(stock) = self.stock else { return };
         let outlines = || tool.shape.solids();
@@ -223,7 +273,13 @@ impl Watch {
         if !outlines().all(|outline| far(outline, &straight)) {
             let now = part.now();
             if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
-                self.tell(index, at, Danger::RapidThroughStock);
+                let from = motion.from;
+                // Material begins beyond the tip all along the way to the wall: it stands in a bore.
+                let in_bore = from.z < stock.face
+                    && motion.to.x > from.x
+                    && now.radii(from.z).first().is_some_and(|material| material.0 > from.x);
+                let danger = if in_bore { Danger::LeavesBore } else { Danger::RapidThroughStock };
+                self.tell(index, at, danger);
                 return;
             }
         }

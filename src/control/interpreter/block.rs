@@ -61,7 +61,7 @@ impl Interpreter {
         for (index, word) in block.words.iter().enumerate() {
             self.take(text, block, &mut request, &mut words, index, word);
         }
-        self.technology(text, &request, &words);
+        self.technology(text, block, &request, &words);
         if request.drop {
             self.state.uncertain = true;
             self.forget_next_move();
@@ -74,6 +74,7 @@ impl Interpreter {
         }
         if !request.moved {
             self.idle_block();
+            self.watch_idle_blocks(block);
         }
         if let Some(kind) = request.stop {
             self.stop(block, kind);
@@ -106,7 +107,10 @@ impl Interpreter {
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
-        let end = block.words.iter().find(|word| word.address == b'M');
+        let end = block.words.iter().rfind(|word| word.address == b'M');
+        if let Some(end) = end {
+            self.watch_compensation_left_on(text, end.span);
+        }
         self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
         self.state.compensation = Compensation::Off;
     }
@@ -154,6 +158,9 @@ impl Interpreter {
                     return;
                 }
                 let to = self.target(text, words);
+                if self.state.tap.is_some() {
+                    self.watch_tap_leaving(block, to);
+                }
                 request.moved = words.has_any(AXES);
                 let c = self.turn_target(words);
                 if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {

@@ -33,13 +33,13 @@ use super::dialect::{
     CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
 };
-use super::modal::{CycleMemory, Once, Routed, State, Target};
+use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, Target, ThreadPass};
 use super::program::Labels;
 use super::setup::{Setup, Tool};
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
-use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
+use crate::diagnostics::{Diagnostic, Fix, Message, Severity, rules};
 use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step, Stop, StopKind};
 use crate::text::block::{Block, BlockKind, Value, Word};

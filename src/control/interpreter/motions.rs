@@ -136,6 +136,9 @@ impl Interpreter {
             }
             _ => Point::new(x.from(from.x), z.from(from.z)),
         };
+        if self.state.compensation != Compensation::Off {
+            self.watch_compensation_side(block, from, to);
+        }
         if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
             return;
         }
@@ -279,6 +282,15 @@ impl Interpreter {
             request.drop = true;
             return;
         }
+        if let CenterWords::Radius(radius) = center_words
+            && radius < 0.0
+            && surface.is_none()
+        {
+            let word = words.quote(text, b'R');
+            let span = words.span(b'R');
+            let fix = Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
+            self.tell(Diagnostic::new(Message::ArcOverHalf { word }, span).with(fix));
+        }
         let (up, right) = self.plane_targets(text, words);
         let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
         if !self.may_cut(block, words, request) {
@@ -333,6 +345,10 @@ impl Interpreter {
         let reading = self.reading();
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
+        self.watch_tap(block, from, to);
+        if code == "G32" && self.state.tap.is_none() {
+            self.watch_thread_pass(block, words, from, to, lead);
+        }
         let gsk = self.dialect.control == Control::Gsk;
         let ends = match (self.state.motion, given(b'J'), given(b'K')) {
             (MotionMode::Tapping, ..) => [Some(to), Some(from)],
@@ -368,8 +384,15 @@ impl Interpreter {
         let by_e = words.get(b'E').and_then(|word| reading.feed(word));
         let by_inch = self.state.threads_per_inch.map(|threads| 25.4 / threads);
         let lead = by_e.or(by_inch).or(self.state.feed).filter(|&lead| lead > 0.0);
-        if lead.is_none() {
-            self.tell(Diagnostic::new(Message::LeadMissing { code }, block.words_span()));
+        match lead {
+            None => self.tell(Diagnostic::new(Message::LeadMissing { code }, block.words_span())),
+            Some(feed) if by_e.is_none() && by_inch.is_none() => {
+                if self.state.feed_use == FeedUse::Cut {
+                    self.tell(Diagnostic::new(Message::LeadOfFeed { code, feed }, block.words_span()));
+                }
+                self.state.feed_use = FeedUse::Thread;
+            }
+            Some(_) => {}
         }
         lead
     }

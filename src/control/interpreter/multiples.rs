@@ -4,16 +4,24 @@
 //! their units and their alarms. A cycle that cannot run makes no motion at all.
 
 use super::contours::{Purpose, Shape};
+use super::singles;
 use super::*;
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units::{self, Amount, Written};
+use crate::diagnostics::{Edit, Repair};
 use crate::motion::Cycle;
 
 /// The least input increment, mm: D of the one-block forms counts it when written without a point.
 const INCREMENT: f64 = 0.001;
+
+/// Lengths this near are the same, mm.
+const NEAR: f64 = 0.001;
+
+/// A least depth of G76 beyond this, mm, is no depth that somebody meant.
+const LEAST_DEPTH: f64 = 0.5;
 
 impl Interpreter {
     pub(super) fn multiple(
@@ -90,6 +98,16 @@ impl Interpreter {
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let depth_word = if turning { b'U' } else { b'W' };
         if !words.has_any(letters(b"PQ")) {
+            // X or Z in the first block: the depth lost its letter's place (PS0066).
+            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
+                let own = if address == b'X' { 'U' } else { 'W' };
+                let word = words.quote(text, address);
+                let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
+                let message = Message::CycleWord { code, word };
+                self.tell(Diagnostic::new(message, words.span(address)).with(fix));
+                self.state.parameters.depth = Some(0.0);
+                return None;
+            }
             if !words.has_any(letters(b"UWR")) {
                 self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
                 return None;
@@ -98,12 +116,31 @@ impl Interpreter {
                 self.state.parameters.depth = Some(depth);
                 if depth <= 0.0 {
                     let message = Message::DepthNotPositive { code, depth: Some(depth) };
-                    self.tell(Diagnostic::new(message, words.span(depth_word)));
+                    let told = Diagnostic::new(message, words.span(depth_word));
+                    let word = words.quote(text, depth_word);
+                    let fix = (depth < 0.0)
+                        .then(|| Fix::write(words.span(depth_word), singles::with_other_sign(&word)));
+                    self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
                     return None;
                 }
             }
+            let other_word = if turning { b'W' } else { b'U' };
+            if words.get(depth_word).is_none() && words.get(other_word).is_some() {
+                // U and W have changed their roles: G71 takes U, G72 takes W.
+                let word = words.quote(text, other_word);
+                let fix = Fix::write(words.span(other_word), format!("{}{}", depth_word as char, words::behind_letter(&word)));
+                let message = Message::DepthNotPositive { code, depth: None };
+                self.tell(Diagnostic::new(message, words.span(other_word)).with(fix));
+                self.state.parameters.depth = Some(0.0);
+                return None;
+            }
             if let Some(escape) = length(b'R') {
                 self.state.parameters.escape = escape.abs();
+                let depth = self.state.parameters.depth.unwrap_or(f64::INFINITY);
+                if escape.abs() > depth {
+                    let message = Message::EscapeTooLarge { escape: escape.abs(), depth };
+                    self.tell(Diagnostic::new(message, words.span(b'R')));
+                }
             }
             return Some(());
         }
@@ -136,6 +173,15 @@ impl Interpreter {
             checks: roughing::Checks::All,
         };
         let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
+        let stock = self.setup.stock;
+        for message in rules::contour::remarks(code, turning, &contour, shape.first.x && shape.first.z, stock)
+        {
+            let place = match message {
+                Message::ContourNotClosed { .. } => shape.span_of(contour.pieces.len().saturating_sub(1)),
+                _ => Some(shape.first_span),
+            };
+            self.tell(Diagnostic::new(message, place.unwrap_or_else(|| block.words_span())));
+        }
         self.run_cycle(block, cycle.cycle(), None, &moves);
         Some(())
     }
@@ -169,7 +215,7 @@ impl Interpreter {
                 roughing::Axis::X => (b'U', words.quote(text, b'U')),
                 roughing::Axis::Z => (b'W', words.quote(text, b'W')),
             };
-            self.tell(Diagnostic::new(Message::AllowanceSign { word: other }, words.span(address)));
+            self.tell_allowance(words, address, other);
         }
         let most = self.moves_left();
         let mut how = *how;
@@ -224,12 +270,26 @@ impl Interpreter {
         found
     }
 
+    /// An allowance that points into the part.
+    fn tell_allowance(&mut self, words: &Words, address: u8, word: String) {
+        let fix = Fix::write(words.span(address), singles::with_other_sign(&word));
+        self.tell(Diagnostic::new(Message::AllowanceSign { word }, words.span(address)).with(fix));
+    }
+
     /// G73.
     fn pattern(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let parameters = &mut self.state.parameters;
         if !words.has_any(letters(b"PQ")) {
+            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
+                let own = if address == b'X' { 'U' } else { 'W' };
+                let word = words.quote(text, address);
+                let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
+                let message = Message::CycleWord { code: "G73", word };
+                self.tell(Diagnostic::new(message, words.span(address)).with(fix));
+                return None;
+            }
             let old = parameters.relief.unwrap_or_default();
             if words.has_any(letters(b"UW")) {
                 parameters.relief =
@@ -254,6 +314,14 @@ impl Interpreter {
                 G73Intervals::Same => pattern::Intervals::Same,
             },
         };
+        let contour = shape.contour(self.state.position);
+        for (axis, address) in rules::contour::allowance_into_part(&contour, how.allowance) {
+            debug_assert!(axis == address as char);
+            self.tell_allowance(words, address, words.quote(text, address));
+        }
+        if let Some(message) = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock) {
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
         let most = self.moves_left();
         match pattern::pattern(&shape.contour(self.state.position), &how, most) {
             Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
@@ -316,6 +384,15 @@ impl Interpreter {
                 return None;
             }
         }
+        let width = self.blade_width();
+        if let (Some(width), Some(step)) = (width, stepover)
+            && cycle == Multiple::Grooving
+            && (end.z - start.z).abs() > NEAR
+            && step >= width - NEAR
+        {
+            let message = Message::GrooveStep { step, width };
+            self.tell(Diagnostic::new(message, words.span(other)));
+        }
         let how = Pecking {
             end,
             peck,
@@ -352,6 +429,12 @@ impl Interpreter {
         };
         self.tell(Diagnostic::new(message, span));
         None
+    }
+
+    /// Width of the blade of the tool in force, mm, if the setup names one.
+    fn blade_width(&self) -> Option<f64> {
+        let (station, offset) = self.state.tool;
+        self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
     }
 
     /// What P and Q count (semantics §7.6), and both as lengths, mm.
@@ -432,6 +515,8 @@ impl Interpreter {
         let end = self.target(text, words);
         let lead = self.lead(block, words, "G76")?;
         self.watch_thread_spindle(block, "G76");
+        let taper_word = if one_block { b'I' } else { b'R' };
+        self.watch_thread_pass(block, words, Point::new(end.x, start.z), end, lead);
         let (height, first_depth, least_depth, method) = if one_block {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
             (length(b'K'), depth, 0.0, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
@@ -480,6 +565,31 @@ impl Interpreter {
         let message = match threading::thread(start, &how, most) {
             Ok(moves) => {
                 self.check_thread_start(block, start, &how);
+                let measured = if one_block { 60.0 } else { angle };
+                if let Some(message) = rules::thread::amounts(how.height, how.first_depth, lead, measured) {
+                    let address =
+                        if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
+                    let span = if one_block { block.words_span() } else { words.span(address) };
+                    let fixes = self.swapped_amounts(text, words, &message);
+                    self.tell(Diagnostic { fixes, ..Diagnostic::new(message, span) });
+                }
+                let way = (start.x - end.x).abs();
+                if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
+                    let message = Message::ThreadPullOut { pull_out: out.out, way };
+                    self.tell(Diagnostic::new(message, block.words_span()));
+                }
+                if words.get(taper_word).is_some() {
+                    let word = words.quote(text, taper_word);
+                    let stock = self.setup.stock;
+                    if let Some(message) =
+                        rules::taper_shape(Single::Threading, start, end, taper, &word, stock)
+                    {
+                        let fix = matches!(message, Message::TaperNarrows { .. })
+                            .then(|| Fix::write(words.span(taper_word), singles::with_other_sign(&word)));
+                        let told = Diagnostic::new(message, words.span(taper_word));
+                        self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+                    }
+                }
                 self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
                 return Some(());
             }
@@ -498,6 +608,22 @@ impl Interpreter {
         None
     }
 
+    /// P and Q of G76 with their letters exchanged, where that is what the message is about.
+    fn swapped_amounts(&self, text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
+        let (Some(p), Some(q), Message::ThreadFirstDepth { .. }) =
+            (words.get(b'P'), words.get(b'Q'), message)
+        else {
+            return Vec::new();
+        };
+        let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
+        let mut edits = [(p.span, format!("Q{}", words::behind_letter(&p_text))), (q.span, format!("P{}", words::behind_letter(&q_text)))];
+        edits.sort_by_key(|edit| edit.0.start);
+        let title =
+            Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
+        let edits = edits.map(|(span, text)| Edit { span, text });
+        vec![Fix { title, safe: false, edits: edits.into() }]
+    }
+
     /// The first block of G76: `P(m)(r)(a) Q R`.
     fn threading_parameters(&mut self, text: &[u8], words: &Words) -> Option<()> {
         let reading = self.reading();
@@ -513,6 +639,11 @@ impl Interpreter {
         }
         if words.get(b'Q').is_some() {
             self.state.parameters.least_amount = self.amount(words, b'Q');
+            let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
+            if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {
+                let message = Message::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
+                self.tell(Diagnostic::new(message, words.span(b'Q')));
+            }
         }
         if let Some(allowance) = words.get(b'R').and_then(|word| reading.length(word)) {
             self.state.parameters.thread_allowance = allowance.abs();

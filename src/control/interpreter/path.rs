@@ -417,7 +417,7 @@ impl Interpreter {
     }
 
     /// The radius of the nose or cutter in force, mm, as the offset table has it, and its tip.
-    fn offset_entry(&self) -> (f64, u8) {
+    pub(super) fn offset_entry(&self) -> (f64, u8) {
         let (station, offset) = self.state.tool;
         if offset == 0 {
             return (0.0, 0);

@@ -7,7 +7,7 @@ use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
 impl Interpreter {
     /// S, F and T, with what G96, G97 and G50 make of S.
     #[inline]
-    pub(super) fn technology(&mut self, text: &[u8], request: &Request, words: &Words) {
+    pub(super) fn technology(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
         const TECHNOLOGY: u32 = letters(b"FST");
         if request.surface.is_none() && !words.has_any(TECHNOLOGY) {
             return;
@@ -15,7 +15,7 @@ impl Interpreter {
         let reading = self.reading();
         let setting = request.one_shot == Some(OneShot::Setting);
         if let Some(surface) = request.surface {
-            self.surface_speed(surface, words);
+            self.surface_speed(block, surface, words);
         }
         if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
             let spindle = &mut self.state.spindle;
@@ -28,16 +28,19 @@ impl Interpreter {
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
             self.state.feed = Some(value);
             self.state.feed_is_old = false;
+            self.state.feed_use = FeedUse::Open;
             self.state.threads_per_inch = None;
         }
         if let Some(word) = words.get(b'T') {
             self.plane_left_on(text, word.span);
+            let before = self.state.tool;
             self.tool(text, word);
+            self.watch_tool_change(text, word, before);
         }
     }
 
     #[inline(never)]
-    pub(super) fn surface_speed(&mut self, surface: bool, words: &Words) {
+    pub(super) fn surface_speed(&mut self, block: &Block, surface: bool, words: &Words) {
         let radius = self.state.position.x;
         let spindle = &mut self.state.spindle;
         if !surface && spindle.surface && words.get(b'S').is_none() {
@@ -45,7 +48,15 @@ impl Interpreter {
             spindle.rpm = spindle.speed_at(radius).unwrap_or(spindle.rpm);
         }
         let begins = surface && !spindle.surface;
+        let kept = if surface { spindle.rpm } else { spindle.cutting_speed };
+        let changes = surface != spindle.surface && words.get(b'S').is_none() && kept > 0.0;
         spindle.surface = surface;
+        if changes {
+            let code = if surface { "G96" } else { "G97" };
+            let message = Message::SpeedNotRepeated { code, speed: kept };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+        let spindle = &self.state.spindle;
         if begins && spindle.highest.is_none() {
             self.tell(Diagnostic::new(Message::NoSpeedClamp, words.span(b'S')));
         }

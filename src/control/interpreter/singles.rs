@@ -77,6 +77,7 @@ impl Interpreter {
                 None
             }
         };
+        self.watch_cycle(text, block, words, cycle, start, end, lead);
         for _ in 0..self.starts(words, cycle) {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
@@ -96,6 +97,63 @@ impl Interpreter {
                     self.run_moves(block, cycle, pass, None, &single::turning(start, end, memory.taper));
                 }
             }
+        }
+    }
+
+    /// What an instructor would remark of a pass of a single cycle.
+    #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
+    fn watch_cycle(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        cycle: Single,
+        start: Point,
+        end: Point,
+        lead: Option<f64>,
+    ) {
+        if let Some(lead) = lead {
+            let own_start = Point::new(end.x + self.state.memory.taper, start.z);
+            self.watch_thread_pass(block, words, own_start, end, lead);
+        }
+        let taper = self.state.memory.taper;
+        let own = DeepestPass { start, end, taper };
+        let before = self.state.memory.deepest.filter(|_| self.state.memory.passes > 0);
+        if let Some(address) = self.taper_word(words, cycle) {
+            let word = words.quote(text, address);
+            if let Some(message) = rules::taper_shape(cycle, start, end, taper, &word, self.setup.stock) {
+                let fix = matches!(message, Message::TaperNarrows { .. })
+                    .then(|| Fix::write(words.span(address), with_other_sign(&word)));
+                let told = Diagnostic::new(message, words.span(address));
+                self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            }
+        }
+        let moved = match cycle {
+            Single::Facing => [b'Z', b'W'],
+            _ => [b'X', b'U'],
+        };
+        let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
+        if let (Some(before), Some(address)) = (before, own_word) {
+            let word = words.quote(text, address);
+            if let Some(message) = rules::cycle::pass_not_deeper(cycle, &own, &before, word) {
+                self.tell(Diagnostic::new(message, words.span(address)));
+            }
+        } else if before.is_none()
+            && let Some(message) =
+                self.setup.stock.as_ref().and_then(|stock| rules::cycle::start(cycle, &own, stock))
+        {
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+        if cycle != Single::Threading {
+            self.state.memory.deepest = Some(rules::cycle::deeper(cycle, own, before));
+        }
+        let switches = block.words.iter().find(|word| {
+            word.address == b'G' && plain(word).is_some_and(|code| (40.0..=42.0).contains(&code))
+        });
+        if let Some(word) = switches {
+            let message =
+                Message::CompensationInCycle { word: quote(text, word.span), code: cycle.cycle().code() };
+            self.tell(Diagnostic::new(message, word.span));
         }
     }
 
@@ -178,5 +236,16 @@ impl Interpreter {
             let motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
             self.push(block, motion);
         }
+    }
+}
+
+/// A word with a minus where it had none, and the other way round.
+pub(super) fn with_other_sign(word: &str) -> String {
+    let number = words::behind_letter(word);
+    let letter = &word[..word.len() - number.len()];
+    let number = number.trim_start();
+    match number.strip_prefix('-') {
+        Some(rest) => format!("{letter}{}", rest.trim_start()),
+        None => format!("{letter}-{}", number.trim_start_matches('+')),
     }
 }

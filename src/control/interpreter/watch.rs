@@ -2,11 +2,16 @@
 
 use super::*;
 
+/// Nearer to the work than this, mm, no turret should turn.
+const NEAR_WORK: f64 = 20.0;
+
 impl Interpreter {
     /// Checks before a cut at feed: whether there is a feed, and what a teacher would remark.
     #[inline]
     pub(super) fn may_cut(&mut self, block: &Block, words: &Words, request: &mut Request) -> bool {
         let feed = match self.state.feed {
+            // The F of the cycle counts, and what is to be said of it is said there.
+            Some(_) if self.purpose == Some(contours::Purpose::Roughing) => return true,
             Some(feed) if feed > 0.0 => feed,
             Some(_) => {
                 self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
@@ -25,6 +30,12 @@ impl Interpreter {
             self.state.feed_is_old = false;
             let per_turn = self.state.feed_mode == FeedMode::PerTurn;
             self.tell(Diagnostic::new(Message::FeedNotRepeated { feed, per_turn }, block.words_span()));
+        } else if self.state.feed_use == FeedUse::Thread {
+            self.state.feed_use = FeedUse::Open;
+            self.tell(Diagnostic::new(Message::FeedOfThread { feed }, block.words_span()));
+        }
+        if self.state.feed_use == FeedUse::Open {
+            self.state.feed_use = FeedUse::Cut;
         }
         self.watch_spindle(block);
         true
@@ -53,6 +64,122 @@ impl Interpreter {
             && self.state.told.first(Once::SpindleStopped)
         {
             self.tell(Diagnostic::new(Message::SpindleStopped, block.words_span()));
+            return;
+        }
+        let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
+        if speed == 0.0
+            && spindle.turn != SpindleTurn::Stopped
+            && !spindle.live_tool
+            && self.state.told.first(Once::SpeedMissing)
+        {
+            self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));
+        }
+    }
+
+    /// What is to be remarked of a pass of a thread, against the one before.
+    pub(super) fn watch_thread_pass(
+        &mut self,
+        block: &Block,
+        words: &Words,
+        start: Point,
+        end: Point,
+        lead: f64,
+    ) {
+        let spindle = &self.state.spindle;
+        let speed = if spindle.surface { 0.0 } else { spindle.rpm };
+        let own = ThreadPass { start, end, lead, speed, tool: self.state.tool };
+        let before = self.state.thread.replace(own);
+        let angle = words.get(b'Q').is_some();
+        let face = self.setup.stock.map(|stock| stock.face);
+        for told in rules::thread::remarks(&own, before.as_ref(), angle, face) {
+            self.tell(Diagnostic::new(told, block.words_span()));
+        }
+    }
+
+    /// A tap on the axis goes in by G32 and must be turned out again by a G32 with the spindle reversed.
+    pub(super) fn watch_tap(&mut self, block: &Block, from: Point, to: Point) {
+        if from.x.abs() > crate::geometry::SAME || to.x.abs() > crate::geometry::SAME {
+            return;
+        }
+        let turn = self.state.spindle.turn;
+        if to.z < from.z {
+            self.state.tap = Some(turn);
+            if self.state.spindle.surface {
+                self.tell(Diagnostic::new(Message::TapSurface, block.words_span()));
+            }
+        } else if self.state.tap.take() == Some(turn) {
+            self.tell(Diagnostic::new(Message::TapReverse, block.words_span()));
+        }
+    }
+
+    /// A tap that leaves its hole by another move than a thread.
+    pub(super) fn watch_tap_leaving(&mut self, block: &Block, to: Point) {
+        if to.z > self.state.position.z && self.state.tap.take().is_some() {
+            self.tell(Diagnostic::new(Message::TapReverse, block.words_span()));
+        }
+    }
+
+    /// The turret turns: near the work, or with compensation still on.
+    pub(super) fn watch_tool_change(&mut self, text: &[u8], word: &Word, before: (u16, u16)) {
+        let (station, _) = self.state.tool;
+        if station == before.0 {
+            return;
+        }
+        if before.0 != 0 {
+            self.watch_compensation_left_on(text, word.span);
+        }
+        let at = self.state.position;
+        let near = |stock: &super::super::setup::Stock| {
+            2.0 * at.x.abs() < stock.diameter + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
+        };
+        if before.0 != 0 && self.recorded.is_none() && self.setup.stock.as_ref().is_some_and(near) {
+            let message = Message::ToolChangeNear { tool: quote(text, word.span), x: 2.0 * at.x, z: at.z };
+            self.tell(Diagnostic::new(message, word.span));
+        }
+    }
+
+    /// Compensation that nobody has cancelled where the tool leaves the work.
+    pub(super) fn watch_compensation_left_on(&mut self, text: &[u8], span: Span) {
+        let code = match self.state.compensation {
+            Compensation::Off => return,
+            Compensation::Left => "G41",
+            Compensation::Right => "G42",
+        };
+        if self.recorded.is_none() && self.state.virtual_plane.is_none() {
+            let message = Message::CompensationLeftOn { code, word: quote(text, span) };
+            self.tell(Diagnostic::new(message, span));
+        }
+    }
+
+    /// Two blocks without a move while compensation is on.
+    pub(super) fn watch_idle_blocks(&mut self, block: &Block) {
+        let idle = self
+            .state
+            .compensating
+            .as_ref()
+            .is_some_and(|own| own.idle_blocks == 2 && !own.waiting.is_empty());
+        if idle && self.state.told.first(Once::CompensationIdleBlocks) {
+            self.tell(Diagnostic::new(Message::CompensationIdleBlocks, block.words_span()));
+        }
+    }
+
+    /// The side of compensation against where the work lies, for a cut along Z (semantics §4: outside toward the chuck
+    /// G42, bores G41).
+    pub(super) fn watch_compensation_side(&mut self, block: &Block, from: Point, to: Point) {
+        if self.state.compensation == Compensation::Off || self.state.virtual_plane.is_some() {
+            return;
+        }
+        let (radius, tip) = self.offset_entry();
+        if matches!(tip, 0 | 9) && radius > 0.0 && self.state.told.first(Once::CompensationTip) {
+            let message = Message::CompensationTip { tip: f64::from(tip) };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+        let Some((code, right)) = rules::compensation::wrong_side(self.state.compensation, tip, from, to)
+        else {
+            return;
+        };
+        if self.state.told.first(Once::CompensationSide) {
+            self.tell(Diagnostic::new(Message::CompensationSide { code, right }, block.words_span()));
         }
     }
 

@@ -304,9 +304,7 @@ impl Message {
             }
             Self::AirCut { axis, distance } => vec![("axis", Letter(*axis)), ("distance", Number(*distance))],
             Self::StartBehindFace { z, face } => vec![("z", Number(*z)), ("face", Number(*face))],
-            Self::StartInStock { code, x, diameter } => {
-                vec![("code", Text(code)), ("x", Number(*x)), ("diameter", Number(*diameter))]
-            }
+            Self::StartInStock { code, x } => vec![("code", Text(code)), ("x", Number(*x))],
             Self::ToolChangeNear { tool, x, z } => {
                 vec![("tool", Text(tool)), ("x", Number(*x)), ("z", Number(*z))]
             }
@@ -343,6 +341,7 @@ impl Message {
                 vec![("sequence", Count(i64::from(*sequence))), ("line", Count(i64::from(*line)))]
             }
             Self::ArcOverHalf { word } => vec![("word", Text(word))],
+            Self::NotCompared { most } => vec![("most", Count(*most as i64))],
             Self::SetupValue { key, value, need } => {
                 let mut all = vec![("key", Text(key)), ("value", Number(*value))];
                 if let Need::Below(most) | Need::AtMost(most) = need {

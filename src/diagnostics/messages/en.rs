@@ -367,7 +367,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Start 1 to 3 mm outside the blank.",
         StartBehindFace => "The cycle starts at Z{z}, behind the face of the blank at Z{face}.\n\
             The material in front of it stays and is cut in one go at full depth. Start in front of the face.",
-        StartInStock => "{code} starts at X{x}, within the blank of Ø{diameter}.\n\
+        StartInStock => "{code} starts at X{x}, within the material.\n\
             The tool comes back to the start diameter at rapid after each pass: it must lie outside the material.",
         ToolChangeNear => "The tool changes to {tool} at X{x} Z{z}, close to the work.\n\
             The other tools of the turret swing around there. Go to the change point first, such as X200 Z200; boring bars need more room.",
@@ -407,6 +407,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P, Q, GOTO and M99 P search by number. Give each block that is searched for a number of its own.",
         ArcOverHalf => "`{word}` is negative: the arc goes the long way round, more than 180°.\n\
             A turned profile hardly ever does. Was a positive R meant?",
+        NotCompared => "The program has more than {most} blocks, or ten times as many motions: its numbers are not compared with each other.\n\
+            A lost point, a lost minus or a U in place of an X is then not remarked. `limits.comparedBlocks` of the setup sets the bound.",
         SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
             The picture goes on without it: what is wrong counts as not given.",
         SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\

@@ -51,7 +51,7 @@ wordings! {
     CornerAxis, CornerTwice, CornerInThread, CornerWithCompensation, CyclePlane, CycleWord, CycleAxis,
     FinishStart, FinishWithoutRoughing, AngleNoPoint, CompensationOnArc, CompensationOvercut,
     CompensationNoIntersection, CompensationPlane, LeadRunsOut, CompensationIdle,
-    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, ToolNotListed,
+    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, NotCompared, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, ToolNotListed,
     RapidThroughStock, DoglegThroughStock, RapidAlongStock, IntoJaws, IntoTailstock, HolderInStock, SlopeTooSteep,
     BelowCenter, OverTravel,
 }
@@ -255,6 +255,7 @@ impl Wording {
             Message::TapSurface => Self::TapSurface,
             Message::DuplicateSequence { .. } => Self::DuplicateSequence,
             Message::ArcOverHalf { .. } => Self::ArcOverHalf,
+            Message::NotCompared { .. } => Self::NotCompared,
             Message::SetupValue { need: Need::Positive, .. } => Self::SetupPositive,
             Message::SetupValue { need: Need::NotNegative, .. } => Self::SetupNotNegative,
             Message::SetupValue { need: Need::Below(_), .. } => Self::SetupBelow,

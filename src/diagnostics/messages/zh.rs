@@ -367,7 +367,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             起点距毛坯 1～3 mm 即可。",
         StartBehindFace => "循环起点 Z{z} 在毛坯端面 Z{face} 之后。\n\
             前面的材料没有切除，会一刀切到全深。起点应在端面之前。",
-        StartInStock => "{code} 的起点 X{x} 在毛坯 Ø{diameter} 之内。\n\
+        StartInStock => "{code} 的起点 X{x} 在材料之内。\n\
             每一刀后刀具都快速返回起点直径，起点必须在材料之外。",
         ToolChangeNear => "在 X{x} Z{z} 换刀 {tool}，离工件太近。\n\
             刀架转动时其他刀具会扫过工件。请先退到换刀点，如 X200 Z200；镗刀要更远。",
@@ -407,6 +407,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P、Q、GOTO、M99 P 按段号查找。被查找的段号应唯一。",
         ArcOverHalf => "`{word}` 为负：圆弧走大于 180° 的一侧。\n\
             车削轮廓几乎不会这样。是否应为正 R？",
+        NotCompared => "程序超过 {most} 段，或动作超过其十倍：不再相互比较各数值。\n\
+            因此不会提示漏小数点、漏负号或把 X 写成 U。上限由设置中的 `limits.comparedBlocks` 决定。",
         SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
             错误的值按未给出处理，图形照常显示。",
         SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\

@@ -36,6 +36,11 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
         Danger::RapidThroughStock => Message::RapidThroughStock { x, z },
         Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
         Danger::RapidAlongStock => Message::RapidAlongStock { x },
+        Danger::LeavesBore => Message::BoreRetract { x, z },
+        Danger::CycleStart => {
+            let cycle = motions.get(finding.motion).cycle.map_or("", |tag| tag.cycle.code());
+            Message::StartInStock { code: cycle, x }
+        }
         Danger::IntoJaws => Message::IntoJaws { x, z },
         Danger::IntoTailstock => Message::IntoTailstock { x, z },
         Danger::HolderInStock => Message::HolderInStock { x, z },

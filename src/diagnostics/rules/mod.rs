@@ -1,6 +1,11 @@
 //! Rules: what a good instructor would remark though the control runs it. One small file for each family.
 
+pub mod compensation;
+pub mod contour;
+pub mod cycle;
 pub mod machine;
+pub mod plausible;
 mod taper;
+pub mod thread;
 
-pub use taper::taper_not_extended;
+pub use taper::{shape as taper_shape, taper_not_extended};

@@ -50,6 +50,40 @@ pub fn taper_not_extended(
     })
 }
 
+/// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the axis, or becomes
+/// narrower toward the chuck, which only an undercut does.
+pub fn shape(
+    cycle: Single,
+    start: Point,
+    end: Point,
+    taper: f64,
+    word: &str,
+    stock: Option<Stock>,
+) -> Option<Message> {
+    if cycle == Single::Facing || taper == 0.0 || end.z >= start.z {
+        return None;
+    }
+    let begin = end.x + taper;
+    if begin < -NEAR && end.x > 0.0 {
+        return Some(Message::TaperCrossesAxis { word: word.into(), x: 2.0 * begin });
+    }
+    let way = end.x - start.x;
+    let outside = match way {
+        way if way < -NEAR => true,
+        way if way > NEAR => false,
+        // The end lies at the diameter of the start: outside, where that is at the surface of a bar.
+        _ if stock.is_some_and(|stock| {
+            2.0 * start.x > stock.bore + NEAR && 2.0 * start.x >= stock.diameter - 20.0
+        }) =>
+        {
+            true
+        }
+        _ => return None,
+    };
+    let narrows = if outside { taper > NEAR } else { taper < -NEAR };
+    narrows.then(|| Message::TaperNarrows { word: word.into() })
+}
+
 /// Whether a drawing would carry this length: a multiple of half a millimetre.
 fn is_round(length: f64) -> bool {
     (length * 2.0 - (length * 2.0).round()).abs() <= 2.0 * NEAR

@@ -1,0 +1,75 @@
+//! Contours of the multiple cycles: where they begin and end, and what is left (semantics §13.4).
+
+use crate::control::setup::Stock;
+use crate::cycles::Contour;
+use crate::diagnostics::Message;
+use crate::geometry::Point;
+
+/// Lengths this near are the same, mm.
+const NEAR: f64 = 0.001;
+/// A pass of G73 deeper than this is too deep, mm: twice the usual 3 mm of roughing.
+const DEEP: f64 = 6.0;
+
+/// Remarks about the contour of G71 (`turning`) or G72. `both`: its first block names both axes.
+pub fn remarks(
+    code: &'static str,
+    turning: bool,
+    contour: &Contour,
+    both: bool,
+    stock: Option<Stock>,
+) -> Vec<Message> {
+    let (start, first, last) = (contour.start, contour.first, contour.last());
+    let mut told = Vec::new();
+    let (axis, own, other) =
+        if turning { ('Z', start.z, first.z) } else { ('X', 2.0 * start.x, 2.0 * first.x) };
+    if both && (own - other).abs() > NEAR {
+        told.push(Message::ContourStartMoved { code, axis, start: own, first: other });
+    }
+    if let Some(stock) = stock.filter(|_| turning) {
+        let outside = first.x < start.x;
+        let end = 2.0 * last.x;
+        if outside && start.x * 2.0 >= stock.diameter - NEAR && end < stock.diameter - NEAR {
+            told.push(Message::ContourNotClosed { x: end, diameter: stock.diameter });
+        }
+    }
+    told
+}
+
+/// Allowances of G73 (radius and length, mm) that point into the part: axis and address.
+pub fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<(char, u8)> {
+    let way = |from: f64, to: f64| if (to - from).abs() <= NEAR { 0.0 } else { (to - from).signum() };
+    // From the start point into the part: across to where the contour begins, along to where it ends.
+    let inward = Point::new(way(contour.start.x, contour.first.x), way(contour.start.z, contour.last().z));
+    let mut told = Vec::new();
+    if allowance.x * inward.x > NEAR {
+        told.push(('U', b'U'));
+    }
+    if allowance.z * inward.z > NEAR {
+        told.push(('W', b'W'));
+    }
+    told
+}
+
+/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm.
+pub fn pattern_remarks(contour: &Contour, relief: f64, stock: Option<Stock>) -> Option<Message> {
+    let stock = stock?;
+    let radius = stock.diameter / 2.0;
+    if contour.first.x >= contour.start.x {
+        return None;
+    }
+    let low = contour.pieces.iter().map(|piece| piece.to.x).fold(contour.first.x, f64::min);
+    let depth = radius - (low + relief);
+    if depth > DEEP {
+        return Some(Message::PatternShallow { depth, relief });
+    }
+    let cutting = contour.pieces.iter().filter(|piece| piece.from.z < stock.face || piece.to.z < stock.face);
+    let (mut whole, mut air) = (0.0, 0.0);
+    for piece in cutting {
+        let length = piece.from.distance(piece.to);
+        let middle = (piece.from.x + piece.to.x) / 2.0 + relief;
+        whole += length;
+        air += if middle >= radius { length } else { 0.0 };
+    }
+    let share = (100.0 * air / whole).round();
+    (whole > 0.0 && share > 50.0).then_some(Message::PatternAir { share })
+}

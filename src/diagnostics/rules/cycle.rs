@@ -1,0 +1,62 @@
+//! Single and multiple cycles: passes that cut nothing, starts that are too far or too near (semantics §13.1, §13.4).
+
+use crate::control::modal::DeepestPass;
+use crate::control::setup::Stock;
+use crate::cycles::single::Single;
+use crate::diagnostics::Message;
+
+/// Lengths this near are the same, mm.
+const NEAR: f64 = 0.001;
+/// A start farther from the work than this wastes time with each pass, mm.
+const FAR: f64 = 10.0;
+
+/// A pass that goes no deeper than one before it from the same start to the same end.
+pub fn pass_not_deeper(
+    cycle: Single,
+    own: &DeepestPass,
+    before: &DeepestPass,
+    word: String,
+) -> Option<Message> {
+    let same = own.start.distance(before.start) <= NEAR && (own.taper - before.taper).abs() <= NEAR;
+    let (deep, other, deepest) = match cycle {
+        Single::Turning => {
+            let inward = (own.start.x - before.end.x).signum();
+            let deep = inward * (before.end.x - own.end.x);
+            (deep, (own.end.z - before.end.z).abs(), 2.0 * before.end.x)
+        }
+        Single::Facing => {
+            let inward = (own.start.z - before.end.z).signum();
+            (inward * (before.end.z - own.end.z), (own.end.x - before.end.x).abs(), before.end.z)
+        }
+        Single::Threading => return None,
+    };
+    (same && other <= NEAR && deep <= NEAR).then_some(Message::PassNotDeeper { word, deepest })
+}
+
+/// The deeper of two passes.
+pub fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> DeepestPass {
+    let Some(before) = before else { return own };
+    let same_end = match cycle {
+        Single::Facing => (own.end.x - before.end.x).abs() <= NEAR,
+        _ => (own.end.z - before.end.z).abs() <= NEAR,
+    };
+    let kept = same_end && pass_not_deeper(cycle, &own, &before, String::new()).is_some();
+    if kept { before } else { own }
+}
+
+/// Where a cycle starts, against the blank: too far, or behind the face.
+pub fn start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
+    let radius = stock.diameter / 2.0;
+    let outside = own.end.x < own.start.x;
+    let far_x = own.start.x - radius;
+    if outside && far_x > FAR && own.end.x < radius {
+        return Some(Message::AirCut { axis: 'X', distance: far_x });
+    }
+    let far_z = own.start.z - stock.face;
+    if cycle != Single::Threading && far_z > FAR && own.end.z < stock.face {
+        return Some(Message::AirCut { axis: 'Z', distance: far_z });
+    }
+    let behind =
+        cycle == Single::Facing && outside && own.start.z < stock.face - NEAR && own.end.z < own.start.z;
+    (behind && own.start.x >= radius).then_some(Message::StartBehindFace { z: own.start.z, face: stock.face })
+}
