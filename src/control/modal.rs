@@ -366,6 +366,7 @@ pub enum Once {
     G90AsAbsolute,
     FeedUnit,
     SpeedMissing,
+    CompensationLeftOn,
     CompensationSide,
     CompensationTip,
     CompensationIdleBlocks,
@@ -425,6 +426,8 @@ pub struct State {
     pub feed_use: FeedUse,
     /// The last pass of a thread.
     pub thread: Option<ThreadPass>,
+    /// A code has sent the tool home since the last motion; where home is the program does not say.
+    pub sent_home: bool,
     /// A tap stands in its hole: the direction in which the spindle turned it in.
     pub tap: Option<SpindleTurn>,
     /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
@@ -495,6 +498,7 @@ impl State {
             feed_use: FeedUse::Open,
             thread: None,
             tap: None,
+            sent_home: false,
             threads_per_inch: None,
             spindle: Spindle {
                 surface: false,

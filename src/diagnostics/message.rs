@@ -383,7 +383,7 @@ pub enum Message {
     /// G96 or G97 changes what S means, but no S stands there.
     SpeedNotRepeated { code: &'static str, speed: f64 },
     /// The spindle turns too fast for the lead.
-    ThreadTooFast { speed: f64, pitch: f64, limit: f64 },
+    ThreadTooFast { speed: f64, pitch: f64, limit: f64, slide: f64 },
     /// The spindle changes between two passes of a thread.
     ThreadSpeedChanged { before: f64, now: f64 },
     /// Two passes of a thread do not start in the same groove.
@@ -549,6 +549,7 @@ impl Message {
             | Self::DoglegThroughStock { .. }
             | Self::CompensationTip { .. }
             | Self::ChuckOpen { .. }
+            | Self::ThreadTooFast { .. }
             | Self::OverTravel { .. } => Kind::Machine,
             _ => Kind::Wrong,
         }
@@ -736,8 +737,12 @@ impl Message {
             Self::MinusMissing { .. } => ("W-SIGN", "minus-missing", Warning, None),
             Self::IncrementalForAbsolute { .. } => ("W-U-FOR-X", "incremental-for-absolute", Warning, None),
             Self::SpeedMissing => ("W-NO-SPEED", "speed-missing", Warning, None),
-            Self::SpeedNotRepeated { .. } => ("W-SPEED-KEPT", "speed-kept-in-other-unit", Warning, None),
-            Self::ThreadTooFast { .. } => ("W-SPINDLE-THREAD", "thread-spindle-too-fast", Warning, None),
+            Self::SpeedNotRepeated { .. } => ("W-SPEED-KEPT", "speed-kept-in-other-unit", Info, None),
+            // The rule of thumb is for small lathes; few slides follow beyond 4 m a minute.
+            Self::ThreadTooFast { slide, .. } => {
+                let severity = if *slide > 4000.0 { Warning } else { Info };
+                ("W-SPINDLE-THREAD", "thread-spindle-too-fast", severity, None)
+            }
             Self::ThreadSpeedChanged { .. } => ("W-THREAD-S-CHANGE", "thread-speed-changed", Warning, None),
             Self::ThreadStartMoved { .. } => ("W-THREAD-START-Z", "thread-start-moved", Warning, None),
             Self::ThreadRunIn { .. } => ("W-THREAD-LEADIN", "thread-run-in-short", Info, None),
@@ -756,12 +761,12 @@ impl Message {
             Self::TaperEdge { .. } => ("W-TAPER-EDGE", "taper-first-pass-deep", Info, None),
             Self::PassNotDeeper { .. } => ("W-PASS-NOT-DEEPER", "pass-not-deeper", Warning, None),
             Self::AirCut { .. } => ("W-AIR-CUT", "start-far-from-work", Info, None),
-            Self::StartBehindFace { .. } => ("W-START-BEHIND-FACE", "start-behind-face", Warning, None),
+            Self::StartBehindFace { .. } => ("W-START-BEHIND-FACE", "start-behind-face", Info, None),
             Self::StartInStock { .. } => ("W-START-IN-STOCK", "cycle-starts-in-stock", Warning, None),
             Self::ToolChangeNear { .. } => ("W-TOOLCHANGE-POS", "tool-change-near-work", Warning, None),
             Self::BoreRetract { .. } => ("W-BORE-RETRACT", "leaves-bore-sideways", Error, None),
             Self::GrooveStep { .. } => ("W-GROOVE-OVERLAP", "groove-step-too-wide", Warning, None),
-            Self::EscapeTooLarge { .. } => ("W-G71-E-BIG", "escape-larger-than-depth", Warning, None),
+            Self::EscapeTooLarge { .. } => ("W-G71-E-BIG", "escape-larger-than-depth", Info, None),
             Self::ContourStartMoved { .. } => ("W-NS-Z", "contour-begins-elsewhere", Info, None),
             Self::ContourNotClosed { .. } => ("W-CONTOUR-NOT-CLOSED", "contour-ends-in-stock", Info, None),
             Self::PatternShallow { .. } => ("W-G73-DI", "pattern-first-pass-deep", Warning, None),

@@ -72,6 +72,7 @@ impl Interpreter {
             self.act(text, block, &mut request, &words);
             self.state.uncertain |= request.drop;
         }
+        self.state.sent_home &= !request.moved;
         if !request.moved {
             self.idle_block();
             self.watch_idle_blocks(block);

@@ -288,7 +288,8 @@ impl Interpreter {
         {
             let word = words.quote(text, b'R');
             let span = words.span(b'R');
-            let fix = Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
+            let fix =
+                Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
             self.tell(Diagnostic::new(Message::ArcOverHalf { word }, span).with(fix));
         }
         let (up, right) = self.plane_targets(text, words);

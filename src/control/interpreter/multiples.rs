@@ -17,11 +17,14 @@ use crate::motion::Cycle;
 /// The least input increment, mm: D of the one-block forms counts it when written without a point.
 const INCREMENT: f64 = 0.001;
 
+/// Tool angles that FANUC takes, degrees (PS0315).
+const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
+
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
 
 /// A least depth of G76 beyond this, mm, is no depth that somebody meant.
-const LEAST_DEPTH: f64 = 0.5;
+const LEAST_DEPTH: f64 = 1.0;
 
 impl Interpreter {
     pub(super) fn multiple(
@@ -99,7 +102,9 @@ impl Interpreter {
         let depth_word = if turning { b'U' } else { b'W' };
         if !words.has_any(letters(b"PQ")) {
             // X or Z in the first block: the depth lost its letter's place (PS0066).
-            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
+            if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some())
+                && (words.get(depth_word).is_none() || self.dialect.strict)
+            {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
@@ -128,7 +133,10 @@ impl Interpreter {
             if words.get(depth_word).is_none() && words.get(other_word).is_some() {
                 // U and W have changed their roles: G71 takes U, G72 takes W.
                 let word = words.quote(text, other_word);
-                let fix = Fix::write(words.span(other_word), format!("{}{}", depth_word as char, words::behind_letter(&word)));
+                let fix = Fix::write(
+                    words.span(other_word),
+                    format!("{}{}", depth_word as char, words::behind_letter(&word)),
+                );
                 let message = Message::DepthNotPositive { code, depth: None };
                 self.tell(Diagnostic::new(message, words.span(other_word)).with(fix));
                 self.state.parameters.depth = Some(0.0);
@@ -532,8 +540,8 @@ impl Interpreter {
             self.state.parameters.angle
         };
         let gsk = self.dialect.control == Control::Gsk;
-        if !gsk && !one_block && ![0.0, 29.0, 30.0, 55.0, 60.0, 80.0].contains(&angle) {
-            self.tell(Diagnostic::new(Message::ThreadAngle { angle }, block.words_span()));
+        if !gsk && !one_block && !THREAD_ANGLES.contains(&angle) {
+            // Told at the first block.
             return None;
         }
         let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
@@ -616,7 +624,10 @@ impl Interpreter {
             return Vec::new();
         };
         let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
-        let mut edits = [(p.span, format!("Q{}", words::behind_letter(&p_text))), (q.span, format!("P{}", words::behind_letter(&q_text)))];
+        let mut edits = [
+            (p.span, format!("Q{}", words::behind_letter(&p_text))),
+            (q.span, format!("P{}", words::behind_letter(&q_text))),
+        ];
         edits.sort_by_key(|edit| edit.0.start);
         let title =
             Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
@@ -635,7 +646,20 @@ impl Interpreter {
             let packed = number.mantissa;
             self.state.parameters.finishing = (packed / 10_000 % 100).max(1) as u32;
             self.state.thread_chamfer = (packed / 100 % 100) as u8;
-            self.state.parameters.angle = (packed % 100) as f64;
+            let angle = (packed % 100) as f64;
+            self.state.parameters.angle = angle;
+            if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
+                let written = quote(text, word.span);
+                let head = written.len().saturating_sub(2);
+                let told = Diagnostic::new(Message::ThreadAngle { angle }, word.span);
+                // The nearest angle there is.
+                let apart = |other: &f64| (other - angle).abs();
+                let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+                let fix = near
+                    .filter(|_| written.is_char_boundary(head) && number.digits >= 3)
+                    .map(|near| Fix::write(word.span, format!("{}{near:02}", &written[..head])));
+                self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            }
         }
         if words.get(b'Q').is_some() {
             self.state.parameters.least_amount = self.amount(words, b'Q');

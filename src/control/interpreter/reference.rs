@@ -23,6 +23,7 @@ impl Interpreter {
             request.drop = true;
             return;
         }
+        self.state.sent_home = true;
         self.other_axes(text, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {

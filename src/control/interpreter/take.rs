@@ -104,6 +104,8 @@ impl Interpreter {
                 request.switches_compensation = compensation != state.compensation;
                 state.compensation = compensation;
                 state.told.forget(Once::CompensationIdle);
+                state.told.forget(Once::CompensationLeftOn);
+                state.told.forget(Once::CompensationSide);
             }
             G::Frame(frame) => {
                 self.leave_compensation();

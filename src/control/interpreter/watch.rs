@@ -90,8 +90,10 @@ impl Interpreter {
         let own = ThreadPass { start, end, lead, speed, tool: self.state.tool };
         let before = self.state.thread.replace(own);
         let angle = words.get(b'Q').is_some();
+        // L of GSK's G92: so many starts.
+        let starts = self.starts(words, Single::Threading) as f64;
         let face = self.setup.stock.map(|stock| stock.face);
-        for told in rules::thread::remarks(&own, before.as_ref(), angle, face) {
+        for told in rules::thread::remarks(&own, before.as_ref(), angle, starts, face) {
             self.tell(Diagnostic::new(told, block.words_span()));
         }
     }
@@ -132,7 +134,11 @@ impl Interpreter {
         let near = |stock: &super::super::setup::Stock| {
             2.0 * at.x.abs() < stock.diameter + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
         };
-        if before.0 != 0 && self.recorded.is_none() && self.setup.stock.as_ref().is_some_and(near) {
+        if before.0 != 0
+            && self.recorded.is_none()
+            && !self.state.sent_home
+            && self.setup.stock.as_ref().is_some_and(near)
+        {
             let message = Message::ToolChangeNear { tool: quote(text, word.span), x: 2.0 * at.x, z: at.z };
             self.tell(Diagnostic::new(message, word.span));
         }
@@ -145,7 +151,10 @@ impl Interpreter {
             Compensation::Left => "G41",
             Compensation::Right => "G42",
         };
-        if self.recorded.is_none() && self.state.virtual_plane.is_none() {
+        if self.recorded.is_none()
+            && self.state.virtual_plane.is_none()
+            && self.state.told.first(Once::CompensationLeftOn)
+        {
             let message = Message::CompensationLeftOn { code, word: quote(text, span) };
             self.tell(Diagnostic::new(message, span));
         }

@@ -274,7 +274,7 @@ impl Message {
             ],
             Self::SpeedMissing => vec![],
             Self::SpeedNotRepeated { code, speed } => vec![("code", Text(code)), ("speed", Number(*speed))],
-            Self::ThreadTooFast { speed, pitch, limit } => {
+            Self::ThreadTooFast { speed, pitch, limit, .. } => {
                 vec![("speed", Number(*speed)), ("pitch", Number(*pitch)), ("limit", Number(*limit))]
             }
             Self::ThreadSpeedChanged { before, now } => {

@@ -180,7 +180,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::IncrementalForAbsolute { word: "X1".into(), axis: 'X', to: 1.5, meant: "X1".into() },
         Message::SpeedMissing,
         Message::SpeedNotRepeated { code: "G71", speed: 1.5 },
-        Message::ThreadTooFast { speed: 1.5, pitch: 1.5, limit: 1.5 },
+        Message::ThreadTooFast { speed: 1.5, pitch: 1.5, limit: 1.5, slide: 1.5 },
         Message::ThreadSpeedChanged { before: 1.5, now: 1.5 },
         Message::ThreadStartMoved { before: 1.5, now: 1.5, lead: 1.5 },
         Message::ThreadRunIn { have: 1.5, need: 1.5 },

@@ -30,7 +30,12 @@ pub fn pass_not_deeper(
         }
         Single::Threading => return None,
     };
-    (same && other <= NEAR && deep <= NEAR).then_some(Message::PassNotDeeper { word, deepest })
+    let side = |pass: &DeepestPass| match cycle {
+        Single::Facing => (pass.end.z - pass.start.z).signum(),
+        _ => (pass.end.x - pass.start.x).signum(),
+    };
+    (same && side(own) == side(before) && other <= NEAR && deep <= NEAR)
+        .then_some(Message::PassNotDeeper { word, deepest })
 }
 
 /// The deeper of two passes.

@@ -80,8 +80,8 @@ pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Ve
 }
 
 const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
-/// G04, G10, G28, G30, G50, G52, G53, G65, G66.
-const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
+/// G04, G10, G28, G30, G50, G52, G53, G65, G66; the hole cycles, whose R and Q are no places.
+const SETTINGS: [u64; 15] = [4, 10, 28, 30, 50, 52, 53, 65, 66, 83, 84, 85, 87, 88, 89];
 
 impl<'a> Program<'a> {
     fn read(text: &'a [u8], motions: &'a Motions, most: usize) -> Option<Self> {
@@ -165,23 +165,26 @@ impl<'a> Program<'a> {
     /// `F02`, `R05`: a zero in front of a number without a point.
     fn leading_zeros(&self) -> Vec<Diagnostic> {
         let numbers = b"XZUWRFIKCA";
-        let mut told = Vec::new();
-        for word in
-            self.words.iter().filter(|word| numbers.contains(&word.address) && word.decimals.is_none())
-        {
+        let padded = |word: &&Word| {
+            let written = word.span.of(self.text);
+            let digits = written[1..].iter().skip_while(|byte| matches!(byte, b' ' | b'-' | b'+'));
+            let digits: Vec<u8> = digits.copied().collect();
+            word.value != 0.0 && digits.len() >= 2 && digits[0] == b'0'
+        };
+        let bare = |word: &&Word| numbers.contains(&word.address) && word.decimals.is_none();
+        let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
+        // Who pads lengths more than once, `Z02`, counts on it; nobody pads a feed.
+        let lengths = found.iter().filter(|word| word.address != b'F').count();
+        let alone = found.into_iter().filter(|word| word.address == b'F' || lengths == 1);
+        let tell = |word: &Word| {
             let written = self.quote(word);
-            let digits = written[1..].trim_start_matches([' ', '-', '+']);
-            if word.value == 0.0 || digits.len() < 2 || !digits.starts_with('0') {
-                continue;
-            }
-            let head = &written[..written.len() - digits.len()];
-            let meant = format!("{head}0.{}", &digits[1..]);
+            let zero = written.find('0').unwrap_or_default();
+            let meant = format!("{}0.{}", &written[..zero], &written[zero + 1..]);
             let fix = Fix::write(word.span, meant.clone());
             let message = Message::LeadingZero { word: written, value: word.value, meant };
-            told.push(Diagnostic::new(message, word.span).with(fix));
-        }
-        // Who writes `X05 Z010` throughout counts on it.
-        if told.len() > 3 && 4 * told.len() > self.words.len() / 3 { Vec::new() } else { told }
+            Diagnostic::new(message, word.span).with(fix)
+        };
+        alone.map(tell).collect()
     }
 
     /// Words that place the tool, along either axis, with a number that is not zero.
@@ -211,7 +214,9 @@ impl<'a> Program<'a> {
             let told = Diagnostic::new(message, word.span);
             Diagnostic { fixes: self.with_point(word), ..told }
         };
-        bare.into_iter().map(tell).collect()
+        // A place far away is often a round number.
+        let cuts = |word: &&Word| self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+        bare.into_iter().filter(cuts).map(tell).collect()
     }
 
     /// The word with a point where its like have theirs, and with one at its end.
@@ -240,59 +245,47 @@ impl<'a> Program<'a> {
         texts.into_iter().map(|text| Fix::write(word.span, text)).collect()
     }
 
-    /// Along X (twice the radius) and Z: how far all motions of a block go, mm.
-    fn reach(&self, row: &Row) -> Option<(f64, f64)> {
-        let ends = self.made(row).filter(|motion| motion.rotary.is_none());
-        let far = |reach: (f64, f64), motion: Motion| {
-            (reach.0.max(2.0 * motion.to.x.abs()), reach.1.max(motion.to.z.abs()))
+    /// Where a word leads, mm as people write it.
+    fn leads_to(&self, word: &Word) -> Option<f64> {
+        let value = word.value * self.unit;
+        let (from, to) = self.rows[word.block].motions?;
+        let start = self.motions.get(from).from;
+        let place = match word.address {
+            b'X' | b'Z' => Some(value),
+            b'U' => Some(2.0 * start.x + value),
+            b'W' => Some(start.z + value),
+            _ => None,
         };
-        row.motions.map(|_| ends.fold((0.0, 0.0), far))
+        place.filter(|_| from < to)
     }
 
     /// A place far beyond all others.
     fn far_off(&self) -> Vec<Diagnostic> {
-        let start = (self.motions.len() > 0).then(|| self.motions.get(0).from);
-        let start = start.map_or((0.0, 0.0), |from| (2.0 * from.x.abs(), from.z.abs()));
-        let reaches: Vec<Option<(f64, f64)>> = self.rows.iter().map(|row| self.reach(row)).collect();
+        let start = if self.motions.is_empty() { Default::default() } else { self.motions.get(0).from };
         let mut told = Vec::new();
-        for (axis, letters) in [('X', b"XU"), ('Z', b"ZW")] {
-            let along = |reach: (f64, f64)| if axis == 'X' { reach.0 } else { reach.1 };
-            // The farthest two blocks: who stands alone at the top is far off.
-            let mut blocks: Vec<(f64, usize)> = Vec::new();
-            for (index, row) in self.rows.iter().enumerate() {
-                let Some(reach) = reaches[index].map(along) else { continue };
-                let named = self.words_of(row).iter().any(|word| letters.contains(&word.address));
-                if named && row.role != Role::Other {
-                    blocks.push((reach, index));
-                }
+        for (axis, letters, begins) in [('X', b"XU", 2.0 * start.x.abs()), ('Z', b"ZW", start.z.abs())] {
+            let mut places: Vec<(f64, &Word, bool)> = Vec::new();
+            for word in self.places().filter(|word| letters.contains(&word.address)) {
+                let cuts = self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+                places.extend(self.leads_to(word).map(|place| (place, word, cuts)));
             }
-            blocks.sort_by(|a, b| b.0.total_cmp(&a.0));
-            let Some(&(reach, top)) = blocks.first() else { continue };
-            let others: Vec<f64> =
-                blocks.iter().filter(|other| other.1 != top).map(|other| other.0).collect();
-            if others.len() < 2 {
-                continue;
-            }
-            let next = others.iter().copied().fold(along(start), f64::max);
-            let row = &self.rows[top];
-            let cuts = self.made(row).any(|motion| motion.kind.cuts());
+            let top = places.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+            let Some(&(place, word, cuts)) = top else { continue };
+            let others = || places.iter().filter(|other| other.1.span != word.span);
+            let far = |found: &mut dyn Iterator<Item = f64>| found.fold(0.0, f64::max);
+            let cut = far(&mut others().filter(|other| other.2).map(|other| other.0.abs()));
+            let next = far(&mut others().map(|other| other.0.abs())).max(begins);
+            let cut_others = others().filter(|other| other.2).count();
             // A retreat may go farther than all cuts; a cut hardly farther than the retreat.
-            let cut_beyond = others_cut(self, top, &reaches, along);
-            let (limit, farthest) = match cut_beyond {
-                Some(cut) if cuts => (2.0 * cut + 20.0, cut),
-                _ => (3.0 * next + 50.0, next),
+            let (limit, farthest) = match cuts && cut_others >= 2 {
+                true => (2.0 * cut + 50.0, cut),
+                false => (3.0 * next + 50.0, next),
             };
-            if reach <= limit {
+            if others().count() < 2 || place.abs() <= limit {
                 continue;
             }
-            let word = self.words_of(row).iter().find(|word| letters.contains(&word.address));
-            let Some(word) = word else { continue };
-            let message = Message::FarOff {
-                word: self.quote(word),
-                axis,
-                to: round(reach * word.value.signum()),
-                farthest: round(farthest),
-            };
+            let (to, farthest) = (round(place), round(farthest));
+            let message = Message::FarOff { word: self.quote(word), axis, to, farthest };
             let fixes = if word.decimals.is_none() { self.with_point(word) } else { Vec::new() };
             told.push(Diagnostic { fixes, ..Diagnostic::new(message, word.span) });
         }
@@ -319,57 +312,57 @@ impl<'a> Program<'a> {
     /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`.
     fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut told = Vec::new();
-        let Some(front) = self.approach() else { return told };
-        let cuts_inward = |index: usize| {
+        let Some(front) = self.approach() else { return Vec::new() };
+        // Which tools cut toward the chuck: one that never does works on the other side.
+        let mut inward: BTreeMap<u16, usize> = BTreeMap::new();
+        for index in 0..self.motions.len() {
             let motion = self.motions.get(index);
-            motion.kind.cuts() && motion.to.z < motion.from.z && motion.to.z < 0.0
-        };
-        let inward = (0..self.motions.len()).filter(|&index| cuts_inward(index)).count();
+            if motion.kind.cuts() && motion.to.z < motion.from.z && motion.to.z < 0.0 {
+                *inward.entry(motion.process.tool.0).or_default() += 1;
+            }
+        }
+        let mut outward: BTreeMap<u16, usize> = BTreeMap::new();
         for row in self.rows.iter().filter(|row| row.role != Role::Other) {
             let Some(word) = self.words_of(row).iter().find(|word| word.address == b'Z') else { continue };
-            if word.negative || word.value <= 0.0 {
-                continue;
-            }
             let Some((from, to)) = row.motions else { continue };
-            let cycle = self.motions.get(from).cycle.is_some();
             let place = word.value * self.unit;
-            let cut = (from..to).map(|index| self.motions.get(index)).find(|motion| {
-                motion.kind.cuts()
-                    && (motion.to.z - place).abs() < 0.001
-                    && motion.to.z > motion.from.z + 0.001
-                    && !motion
-                        .cycle
-                        .is_some_and(|tag| matches!(tag.step, Step::Retract | Step::Return | Step::PullOut))
-            });
-            let facing = cycle
-                && self.made(row).any(|motion| {
-                    motion.cycle.is_some_and(|tag| tag.step == Step::Infeed)
-                        && (motion.to.z - place).abs() < 0.001
-                        && motion.to.z > motion.from.z + 0.001
-                });
-            let start = self.motions.get(from).from.z;
-            let flagged = match cut {
-                Some(_) if cycle => start >= -0.001 || place > 0.001,
-                Some(motion) => {
-                    let next = (to < self.motions.len()).then(|| self.motions.get(to));
-                    let goes_on = next.is_some_and(|next| next.kind.cuts());
-                    let beyond = place - motion.from.z.max(front);
-                    // Who never cuts toward the chuck has another zero point.
-                    (inward > 0 || motion.from.z >= front - 0.001)
-                        && beyond > if goes_on { 0.5 } else { 10.0 }
-                }
-                None => facing && start >= -0.001,
-            };
-            if !flagged {
+            if word.negative || place <= 0.0 || !self.leads_away(from, to, place, front) {
                 continue;
             }
             let written = self.quote(word);
             let meant = format!("Z-{}", written[1..].trim_start_matches([' ', '+']));
             let fix = Fix::write(word.span, meant.clone());
-            told.push(Diagnostic::new(Message::MinusMissing { word: written, meant }, word.span).with(fix));
+            let tool = self.motions.get(from).process.tool.0;
+            *outward.entry(tool).or_default() += 1;
+            let message = Message::MinusMissing { word: written, meant };
+            told.push((tool, Diagnostic::new(message, word.span).with(fix)));
         }
-        // Who does so everywhere has the work on the other side.
-        if told.len() > 2 && told.len() > inward { Vec::new() } else { told }
+        let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains_key(tool);
+        told.into_iter().filter(|(tool, _)| !works_outward(tool)).map(|(_, told)| told).collect()
+    }
+
+    /// Whether the motions of a block cut toward +Z to `place`, in front of the work, where cuts begin at `front`.
+    fn leads_away(&self, from: usize, to: usize, place: f64, front: f64) -> bool {
+        let goes_there =
+            |motion: &Motion| (motion.to.z - place).abs() < 0.001 && motion.to.z > motion.from.z + 0.001;
+        let leaves = |motion: &Motion| {
+            motion.cycle.is_some_and(|tag| matches!(tag.step, Step::Retract | Step::Return | Step::PullOut))
+        };
+        let mut motions = (from..to).map(|index| self.motions.get(index));
+        let first = self.motions.get(from);
+        if first.cycle.is_some() {
+            // The infeed of G94 leads to its Z.
+            let infeed = |motion: &Motion| motion.cycle.is_some_and(|tag| tag.step == Step::Infeed);
+            let away = |motion: &Motion| {
+                goes_there(motion) && !leaves(motion) && (motion.kind.cuts() || infeed(motion))
+            };
+            return first.from.z >= -0.001 && motions.any(|motion| away(&motion));
+        }
+        let Some(cut) = motions.find(|motion| motion.kind.cuts() && goes_there(motion)) else { return false };
+        let next = (to < self.motions.len()).then(|| self.motions.get(to));
+        let goes_on = next.is_some_and(|next| next.kind.cuts());
+        // Who leaves at feed goes a little way; who cuts on there cuts air.
+        place - cut.from.z.max(front) > if goes_on { 3.0 } else { 10.0 }
     }
 
     /// A single U among places: where it leads, nothing else of the program is.
@@ -408,21 +401,6 @@ impl<'a> Program<'a> {
         }
         told
     }
-}
-
-/// How far the cuts of all other blocks go.
-fn others_cut(
-    program: &Program,
-    top: usize,
-    reaches: &[Option<(f64, f64)>],
-    along: impl Fn((f64, f64)) -> f64,
-) -> Option<f64> {
-    let others = program
-        .rows
-        .iter()
-        .enumerate()
-        .filter(|(index, row)| *index != top && program.made(row).any(|motion| motion.kind.cuts()));
-    others.filter_map(|(index, _)| reaches[index]).map(along).reduce(f64::max)
 }
 
 /// To a thousandth of a millimetre.

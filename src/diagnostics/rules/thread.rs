@@ -15,19 +15,22 @@ const NEAR: f64 = 0.001;
 const STARTS: u32 = 8;
 
 /// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle at which it starts.
-/// `face`: Z of the face of the blank, if one is known.
+/// `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one is known.
 pub fn remarks(
     own: &ThreadPass,
     before: Option<&ThreadPass>,
     angle: bool,
+    starts: f64,
     face: Option<f64>,
 ) -> Vec<Message> {
+    let pitch = own.lead / starts;
     let mut told = Vec::new();
     let before = before.filter(|before| is_same_thread(own, before));
     if before.is_none() {
-        let limit = SPEED_OF_PITCH / own.lead - SPEED_MARGIN;
-        if PITCHES.contains(&own.lead) && own.speed > limit {
-            told.push(Message::ThreadTooFast { speed: own.speed, pitch: own.lead, limit: limit.floor() });
+        let limit = SPEED_OF_PITCH / pitch - SPEED_MARGIN;
+        if PITCHES.contains(&pitch) && own.speed > limit {
+            let speed = own.speed;
+            told.push(Message::ThreadTooFast { speed, pitch, limit: limit.floor(), slide: speed * own.lead });
         } else if let Some(run_in) = run_in(own, face) {
             told.push(run_in);
         }
@@ -80,7 +83,7 @@ pub fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message
     }
     // A thread of two or three starts is lower, measured by its lead.
     let share = height / lead;
-    let unusual = angle == 60.0 && !(0.2..=0.8).contains(&share);
+    let unusual = angle == 60.0 && !(0.2..=1.0).contains(&share);
     let usual = 0.001 * (650.0 * lead).round();
     unusual.then_some(Message::ThreadHeight { height, pitch: lead, usual })
 }
