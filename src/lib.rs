@@ -19,6 +19,7 @@ pub mod export;
 pub mod geometry;
 pub mod limits;
 pub mod motion;
+pub mod repair;
 pub mod rewrite;
 mod room;
 pub mod run;
