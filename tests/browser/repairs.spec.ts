@@ -5,23 +5,22 @@ import { editor, open, openFile, problems, type, value } from './page';
 const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Fix \d+ safe ones?$/ });
 
 test('all safe repairs are one click and one undo', async ({ page }) => {
-  const before = 'GO1 X5O F0.1 M3 S500\nG00 X60 Z–2 T1\nM30 (END';
-  const after = 'G01 X50 F0.1 M3 S500\nG00 X60 Z-2 T1\nM30 (END)';
+  const before = 'GO1 X5O F0.1 M3 S500\nG00 X60 X61 Z–2\nM30 (END';
+  const after = 'G01 X50 F0.1 M3 S500\nG00 X60 X61 Z-2\nM30 (END)';
   await open(page);
   await type(page, before);
-  await expect(all(page)).toHaveText(/^Fix [2-4] safe ones$/);
-  await all(page).click();
-  await expect.poll(async () => {
-    // What a fault has hidden is offered next.
-    if (await all(page).isVisible()) await all(page).click();
-    return value(page);
-  }).toBe(after);
+  await expect(all(page)).toHaveText('Fix 4 safe ones');
+  // A second click comes too late to do them twice.
+  await all(page).dblclick();
+  await expect.poll(() => value(page)).toBe(after);
   await expect(all(page)).toBeHidden();
   await expect(editor(page)).toBeFocused();
 
   await test.step('what has to be chosen stays with its message', async () => {
-    await expect(problems(page).getByText('T1').first()).toBeVisible();
-    await expect(problems(page).getByRole('button', { name: /^Fix: / }).first()).toBeVisible();
+    const offered = problems(page).getByRole('button', { name: /^Fix: / });
+    await expect(offered).toHaveCount(2);
+    const [first, second] = await Promise.all([offered.first().boundingBox(), offered.last().boundingBox()]);
+    expect(second!.y).toBe(first!.y);
   });
 });
 

@@ -91,12 +91,13 @@ export class Problems {
       ),
     );
     button.addEventListener('click', () => this.#events.chosen(diagnostic));
-    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
-    for (const fix of diagnostic.fixes) {
+    const fixes = diagnostic.fixes.map((fix) => {
       const repair = make('button', { type: 'button', className: 'fix' }, strings.fix(fix.title));
       repair.addEventListener('click', () => this.#events.fixed(fix.edits));
-      item.append(repair);
-    }
+      return repair;
+    });
+    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
+    if (fixes.length > 0) item.append(make('div', { className: 'fixes' }, ...fixes));
     return item;
   }
 }
