@@ -288,6 +288,7 @@ impl Summary {
                 Severity::Error => summary.errors += 1,
                 Severity::Warning => summary.warnings += 1,
                 Severity::Info => summary.infos += 1,
+                Severity::Off => {}
             }
         }
         summary

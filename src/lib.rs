@@ -20,6 +20,7 @@ pub mod geometry;
 pub mod limits;
 pub mod motion;
 pub mod paste;
+pub mod repair;
 pub mod rewrite;
 mod room;
 pub mod run;

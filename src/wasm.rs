@@ -225,8 +225,9 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         let places = self.places();
+        let levels = &self.run.setup().rules;
         let findings =
-            self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions()));
+            self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels));
         let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, self.language));

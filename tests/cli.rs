@@ -257,6 +257,50 @@ fn rewrite_tells_what_it_wrote_as_a_cycle() {
 }
 
 #[test]
+fn fix_writes_the_files_back() {
+    // (粗车) in GB18030, and line ends of Windows: only what is wrong changes.
+    let path = file("fix.nc", "");
+    let before = b"O0001 (\xb4\xd6\xb3\xb5)\r\nGO1 X5O F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG777\r\nM30\r\n";
+    let after = b"O0001 (\xb4\xd6\xb3\xb5)\r\nG01 X50 F0.1 M3 S500\r\nG00 X60 Z2 T1\r\nG777\r\nM30\r\n";
+    std::fs::write(&path, before).expect("fix.nc");
+    let name = path.to_str().unwrap();
+    let dry = run(&["check", "--fix", "--dry-run", name], b"");
+    assert_eq!((dry.stdout.as_slice(), dry.status.code()), (&after[..], Some(1)));
+    assert!(String::from_utf8_lossy(&dry.stderr).contains("G777"));
+    assert_eq!(std::fs::read(&path).expect("fix.nc"), before);
+    let output = run(&["check", "--fix", "--format", "json", name], b"");
+    assert_eq!(std::fs::read(&path).expect("fix.nc"), after);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.lines().count() == 2 && told.starts_with(&format!("{name}:2: ")), "{told}");
+    // What has to be asked for is left, and told.
+    let left: Vec<_> = rows(&output).iter().map(|row| row["slug"].as_str().unwrap().to_owned()).collect();
+    assert_eq!(left, ["short-tool-word", "unknown-g-code"]);
+    assert_eq!(output.status.code(), Some(1));
+    // Nothing is left to do, and the file is not written again.
+    let written = std::fs::metadata(&path).and_then(|facts| facts.modified()).expect("a time");
+    let again = run(&["check", "--fix", name], b"");
+    assert_eq!((again.stderr.len(), again.status.code()), (0, Some(1)));
+    assert_eq!(std::fs::metadata(&path).and_then(|facts| facts.modified()).expect("a time"), written);
+    // Standard input goes to standard output.
+    assert_eq!(run(&["check", "--fix", "-"], before).stdout, after);
+    assert_eq!(run(&["check", "--dry-run", "-"], before).status.code(), Some(2));
+}
+
+#[test]
+fn levels_of_rules_decide_the_exit_status() {
+    let setup = file("levels.json", r#"{"rules": {"unknown-g-code": "warning", "no-program-end": "error"}}"#);
+    let with = |command: &[&str], input: &[u8]| {
+        run(&[command, &["--setup", setup.to_str().unwrap()]].concat(), input)
+    };
+    assert_eq!(with(&["check", "-"], b"G777\nM30").status.code(), Some(0));
+    assert_eq!(with(&["check", "-"], b"G00 X1").status.code(), Some(1));
+    assert_eq!(with(&["motions", "-"], b"(RULES NO-PROGRAM-END=OFF)\nG00 X1").status.code(), Some(0));
+    let rules = rows(&with(&["rules", "--format", "json"], b""));
+    let rule = rules.iter().find(|row| row["slug"] == "unknown-g-code").expect("a rule");
+    assert_eq!(rule["severity"], json!("warning"));
+}
+
+#[test]
 fn expand_keeps_the_encoding_and_every_comment() {
     for Encoded { encoding, text, bytes } in encoded() {
         let output = run(&["expand", "-"], &bytes);

@@ -10,6 +10,7 @@ mod workload;
 use std::sync::LazyLock;
 
 use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::Severity;
 use gcode_playground::limits::Limits;
 use gcode_playground::run::{Run, TextEdit};
 use proptest::prelude::*;
@@ -206,6 +207,37 @@ proptest! {
     #[test]
     fn changed_plain_programs(lines in 50usize..600, changes in changes(20), stride in 1usize..300) {
         change_again_and_again(workload::plain(lines).into_bytes(), &Setup::default(), stride, &changes);
+    }
+}
+
+/// What is told of rules changes with their comment, behind snapshots that were made under another one.
+#[test]
+fn a_changed_comment_of_rules_counts_for_the_whole_program() {
+    let limits = Limits { stride: 20, ..Limits::default() };
+    let setup = Setup { limits, ..Setup::default() };
+    let moves: String = (0..200).map(|x| format!("G00 X{x} Z2\n")).collect();
+    let text = format!("(RULES cut-with-spindle-stopped=info)\n{moves}G777\n{moves}");
+    let mut run = Run::new(text.into_bytes(), setup.clone());
+    finish(&mut run);
+    let told = |run: &Run| -> Vec<_> {
+        let of_rule = |slug: &str| {
+            let mut found = run.diagnostics().iter().filter(|found| found.message.slug() == slug);
+            found.next().map(|found| found.severity)
+        };
+        ["unknown-g-code", "no-program-end"].map(of_rule).to_vec()
+    };
+    let mut rules = "cut-with-spindle-stopped=info".to_owned();
+    for (next, expected) in [
+        ("unknown-g-code=warning", [Some(Severity::Warning), Some(Severity::Warning)]),
+        ("unknown-g-code=off no-program-end=error", [None, Some(Severity::Error)]),
+        ("no-program-end=off", [Some(Severity::Error), None]),
+    ] {
+        let (start, end) = ("(RULES ".len(), "(RULES ".len() + rules.len());
+        run.edit(TextEdit { start, end, insert: next.into() });
+        finish(&mut run);
+        check(&run, &setup);
+        assert_eq!(told(&run), expected, "{next}");
+        rules = next.to_owned();
     }
 }
 

@@ -4,11 +4,12 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::draft::put_into_json;
 use gcode_playground::control::setup::fields::{self, Entry, Field, Unit};
-use gcode_playground::control::setup::notes::{MACHINE_WORDS, Notes, TOOL_WORDS};
+use gcode_playground::control::setup::notes::{MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
 use gcode_playground::control::setup::written::{changes, lines};
 use gcode_playground::control::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
+use gcode_playground::diagnostics::{Levels, Severity, register};
 use gcode_playground::shop::Shop;
 use proptest::prelude::*;
 
@@ -54,12 +55,27 @@ prop_compose! {
     }
 }
 
+/// Rules are told otherwise that have nothing to say of these programs.
+fn rules() -> impl Strategy<Value = Levels> {
+    let names =
+        proptest::sample::select(vec!["classroom", "coolant-off", "arc-without-way", "rule-of-stock"]);
+    let list = proptest::collection::vec((names, proptest::sample::select(Severity::ALL.to_vec())), 0..4);
+    list.prop_map(|list| {
+        let mut levels = Levels::default();
+        for (name, level) in list {
+            assert_eq!(levels.set(name, level), name != "rule-of-stock");
+        }
+        levels
+    })
+}
+
 prop_compose! {
     fn setup()(
         stock in proptest::option::of((length(), length(), length(), length(), maybe())),
         tailstock in proptest::option::of((length(), length())),
         start in proptest::option::of((length(), length())),
         machine in machine(),
+        rules in rules(),
         tools in proptest::collection::btree_map("T[0-9]{4}", tool(), 0..4),
     ) -> Setup {
         Setup {
@@ -67,6 +83,7 @@ prop_compose! {
             tailstock: tailstock.map(|(z, diameter)| Tailstock { z, diameter }),
             initial: start.map(|(x, z)| Position { x, z }),
             machine,
+            rules,
             // A tool of which nothing is said is not written.
             tools: tools.into_iter().filter(|(_, tool)| *tool != Tool::default()).collect(),
             ..Setup::default()
@@ -142,6 +159,13 @@ fn bad_setups_are_told_by_name() {
     refused(r#"{"tools": {"X1": {"tip": 3}}}"#, &["tools.X1", "T0101"]);
     refused(r#"{"initial": {"x": 1e300, "z": 0}}"#, &["`initial.x`", "5000"]);
     refused("garbage", &["expected value"]);
+    refused(
+        "{\"rules\": {\"no-program-end\": \"off\",\n \"coolant-of\": \"off\"}}",
+        &["`coolant-of`", "nearest is `coolant-off`", "line 2"],
+    );
+    refused(r#"{"rules": {"no-program-end": "loud"}}"#, &["\"no-program-end\"", "`loud`", "warning"]);
+    refused(r#"{"rules": {"no-program-end": 1}}"#, &["\"no-program-end\"", "expected a string"]);
+    refused(r#"{"rules": ["no-program-end"]}"#, &["an object of rules"]);
 }
 
 /// A row of README's table.
@@ -174,6 +198,7 @@ fn readme_lists_all_that_can_be_said() {
         rows("initial.", "START", fields::START),
         rows("tailstock.", "TAILSTOCK", fields::TAILSTOCK),
         rows("machine.", "MACHINE", fields::MACHINE),
+        rows("rules.", "RULES", fields::RULES),
     ]
     .concat();
     assert_eq!(found.len(), wanted.len(), "README should have\n{}", wanted.join("\n"));
@@ -184,6 +209,7 @@ fn readme_lists_all_that_can_be_said() {
     let notes = Notes::read(example.split("```").next().unwrap_or_default().as_bytes());
     assert_eq!(notes.faults, []);
     assert!(notes.stock.is_some() && notes.tools.len() >= 2 && notes.machine.is_some());
+    assert!(!notes.rules.is_empty());
 }
 
 /// The words a message offers are those that can stand there.
@@ -200,4 +226,18 @@ fn messages_offer_every_word() {
     let machine: Vec<_> = fields::MACHINE.iter().map(|field| field.word).collect();
     assert_eq!(missing(&tool, TOOL_WORDS), [""; 0]);
     assert_eq!(missing(&machine, MACHINE_WORDS), [""; 0]);
+    let groups: Vec<_> = fields::RULES.iter().map(|field| field.word).collect();
+    assert_eq!(missing(&groups, RULE_WORDS), [""; 0]);
+}
+
+/// Every rule can be set by its slug, in JSON and in a comment.
+#[test]
+fn every_rule_can_be_set() {
+    for rule in register() {
+        let json = format!(r#"{{"rules": {{"{}": "off"}}}}"#, rule.slug);
+        let rules = Setup::from_json(&json).map(|setup| setup.rules);
+        let note = Notes::read(format!("(RULES {}=OFF)", rule.slug.to_uppercase()).as_bytes());
+        assert_eq!((rules, note.faults.len()), (Ok(note.rules.clone()), 0), "{}", rule.slug);
+        assert_eq!(note.rules.of(rule.slug), Some(Severity::Off));
+    }
 }

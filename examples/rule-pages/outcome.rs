@@ -42,7 +42,8 @@ impl Outcome {
         if stop == Some(Stop::Part) {
             let mut shop = Shop::new(&analysis.motions, &analysis.setup);
             shop.stop();
-            analysis.diagnostics.extend(rules::machine::diagnostics(&shop, &analysis.motions));
+            let levels = &analysis.setup.rules;
+            analysis.diagnostics.extend(rules::machine::diagnostics(&shop, &analysis.motions, levels));
             sort_by_place(&mut analysis.diagnostics);
         } else {
             analysis.look_at_machine();

@@ -16,6 +16,7 @@ use crate::control::setup::notes::{Notes, tool_name};
 use crate::control::setup::written::{self, Change};
 use crate::control::setup::{Machine, Setup, Tool, ToolKind};
 use crate::diagnostics::messages::{Language, labels};
+use crate::diagnostics::{Levels, Severity};
 use crate::shop::assumed::usual;
 use crate::shop::fitting::{Fitting, Known};
 
@@ -62,7 +63,7 @@ pub struct SetupGroup {
     /// Which.
     #[cfg_attr(
         target_arch = "wasm32",
-        tsify(type = "\"stock\" | \"tool\" | \"start\" | \"machine\" | \"tailstock\"")
+        tsify(type = "\"stock\" | \"tool\" | \"start\" | \"machine\" | \"tailstock\" | \"rules\"")
     )]
     pub group: &'static str,
     /// What it is called.
@@ -204,6 +205,8 @@ impl Subject<'_> {
         groups.push(self.group("machine", "machine.", fields::MACHINE, Some(&given.machine), is_said));
         let tailstock = given.tailstock.as_ref();
         groups.push(self.group("tailstock", "tailstock.", fields::TAILSTOCK, tailstock, tailstock.is_some()));
+        let rules = &given.rules;
+        groups.push(self.group("rules", "rules.", fields::RULES, Some(rules), !rules.is_empty()));
         let place = if self.notes.spans().next().is_some() { SetupPlace::Program } else { SetupPlace::Page };
         SetupForm { groups, place: place.name() }
     }
@@ -314,6 +317,7 @@ impl Subject<'_> {
             initial: written.initial.and(page.initial),
             machine,
             tools,
+            rules: if written.rules.is_empty() { Levels::default() } else { page.rules.clone() },
             ..Setup::default()
         }
     }
@@ -333,6 +337,8 @@ impl Subject<'_> {
         }
         let rear = labels::choice(fields::Name::Turret, "rear", language);
         all.insert("machine.turret".into(), Some(rear.into()));
+        put(&mut all, "rules.", fields::RULES, &Levels::default(), language);
+        all.insert("rules.classroom".into(), Some(labels::severity(Severity::Off, language).into()));
         let mut last = "";
         for entry in entries {
             let Some((name, _)) = entry.key.strip_prefix("tools.").and_then(|rest| rest.split_once('.'))

@@ -6,6 +6,7 @@ mod clean;
 mod compare;
 mod encoding;
 mod export;
+mod fix;
 mod rewrite;
 mod rules;
 mod summary;
@@ -33,6 +34,7 @@ use crate::shop::Shop;
 use crate::text::source::LineIndex;
 
 use encoding::Encoding;
+use fix::Target;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
 #[derive(Parser)]
@@ -57,6 +59,12 @@ enum Command {
         /// Text with carets, or one JSON object a line.
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
+        /// Make all repairs that cannot change the meaning for the worse, and write the files back; what is left is told.
+        #[arg(long)]
+        fix: bool,
+        /// With `--fix`: print the repaired programs instead, and tell what is left on standard error.
+        #[arg(long, requires = "fix")]
+        dry_run: bool,
     },
     /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
     Clean(clean::Clean),
@@ -104,6 +112,9 @@ enum Command {
     },
     /// List the rules: slug, severity, code, alarm, whose matter it is.
     Rules {
+        /// A setup whose `rules` say how grave they are told.
+        #[arg(long)]
+        setup: Option<PathBuf>,
         /// Language of the words.
         #[arg(long, visible_alias = "language", value_enum, default_value = "en")]
         lang: LanguageName,
@@ -274,11 +285,18 @@ pub fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<ExitCode, String> {
     match command {
-        Command::Check { files, with, lang, format } => check(&files, &with, language(lang), format),
         Command::Clean(clean) => {
             clean::run(&clean)?;
             Ok(ExitCode::SUCCESS)
         }
+        Command::Check { files, with, lang, format, fix: true, dry_run } => fix::files(
+            &files,
+            &with,
+            language(lang),
+            format,
+            if dry_run { Target::Output } else { Target::File },
+        ),
+        Command::Check { files, with, lang, format, .. } => check(&files, &with, language(lang), format),
         Command::Motions { file, with } => {
             let program = program(&file, &with)?;
             print(|out| {
@@ -303,8 +321,9 @@ fn run(command: Command) -> Result<ExitCode, String> {
             print(|out| codes(out, list, language(lang), format))?;
             Ok(ExitCode::SUCCESS)
         }
-        Command::Rules { lang, format } => {
-            print(|out| rules::write(out, language(lang), format))?;
+        Command::Rules { setup, lang, format } => {
+            let levels = setup_of(&With { setup, control: None })?.rules;
+            print(|out| rules::write(out, &levels, language(lang), format))?;
             Ok(ExitCode::SUCCESS)
         }
         Command::Part { file, with } => {
@@ -372,29 +391,34 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
     for file in files {
         let program = program(file, with)?;
         any_error |= has_errors(&program.analysis);
-        let lines = LineIndex::new(&program.text);
-        let places = Places { text: &program.text, lines: &lines };
-        print(|out| match format {
-            Format::Json => {
-                for diagnostic in &program.analysis.diagnostics {
-                    #[derive(Serialize)]
-                    struct Row<'a> {
-                        file: &'a str,
-                        #[serde(flatten)]
-                        diagnostic: api::Diagnostic,
-                    }
-                    let diagnostic = places.diagnostic(diagnostic, language);
-                    write_row(out, &Row { file: &program.name, diagnostic })?;
-                }
-                Ok(())
-            }
-            Format::Text => {
-                let found = &program.analysis.diagnostics;
-                out.write_all(terminal::render(&program.name, &program.text, found, language).as_bytes())
-            }
-        })?;
+        print(|out| tell(out, &program, language, format))?;
     }
     Ok(ExitCode::from(u8::from(any_error)))
+}
+
+/// Writes the messages of a program.
+fn tell(out: &mut dyn Write, program: &Program, language: Language, format: Format) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Row<'a> {
+        file: &'a str,
+        #[serde(flatten)]
+        diagnostic: api::Diagnostic,
+    }
+    let found = &program.analysis.diagnostics;
+    match format {
+        Format::Json => {
+            let lines = LineIndex::new(&program.text);
+            let places = Places { text: &program.text, lines: &lines };
+            for diagnostic in found {
+                let diagnostic = places.diagnostic(diagnostic, language);
+                write_row(out, &Row { file: &program.name, diagnostic })?;
+            }
+            Ok(())
+        }
+        Format::Text => {
+            out.write_all(terminal::render(&program.name, &program.text, found, language).as_bytes())
+        }
+    }
 }
 
 /// The table of supported codes: of one list, or of all.
@@ -448,11 +472,22 @@ fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Resu
     let setup = setup_of(with)?;
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
+    Ok(run_text(name, text, encoding, setup, begin))
+}
+
+/// Runs a program that was read; `begin` may change how.
+fn run_text(
+    name: String,
+    text: Vec<u8>,
+    encoding: Encoding,
+    setup: Setup,
+    begin: impl FnOnce(Run) -> Run,
+) -> Program {
     let mut run = begin(Run::new(text.clone(), setup));
     while !run.advance(usize::MAX) {}
     let mut analysis = run.into_analysis();
     analysis.look_at_machine();
-    Ok(Program { name, text, encoding, analysis })
+    Program { name, text, encoding, analysis }
 }
 
 /// The setup that is named.

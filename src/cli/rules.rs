@@ -1,6 +1,6 @@
 //! The list of rules.
 //!
-//! In: nothing. Out: text or JSON, a row for each rule: slug, severity, code, alarms, kind.
+//! In: the levels of a setup. Out: text or JSON, a row for each rule: slug, severity, code, alarms, kind.
 
 use std::io::{self, Write};
 
@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{Format, write_row};
 use crate::diagnostics::messages::{Language, labels};
-use crate::diagnostics::register;
+use crate::diagnostics::{Levels, register};
 
 /// A row of JSON.
 #[derive(Serialize)]
@@ -21,17 +21,23 @@ struct Row<'a> {
 }
 
 /// Writes the list, in the order of the messages.
-pub(super) fn write(out: &mut dyn Write, language: Language, format: Format) -> io::Result<()> {
+pub(super) fn write(
+    out: &mut dyn Write,
+    levels: &Levels,
+    language: Language,
+    format: Format,
+) -> io::Result<()> {
     for rule in register() {
         let (slug, codes, alarms) = (rule.slug, &rule.codes, &rule.alarms);
+        let level = levels.of(slug).unwrap_or(rule.severity);
         match format {
             Format::Json => {
-                let (severity, kind) = (rule.severity.name(), rule.kind.name());
+                let (severity, kind) = (level.name(), rule.kind.name());
                 write_row(out, &Row { slug, codes, severity, kind, alarms })?;
             }
             Format::Text => {
                 let (severity, kind) =
-                    (labels::severity(rule.severity, language), labels::matter(rule.kind, language));
+                    (labels::severity(level, language), labels::matter(rule.kind, language));
                 let alarms = if *alarms == *codes { String::new() } else { alarms.join(" ") };
                 let line = format!("{slug:<34} {severity:<15} {:<22} {alarms:<8} {kind}", codes.join(" "));
                 writeln!(out, "{line}")?;

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::dialect::DialectChoice;
+use crate::diagnostics::Levels;
 use crate::limits::Limits;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use stock::Stock;
@@ -44,6 +45,8 @@ pub struct Setup {
     pub program: Option<u32>,
     /// What a run may use up.
     pub limits: Limits,
+    /// How grave the messages of a rule, or of a group of rules, are told.
+    pub rules: Levels,
 }
 
 impl Setup {

@@ -5,6 +5,8 @@
 //! compile. `code` is the identifier of the semantics (`W-…`, `E-…`) or, where there is none, the alarm a
 //! control raises; `slug` is named after the fault.
 
+use std::borrow::Cow;
+
 use crate::control::dialect::GSystem;
 use crate::control::macros::FaultKind;
 use crate::control::origin::Origin;
@@ -13,6 +15,8 @@ use crate::control::setup::faults::Need;
 /// How grave a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
+    /// Told only where somebody asks for it (`levels`).
+    Off,
     /// Good to know.
     Info,
     /// The program runs, but perhaps not as meant.
@@ -22,9 +26,18 @@ pub enum Severity {
 }
 
 impl Severity {
+    /// All of them, the lowest first.
+    pub const ALL: [Self; 4] = [Self::Off, Self::Info, Self::Warning, Self::Error];
+
+    /// The one of a name, written in any case.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|severity| severity.name().eq_ignore_ascii_case(name))
+    }
+
     /// Name in the output of the command line and in the wasm interface.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Off => "off",
             Self::Info => "info",
             Self::Warning => "warning",
             Self::Error => "error",
@@ -461,7 +474,7 @@ pub enum Message {
     /// A value of the setup that cannot be.
     SetupValue { key: String, value: f64, need: Need },
     /// A word of a setup comment that cannot be read.
-    NoteWord { word: String, expected: &'static str },
+    NoteWord { word: String, expected: Cow<'static, str> },
 
     // Machine
     /// The program has too many motions for the part to be worked out.

@@ -1,11 +1,13 @@
 //! Messages to the user: what is wrong, where, what a control would do, and the repair.
 
 mod diagnostic;
+pub mod levels;
 mod message;
 pub mod messages;
 mod register;
 pub mod rules;
 
 pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
+pub use levels::Levels;
 pub use message::{Kind, Message, Severity};
 pub use register::{Rule, register};

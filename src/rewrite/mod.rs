@@ -152,7 +152,7 @@ pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
 }
 
 /// Where a byte of a text with edits was before them; the start of what an edit took out for a byte that it put in.
-fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
+pub fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
     // One past the last byte that was looked at: before the edits, and behind them.
     let (mut old, mut new) = (0, 0);
     for edit in edits {

@@ -3,6 +3,7 @@
 // In: the diagnostics of the newest run. Out: CodeMirror's diagnostics. Applying a repair is an edit by the
 // reader like any other, so it can be undone. Must not know: what a diagnostic is about.
 
+import { isolateHistory } from '@codemirror/commands';
 import type { Diagnostic as LintDiagnostic } from '@codemirror/lint';
 import type { EditorView } from '@codemirror/view';
 import { make, prose } from './dom';
@@ -30,16 +31,18 @@ export function lintDiagnostics(
       renderMessage: () => explain(diagnostic, strings),
       actions: diagnostic.fixes.map((fix) => ({
         name: fix.title,
-        apply: (view: EditorView) => applyFix(view, fix),
+        apply: (view: EditorView) => applyFix(view, fix.edits),
       })),
     }));
 }
 
-export function applyFix(view: EditorView, fix: Fix): void {
-  const inside = fix.edits.every((edit) => edit.from <= edit.to && edit.to <= view.state.doc.length);
+/** Makes the edits of a repair, or of several; one undo takes them back. */
+export function applyFix(view: EditorView, edits: Fix['edits']): void {
+  const inside = edits.every((edit) => edit.from <= edit.to && edit.to <= view.state.doc.length);
   if (!inside) return;
   view.dispatch({
-    changes: fix.edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
+    changes: edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
+    annotations: isolateHistory.of('full'),
     userEvent: 'input.fix',
     scrollIntoView: true,
   });

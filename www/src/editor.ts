@@ -213,8 +213,9 @@ export class Editor {
     this.focus();
   }
 
-  apply(fix: Fix): void {
-    applyFix(this.#view, fix);
+  /** Makes repairs; when the text has changed since they were offered, their places are no more. */
+  apply(edits: Fix['edits']): void {
+    if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
   }
 
   /** Changes of the reader's that undo takes back in one. */

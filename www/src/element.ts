@@ -361,7 +361,11 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#problems = new Problems(texts, {
       chosen: (diagnostic) => editor.show(diagnostic),
-      fixed: (fix) => editor.apply(fix),
+      fixed: (edits) => {
+        editor.apply(edits);
+        // The button that was pressed goes with its problem.
+        editor.focus();
+      },
     });
     this.#status = new StatusLine(texts, () => {
       this.#line?.client.send({ kind: 'stop' });

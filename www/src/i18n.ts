@@ -29,6 +29,9 @@ export interface Strings {
   readonly kind: { readonly wrong: string; readonly unsupported: string; readonly machine: string };
   readonly alarm: (number: string) => string;
   readonly fix: (title: string) => string;
+  /** All repairs that need no asking. */
+  readonly fixSafe: (n: number) => string;
+  readonly fixSafeHelp: string;
   readonly line: (n: number) => string;
   readonly place: (line: number, column: number) => string;
   // the status line
@@ -155,6 +158,8 @@ const en: Strings = {
   kind: { wrong: '', unsupported: 'not supported here', machine: 'depends on the machine' },
   alarm: (number) => `alarm ${number}`,
   fix: (title) => `Fix: ${title}`,
+  fixSafe: (n) => (n === 1 ? 'Fix 1 safe one' : `Fix ${n} safe ones`),
+  fixSafeHelp: 'Repairs that cannot change the meaning for the worse. Ctrl Z takes them back.',
   line: (n) => `line ${n}`,
   place: (line, column) => `line ${line}, column ${column}`,
   motions: counter('en', { one: 'motion', other: 'motions' }),
@@ -288,6 +293,8 @@ const zh: Strings = {
   kind: { wrong: '', unsupported: '此处不支持', machine: '取决于机床' },
   alarm: (number) => `报警 ${number}`,
   fix: (title) => `修正：${title}`,
+  fixSafe: (n) => `一次修正 ${n} 处（安全）`,
+  fixSafeHelp: '不会改坏程序含义的修正。按 Ctrl Z 可撤销。',
   line: (n) => `第 ${n} 行`,
   place: (line, column) => `第 ${line} 行第 ${column} 列`,
   motions: counter('zh', { other: '段运动' }),
@@ -420,6 +427,8 @@ const ru: Strings = {
   kind: { wrong: '', unsupported: 'здесь не поддерживается', machine: 'зависит от станка' },
   alarm: (number) => `сигнал ${number}`,
   fix: (title) => `Исправить: ${title}`,
+  fixSafe: (n) => `Исправить безопасные: ${n}`,
+  fixSafeHelp: 'Исправления, которые не могут исказить смысл программы. Ctrl Z отменяет их.',
   line: (n) => `строка ${n}`,
   place: (line, column) => `строка ${line}, столбец ${column}`,
   motions: counter('ru', { one: 'перемещение', few: 'перемещения', other: 'перемещений' }),

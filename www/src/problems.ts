@@ -1,25 +1,27 @@
 // The list of problems under the editor.
 //
 // In: the diagnostics of the newest run. Out: `chosen` (the reader wants to see the place) and `fixed`
-// (the reader wants a repair applied). Must not know: the editor, or what a diagnostic is about.
+// (the reader wants a repair applied, or all safe ones at once). Must not know: the editor, or what a diagnostic is about.
 
 import { icon, make, prose } from './dom';
 import type { Strings } from './i18n';
 import type { Diagnostic, Fix } from './protocol';
 import { ruleLink } from './rule-link';
+import { countSafe, safeEdits } from './safe-fixes';
 
 /** A program can have any number of problems; nobody reads more than these. */
 const SHOWN = 200;
 
 export interface ProblemsEvents {
   chosen(diagnostic: Diagnostic): void;
-  fixed(fix: Fix): void;
+  fixed(edits: Fix['edits']): void;
 }
 
 export class Problems {
   readonly element: HTMLElement;
   readonly #events: ProblemsEvents;
   readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
+  readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
   #strings: Strings;
   #diagnostics: readonly Diagnostic[] = [];
@@ -29,7 +31,9 @@ export class Problems {
     this.#events = events;
     this.#toggle.setAttribute('aria-controls', this.#list.id);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#list.hidden === true));
-    this.element = make('section', { className: 'problems', part: 'problems' }, this.#toggle, this.#list);
+    this.#fixSafe.addEventListener('click', () => this.#events.fixed(safeEdits(this.#diagnostics)));
+    const head = make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe);
+    this.element = make('section', { className: 'problems', part: 'problems' }, head, this.#list);
     this.#render();
   }
 
@@ -58,6 +62,10 @@ export class Problems {
       make('span', {}, strings.problems),
       make('span', { className: 'count' }, String(count)),
     );
+    const safe = countSafe(this.#diagnostics);
+    this.#fixSafe.hidden = safe === 0;
+    this.#fixSafe.textContent = strings.fixSafe(safe);
+    this.#fixSafe.title = strings.fixSafeHelp;
     const items = this.#diagnostics.slice(0, SHOWN).map((diagnostic) => this.#item(diagnostic));
     if (count > SHOWN) items.push(make('li', { className: 'more' }, strings.moreProblems(count - SHOWN)));
     this.#list.replaceChildren(...items);
@@ -83,12 +91,13 @@ export class Problems {
       ),
     );
     button.addEventListener('click', () => this.#events.chosen(diagnostic));
-    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
-    for (const fix of diagnostic.fixes) {
+    const fixes = diagnostic.fixes.map((fix) => {
       const repair = make('button', { type: 'button', className: 'fix' }, strings.fix(fix.title));
-      repair.addEventListener('click', () => this.#events.fixed(fix));
-      item.append(repair);
-    }
+      repair.addEventListener('click', () => this.#events.fixed(fix.edits));
+      return repair;
+    });
+    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
+    if (fixes.length > 0) item.append(make('div', { className: 'fixes' }, ...fixes));
     return item;
   }
 }

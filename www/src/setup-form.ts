@@ -26,7 +26,7 @@ export interface SetupFormEvents {
 }
 
 /** Groups that are seldom filled in are folded. */
-const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock']);
+const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'rules']);
 
 export class SetupDialog {
   readonly #events: SetupFormEvents;

@@ -326,6 +326,8 @@ impl Interpreter {
         if self.fault.is_some_and(about_all) {
             return;
         }
+        // What is off takes no room from the rest.
+        let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
         if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
@@ -336,13 +338,13 @@ impl Interpreter {
 
     /// What is told of the setup: many faults of one kind have no other place than the beginning of the text.
     pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() < self.setup.limits.messages {
-            self.diagnostics.push(diagnostic);
-        }
+        let graded = self.setup.rules.graded(diagnostic);
+        self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.setup.limits.messages));
     }
 
     /// Tells, even when no more messages are kept: why the run ends.
     pub fn tell_always(&mut self, diagnostic: Diagnostic) {
+        let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
         let known = told_as(&diagnostic);
         if let Err(place) = self.told.binary_search(&known) {
             self.told.insert(place, known);

@@ -32,7 +32,7 @@ pub enum Slip {
 /// What a form says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
-    /// Stock, tools, tailstock, machine and start as they would be kept.
+    /// Stock, tools, tailstock, machine, start and rules as they would be kept.
     pub setup: Setup,
     /// What is wrong, by key.
     pub slips: Vec<(String, Slip)>,
@@ -52,11 +52,14 @@ impl Draft {
     /// blanks is what is usual, that of others the guess.
     pub fn read(entries: &[Entry], given: &Setup, guessed: &Setup) -> Self {
         let mut form = Reader { entries, slips: Vec::new() };
+        // Single rules have no place in the form, and stay as they are.
+        let rules = given.rules.clone().without_groups();
         let mut setup = Setup {
             stock: form.group("stock.", fields::STOCK, stock_base(given, guessed)),
             tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
             machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
             initial: form.group("initial.", fields::START, start_base()),
+            rules: form.group("rules.", fields::RULES, rules.clone()).unwrap_or(rules),
             ..Setup::default()
         };
         for name in form.tools() {
@@ -168,7 +171,7 @@ impl Name {
     }
 }
 
-/// The JSON of a setup with stock, tools, tailstock, machine and start of another; what is no object is not kept.
+/// The JSON of a setup with stock, tools, tailstock, machine, start and rules of another; what is no object is not kept.
 pub fn put_into_json(json: &str, setup: &Setup) -> String {
     let mut all = match serde_json::from_str(json) {
         Ok(Json::Object(all)) => all,
@@ -187,6 +190,7 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
     put("tools", tools.collect());
     put("tailstock", setup.tailstock.map_or_else(Map::new, |own| object(fields::TAILSTOCK, &own)));
     put("machine", object(fields::MACHINE, &setup.machine));
+    put("rules", setup.rules.iter().map(|(name, level)| (name.into(), level.name().into())).collect());
     put("initial", setup.initial.map_or_else(Map::new, |start| object(fields::START, &start)));
     if all.is_empty() { String::new() } else { Json::Object(all).to_string() }
 }

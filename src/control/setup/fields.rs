@@ -4,6 +4,8 @@
 //! Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
+use crate::diagnostics::levels::CLASSROOM;
+use crate::diagnostics::{Levels, Severity};
 use Entry::{Choice, Number, Text, Whole};
 
 /// What is written in a field.
@@ -77,6 +79,7 @@ pub enum Name {
     LeastZ,
     GreatestZ,
     Turret,
+    Classroom,
 }
 
 /// Why an entry cannot be read.
@@ -300,6 +303,24 @@ pub const MACHINE: &[Field<Machine>] = &[
         ),
     ),
 ];
+
+/// Groups of rules: `(RULES CLASSROOM=WARNING)`. Single rules have no fields: there are too many.
+pub const RULES: &[Field<Levels>] = &[field(
+    Name::Classroom,
+    CLASSROOM.name,
+    "CLASSROOM",
+    Choice(&["off", "info", "warning", "error"]),
+    (
+        |own: &Levels| own.get(CLASSROOM.name).map(|level| Value::Text(level.name().into())),
+        |own, value| {
+            if let Value::Text(text) = value
+                && let Some(level) = Severity::named(text)
+            {
+                own.set(CLASSROOM.name, level);
+            }
+        },
+    ),
+)];
 
 impl Entry {
     /// Reads what somebody has written; small and capital letters are the same.

@@ -7,6 +7,7 @@
 //! (TAILSTOCK Z=2 D=20)
 //! (MACHINE RAPIDX=8000 RAPIDZ=12000 MAXSPEED=4000 TURRET=FRONT)
 //! (START X=200 Z=200)
+//! (RULES CLASSROOM=WARNING NO-PROGRAM-END=OFF)
 //! ```
 //!
 //! and `[BILLET X62 Z70`, as class simulators write a bar of 62 mm, 70 mm long.
@@ -14,10 +15,13 @@
 //! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins with one of
 //! these words, but holds no `=`, is prose.
 
+use std::borrow::Cow;
+
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
-use crate::diagnostics::{Diagnostic, Message};
+use crate::diagnostics::levels::{known, nearest};
+use crate::diagnostics::{Diagnostic, Levels, Message, Severity};
 use crate::text::source::Span;
 
 /// Notes stand in the first bytes of a text: so many are looked at.
@@ -36,6 +40,8 @@ pub struct Notes {
     pub machine: Option<Machine>,
     /// Where the tip stands before the first block.
     pub start: Option<Position>,
+    /// How grave rules are told.
+    pub rules: Levels,
     /// What cannot be read.
     pub faults: Vec<NoteFault>,
     /// Where each stands: the beginning of its key in a setup, such as `stock.`.
@@ -48,7 +54,7 @@ pub struct NoteFault {
     /// The word.
     pub span: Span,
     /// The words that can stand there.
-    pub expected: &'static str,
+    pub expected: Cow<'static, str>,
 }
 
 /// A word of a note: `KEY=value`, or a name alone.
@@ -60,6 +66,12 @@ struct Word<'a> {
 
 /// What can stand in a note of a tool.
 pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETR=";
+
+/// What can stand in a note of rules.
+pub const RULE_WORDS: &str = "CLASSROOM=OFF (INFO, WARNING, ERROR)";
+
+/// For so many words that are no rule the nearest one is looked for.
+const NEAREST: usize = 20;
 
 /// What can stand in a note of the machine.
 pub const MACHINE_WORDS: &str =
@@ -91,6 +103,7 @@ impl Notes {
         setup.tailstock = self.tailstock.or(setup.tailstock);
         setup.machine = self.machine.unwrap_or(setup.machine);
         setup.initial = self.start.or(setup.initial);
+        setup.rules = setup.rules.with(&self.rules);
         setup.tools.extend(self.tools.iter().cloned());
         setup
     }
@@ -99,7 +112,7 @@ impl Notes {
     pub fn diagnostics(&self, faults: Vec<Fault>, text: &[u8]) -> Vec<Diagnostic> {
         let words = self.faults.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
-            Diagnostic::new(Message::NoteWord { word, expected: fault.expected }, fault.span)
+            Diagnostic::new(Message::NoteWord { word, expected: fault.expected.clone() }, fault.span)
         });
         let values = faults.into_iter().map(|Fault { key, value, need }| {
             let place = self.places.iter().rfind(|place| key.starts_with(&place.0));
@@ -142,6 +155,10 @@ impl Notes {
                 self.start = Some(position);
                 self.stands("initial.", whole);
             }
+            "RULES" => {
+                rest.iter().for_each(|word| self.rule(word));
+                self.stands("rules.", whole);
+            }
             _ => {}
         }
     }
@@ -150,13 +167,26 @@ impl Notes {
         let expected = "T and four digits, such as T0101";
         let Some((name, rest)) = words.split_first() else { return };
         let Some(key) = tool_name(&name.key) else {
-            self.faults.push(NoteFault { span: name.span, expected });
+            self.faults.push(NoteFault { span: name.span, expected: expected.into() });
             return;
         };
         let mut tool = Tool::default();
         self.fill(rest, fields::TOOL, &mut tool, TOOL_WORDS);
         self.stands(&format!("tools.{key}."), whole);
         self.tools.push((key, tool));
+    }
+
+    fn rule(&mut self, word: &Word) {
+        let name = known(&word.key);
+        if let (Some(name), Some(level)) = (name, Severity::named(word.value)) {
+            self.rules.set(name, level);
+            return;
+        }
+        let may_look = self.faults.len() < NEAREST;
+        let name = name.or_else(|| if may_look { nearest(&word.key) } else { None });
+        let expected = name.map(|name| format!("{}=OFF (INFO, WARNING, ERROR)", name.to_ascii_uppercase()));
+        let expected = expected.map_or(RULE_WORDS.into(), Cow::from);
+        self.faults.push(NoteFault { span: word.span, expected });
     }
 
     fn stands(&mut self, key: &str, span: Span) {
@@ -194,7 +224,7 @@ impl Notes {
             let read = fields.iter().find(is_meant).map(|field| (field, field.entry.read(word.value)));
             match read {
                 Some((field, Ok(value))) => (field.set)(own, &value),
-                _ => self.faults.push(NoteFault { span: word.span, expected }),
+                _ => self.faults.push(NoteFault { span: word.span, expected: expected.into() }),
             }
         }
     }
@@ -236,7 +266,8 @@ mod tests {
         let notes = Notes::read(
             b"%\nO1 (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n(tool t0101 type=turning insert=CNMG120408 kr=95)\n\
               (TOOL T3 TYPE=GROOVING SIDE=INSIDE WIDTH=3 R=.2)\n(TAILSTOCK Z=2 D=20)\n\
-              (MACHINE RAPIDX=8000 ZMIN=-300 TURRET=FRONT)\n(START X=150 Z=20)\nG0 X1\n",
+              (MACHINE RAPIDX=8000 ZMIN=-300 TURRET=FRONT)\n(START X=150 Z=20)\n\
+              (rules classroom=warning No-Program-End=Off)\nG0 X1\n",
         );
         assert_eq!(notes.faults, []);
         assert_eq!(
@@ -257,6 +288,8 @@ mod tests {
             (Some(8000.0), Some(-300.0), Turret::Front)
         );
         assert_eq!(notes.start, Some(Position { x: 150.0, z: 20.0 }));
+        let rules: Vec<_> = notes.rules.iter().collect();
+        assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
 
     #[test]
@@ -285,5 +318,10 @@ mod tests {
         let told: Vec<_> = notes.faults.iter().map(|fault| fault.span.of(text)).collect();
         assert_eq!(told, [&b"LENGHT=80"[..], b"BORE=x"]);
         assert_eq!(Notes::read(b"(TOOL TURNING R=1)").faults.len(), 1);
+        assert_eq!(Notes::read(b"(RULES: CLASSROOM=OFF)\n(RULES OF THE SHOP)"), Notes::default());
+        let notes = Notes::read(b"(RULES NO-PROGRAM-ENDS=OFF NO-PROGRAM-END=LOUD QQQ=OFF)");
+        let expected: Vec<_> = notes.faults.iter().map(|fault| &*fault.expected).collect();
+        let end = "NO-PROGRAM-END=OFF (INFO, WARNING, ERROR)";
+        assert_eq!(expected, [end, end, RULE_WORDS]);
     }
 }

@@ -17,7 +17,7 @@ pub struct Change {
     pub insert: String,
 }
 
-/// The notes that say what a setup says of stock, tools, tailstock, machine and start, a line each.
+/// The notes that say what a setup says of stock, tools, tailstock, machine, start and rules, a line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(setup.stock.and_then(|stock| line("STOCK", fields::STOCK, &stock)));
@@ -27,6 +27,8 @@ pub fn lines(setup: &Setup) -> Vec<String> {
     lines.extend(setup.tailstock.and_then(|tailstock| line("TAILSTOCK", fields::TAILSTOCK, &tailstock)));
     lines.extend(line("MACHINE", fields::MACHINE, &setup.machine));
     lines.extend(setup.initial.and_then(|start| line("START", fields::START, &start)));
+    let rules: String = setup.rules.iter().map(|(name, level)| format!(" {name}={}", level.name())).collect();
+    lines.extend((!rules.is_empty()).then(|| format!("(RULES{})", rules.to_ascii_uppercase())));
     lines
 }
 
@@ -158,13 +160,14 @@ mod tests {
                           "T0303": {"type": "grooving", "side": "inside", "width": 3, "noseRadius": 0.2, "tip": 2}},
                 "tailstock": {"z": 2, "diameter": 20},
                 "machine": {"rapidX": 8000, "maxSpeed": 4000, "travel": {"zMin": -300.5}, "turret": "front"},
-                "initial": {"x": 150, "z": 20}}"#,
+                "initial": {"x": 150, "z": 20}, "rules": {"no-program-end": "off", "classroom": "warning"}}"#,
             "(STOCK D=65.5 BORE=18 LENGTH=80 FACE=1 GRIP=30)\n\
              (TOOL T0101 TYPE=TURNING INSERT=CNMG120408 KR=95)\n\
              (TOOL T0303 TYPE=GROOVING SIDE=INSIDE R=0.2 TIP=2 WIDTH=3)\n\
              (TAILSTOCK Z=2 D=20)\n\
              (MACHINE RAPIDX=8000 MAXSPEED=4000 ZMIN=-300.5 TURRET=FRONT)\n\
-             (START X=150 Z=20)\n",
+             (START X=150 Z=20)\n\
+             (RULES CLASSROOM=WARNING NO-PROGRAM-END=OFF)\n",
         );
     }
 }

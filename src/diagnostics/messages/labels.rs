@@ -24,6 +24,7 @@ impl Language {
 /// How grave a message is.
 pub fn severity(severity: Severity, language: Language) -> &'static str {
     language.among(match severity {
+        Severity::Off => ["Off", "关闭", "Выключено"],
         Severity::Info => ["Note", "提示", "Примечание"],
         Severity::Warning => ["Warning", "警告", "Предупреждение"],
         Severity::Error => ["Error", "错误", "Ошибка"],
@@ -74,6 +75,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::LeastZ => ["Least Z", "Z 最小", "Наименьший Z"],
         Name::GreatestZ => ["Greatest Z", "Z 最大", "Наибольший Z"],
         Name::Turret => ["Turret", "刀架", "Револьверная головка"],
+        Name::Classroom => ["Classroom checklist", "课堂检查清单", "Учебный контрольный список"],
     })
 }
 
@@ -83,6 +85,7 @@ pub fn group(group: &str, language: Language) -> &'static str {
         "stock" => ["Stock", "毛坯", "Заготовка"],
         "start" => ["Start of the tool tip", "刀尖起点", "Начальная точка вершины"],
         "machine" => ["Machine", "机床", "Станок"],
+        "rules" => ["Rules", "规则", "Правила"],
         "tailstock" => ["Tailstock", "尾座", "Задняя бабка"],
         _ => ["Tool", "刀具", "Инструмент"],
     })
@@ -129,6 +132,7 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
         (Name::Turret, "rear") => language.among(["behind the spindle", "后置", "за шпинделем"]),
         (Name::Turret, "front") => language.among(["in front of it", "前置", "перед шпинделем"]),
+        (Name::Classroom, level) => Severity::named(level).map_or(choice, |level| severity(level, language)),
         _ => ToolKind::ALL
             .into_iter()
             .find(|kind| kind.name() == choice)

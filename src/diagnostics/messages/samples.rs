@@ -221,7 +221,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::SetupValue { key: "X1".into(), value: -1.5, need: Need::NotNegative },
         Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::Below(1.0) },
         Message::SetupValue { key: "X1".into(), value: 1.5, need: Need::AtMost(1.0) },
-        Message::NoteWord { word: "X1".into(), expected: "G71" },
+        Message::NoteWord { word: "X1".into(), expected: "G71".into() },
         Message::PartTooManyMotions { most: 5 },
         Message::PartTooManyCorners { most: 5 },
         Message::PartStopped { done: 3, all: 5 },

@@ -1,16 +1,16 @@
 //! What is told of what happens at the machine.
 //!
-//! In: the findings of the shop. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
+//! In: the findings of the shop, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
 //! that runs into something does so in every pass.
 
-use crate::diagnostics::{Diagnostic, Message};
+use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
 /// The messages of all findings, and of a bound that was met.
-pub fn diagnostics(shop: &Shop, motions: &Motions) -> Vec<Diagnostic> {
+pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     told.extend(shop.full().map(|full| {
         let message = match full {
@@ -27,7 +27,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions) -> Vec<Diagnostic> {
             told.push(Diagnostic::new(message, span));
         }
     }
-    told
+    told.into_iter().filter_map(|found| levels.graded(found)).collect()
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {

@@ -1,0 +1,124 @@
+//! All safe repairs of a program at once.
+//!
+//! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs that have to be
+//! asked for are left to the reader.
+
+use crate::control::setup::Setup;
+use crate::diagnostics::{Diagnostic, Edit, Fix, Repair};
+use crate::rewrite::{applied, before_edits};
+use crate::text::source::Span;
+
+/// A repaired text can show faults that were hidden by others, so it is run again; so many times at most.
+const MOST_ROUNDS: usize = 10;
+
+/// A program after its repairs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repaired {
+    /// The new text.
+    pub text: Vec<u8>,
+    /// What was done, in order of place.
+    pub taken: Vec<Taken>,
+}
+
+/// A repair that was made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Taken {
+    /// The place in the text before all repairs.
+    pub span: Span,
+    /// What it does.
+    pub title: Repair,
+}
+
+/// The program with all safe repairs; they are looked for again until there is none.
+pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
+    let (mut text, mut taken) = (text.to_vec(), Vec::new());
+    let mut earlier: Vec<Vec<Edit>> = Vec::new();
+    for _ in 0..MOST_ROUNDS {
+        let analysis = crate::analyze(&text, setup);
+        let fixes = safe(&analysis.diagnostics);
+        if fixes.is_empty() {
+            break;
+        }
+        let edits: Vec<Edit> = fixes.iter().flat_map(|fix| fix.edits.iter().cloned()).collect();
+        let first = |byte: u32| earlier.iter().rev().fold(byte, |byte, edits| before_edits(byte, edits));
+        taken.extend(fixes.iter().filter_map(|fix| {
+            let (start, end) = (fix.edits.first()?.span.start, fix.edits.last()?.span.end);
+            Some(Taken { span: Span { start: first(start), end: first(end) }, title: fix.title.clone() })
+        }));
+        text = applied(&text, &edits);
+        earlier.push(edits);
+    }
+    taken.sort_by_key(|taken| taken.span.start);
+    Repaired { text, taken }
+}
+
+/// The first safe repair of each message, in order of place. Of those that touch the same text the first is taken.
+pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
+    let safe = diagnostics.iter().filter_map(|found| found.fixes.iter().find(|fix| fix.safe));
+    let mut fixes: Vec<(Span, &Fix)> = safe
+        .filter_map(|fix| {
+            let (first, last) = (fix.edits.first()?, fix.edits.last()?);
+            Some((Span { start: first.span.start, end: last.span.end }, fix))
+        })
+        .collect();
+    fixes.sort_by_key(|(whole, _)| whole.start);
+    let mut last: Option<Span> = None;
+    fixes.retain(|(whole, _)| {
+        // Two insertions at one place would stand in an order nobody has asked for.
+        let apart = last.is_none_or(|last| last.end <= whole.start && last.start < whole.start);
+        if apart {
+            last = Some(*whole);
+        }
+        apart
+    });
+    fixes.into_iter().map(|(_, fix)| fix).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostics::Message;
+
+    fn told(fixes: Vec<Fix>) -> Diagnostic {
+        fixes.into_iter().fold(Diagnostic::new(Message::PrintedMinus, Span::new(0, 0)), Diagnostic::with)
+    }
+
+    fn replace(start: usize, end: usize, text: &str) -> Fix {
+        Fix::replace(Repair::Minus, Span::new(start, end), text)
+    }
+
+    #[test]
+    fn the_first_safe_repair_of_each_message_is_taken() {
+        let messages = [
+            told(vec![replace(9, 9, "z")]),
+            told(vec![replace(0, 1, "a").asking(), replace(1, 3, "b"), replace(1, 3, "c")]),
+            told(vec![replace(5, 6, "d").asking()]),
+            told(vec![replace(2, 4, "overlaps")]),
+            told(vec![replace(3, 3, "e")]),
+            told(vec![replace(3, 4, "inserted there before")]),
+            told(vec![]),
+        ];
+        let texts: Vec<_> = safe(&messages).iter().map(|fix| fix.edits[0].text.as_str()).collect();
+        assert_eq!(texts, ["b", "e", "z"]);
+    }
+
+    #[test]
+    fn what_is_hidden_by_a_fault_is_repaired_too() {
+        for (before, after) in [
+            ("GO1 X5O\nM30", "G01 X50\nM30"),
+            ("G00 X1 Z–5\nG01 X２ F0.1\n(open\nM30", "G00 X1 Z-5\nG01 X2 F0.1\n(open)\nM30"),
+            ("G00 X1\nM30", "G00 X1\nM30"),
+        ] {
+            let repaired = repaired(before.as_bytes(), &Setup::default());
+            assert_eq!(String::from_utf8_lossy(&repaired.text), after);
+            assert_eq!(repaired.taken.is_empty(), before == after);
+        }
+    }
+
+    #[test]
+    fn a_rule_that_is_off_repairs_nothing() {
+        let text = "(RULES PRINTED-MINUS=OFF)\nG00 X1 Z–5\nM30";
+        let repaired = repaired(text.as_bytes(), &Setup::default());
+        assert_eq!(repaired.text, text.as_bytes());
+    }
+}

@@ -1,0 +1,52 @@
+// Repairs: the safe ones all at once and undone at once, the others one by one; and the levels of rules in the setup form.
+import { expect, test, type Locator, type Page } from '@playwright/test';
+import { editor, open, openFile, problems, type, value } from './page';
+
+const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Fix \d+ safe ones?$/ });
+
+test('all safe repairs are one click and one undo', async ({ page }) => {
+  const before = 'GO1 X5O F0.1 M3 S500\nG00 X60 X61 Z–2\nM30 (END';
+  const after = 'G01 X50 F0.1 M3 S500\nG00 X60 X61 Z-2\nM30 (END)';
+  await open(page);
+  await type(page, before);
+  await expect(all(page)).toHaveText('Fix 4 safe ones');
+  // A second click comes too late to do them twice.
+  await all(page).dblclick();
+  await expect.poll(() => value(page)).toBe(after);
+  await expect(all(page)).toBeHidden();
+  await expect(editor(page)).toBeFocused();
+
+  await test.step('what has to be chosen stays with its message', async () => {
+    const offered = problems(page).getByRole('button', { name: /^Fix: / });
+    await expect(offered).toHaveCount(2);
+    const [first, second] = await Promise.all([offered.first().boundingBox(), offered.last().boundingBox()]);
+    expect(second!.y).toBe(first!.y);
+  });
+});
+
+test('one undo takes all repairs back', async ({ page }) => {
+  const before = 'G00 X60 Z–2\nG00 X50 Z–3\nM30';
+  await open(page);
+  await type(page, before);
+  await expect(all(page)).toHaveText('Fix 2 safe ones');
+  await all(page).click();
+  await expect.poll(() => value(page)).toBe('G00 X60 Z-2\nG00 X50 Z-3\nM30');
+  await expect(problems(page)).toBeHidden();
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => value(page)).toBe(before);
+  await expect(all(page)).toHaveText('Fix 2 safe ones');
+});
+
+test('the classroom checklist is chosen in the setup form, and other levels stay', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from('O0001\n(RULES NO-PROGRAM-END=ERROR)\nG00 X40 Z2\n'));
+  await expect(problems(page).getByRole('button', { name: /^Error: / })).toHaveCount(1);
+  await page.getByRole('button', { name: 'Setup', exact: true }).click();
+  const form = page.getByRole('dialog', { name: 'Setup' });
+  const checklist = form.getByLabel('Classroom checklist');
+  await expect(checklist).toContainText('Off (assumed)');
+  await checklist.selectOption('warning');
+  await form.getByRole('button', { name: 'Apply' }).click();
+  await expect.poll(() => value(page)).toContain('(RULES CLASSROOM=WARNING NO-PROGRAM-END=ERROR)');
+  await expect(problems(page).getByRole('button', { name: /^Error: / })).toHaveCount(1);
+});
