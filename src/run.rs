@@ -444,7 +444,9 @@ impl Run {
             let told = rules::plausible::remarks(&self.text, motions, sound, most);
             // One fault, one message.
             let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
-            let told: Vec<_> = told.into_iter().filter(|new| !known(new)).collect();
+            let levels = &self.interpreter.setup().rules;
+            let told: Vec<_> =
+                told.into_iter().filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
             self.sorted.extend(told);
         }
         sort_by_place(&mut self.sorted);

@@ -366,6 +366,7 @@ pub enum Once {
     G90AsAbsolute,
     FeedUnit,
     SpeedMissing,
+    Checklist,
     CompensationLeftOn,
     CompensationSide,
     CompensationTip,
@@ -426,6 +427,10 @@ pub struct State {
     pub feed_use: FeedUse,
     /// The last pass of a thread.
     pub thread: Option<ThreadPass>,
+    /// Coolant flows (M07, M08).
+    pub coolant: bool,
+    /// G98 or G99 stood in the program.
+    pub feed_mode_named: bool,
     /// A code has sent the tool home since the last motion; where home is the program does not say.
     pub sent_home: bool,
     /// A tap stands in its hole: the direction in which the spindle turned it in.
@@ -499,6 +504,8 @@ impl State {
             thread: None,
             tap: None,
             sent_home: false,
+            coolant: false,
+            feed_mode_named: false,
             threads_per_inch: None,
             spindle: Spindle {
                 surface: false,

@@ -23,7 +23,13 @@ pub struct Group {
 /// What a teacher looks for and a control does not mind.
 pub const CLASSROOM: Group = Group {
     name: "classroom",
-    slugs: &["coolant-off", "feed-mode-not-named", "tool-not-named", "compensation-on-at-tool-change"],
+    slugs: &[
+        "coolant-off",
+        "feed-mode-not-named",
+        "tool-not-named",
+        "feed-only-for-finishing",
+        "spindle-stops-behind-move",
+    ],
 };
 
 /// All groups.

@@ -469,6 +469,16 @@ pub enum Message {
     ArcOverHalf { word: String },
     /// The program is too long for its numbers to be compared with each other.
     NotCompared { most: usize },
+    /// A cut without coolant.
+    CoolantOff { tool: String },
+    /// No G98 or G99 before the first cut.
+    FeedModeNotNamed,
+    /// A cut before any T.
+    ToolNotNamed,
+    /// F, S or T between P and Q.
+    FeedOnlyForFinishing { word: String },
+    /// M05 in a block with a move.
+    StopBehindMove,
 
     // Setup
     /// A value of the setup that cannot be.
@@ -569,7 +579,7 @@ impl Message {
     }
 
     fn facts(&self) -> (&'static str, &'static str, Severity, Option<&'static str>) {
-        use Severity::{Error, Info, Warning};
+        use Severity::{Error, Info, Off, Warning};
         match self {
             Self::NumberMissing { .. } => ("PS0005", "number-missing", Error, Some("PS0005")),
             Self::AddressMissing { .. } => ("PS0004", "address-missing", Error, Some("PS0004")),
@@ -798,6 +808,11 @@ impl Message {
             Self::DuplicateSequence { .. } => ("W-DUP-N", "sequence-number-twice", Warning, None),
             Self::ArcOverHalf { .. } => ("W-ARC-OVER-HALF", "arc-over-half-circle", Warning, None),
             Self::NotCompared { .. } => ("I-NOT-COMPARED", "numbers-not-compared", Info, None),
+            Self::CoolantOff { .. } => ("W-COOLANT", "coolant-off", Off, None),
+            Self::FeedModeNotNamed => ("W-FEED-MODE-MISSING", "feed-mode-not-named", Off, None),
+            Self::ToolNotNamed => ("W-NO-TOOL", "tool-not-named", Off, None),
+            Self::FeedOnlyForFinishing { .. } => ("W-F-IN-CONTOUR", "feed-only-for-finishing", Off, None),
+            Self::StopBehindMove => ("W-SEED-M05-ORDER", "spindle-stops-behind-move", Off, None),
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),

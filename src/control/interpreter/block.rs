@@ -84,6 +84,11 @@ impl Interpreter {
             self.end_of_program(text, block);
         }
         if request.stop_spindle {
+            if request.moved {
+                let stop = block.words.iter().find(|word| word.address == b'M' && plain(word) == Some(5.0));
+                let span = stop.map_or_else(|| block.words_span(), |word| word.span);
+                self.tell(Diagnostic::new(Message::StopBehindMove, span));
+            }
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.live_tool = false;
             self.state.told.forget(Once::SpindleStopped);

@@ -13,6 +13,13 @@ impl Interpreter {
             return;
         }
         let reading = self.reading();
+        if self.purpose == Some(contours::Purpose::Roughing)
+            && let Some(address) =
+                [b'F', b'S', b'T'].into_iter().find(|&address| words.get(address).is_some())
+        {
+            let word = words.quote(text, address);
+            self.tell(Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address)));
+        }
         let setting = request.one_shot == Some(OneShot::Setting);
         if let Some(surface) = request.surface {
             self.surface_speed(block, surface, words);

@@ -117,6 +117,7 @@ impl Interpreter {
             G::Feed(mode) => {
                 state.feed_is_old |= mode != state.feed_mode && state.feed.is_some();
                 state.feed_mode = mode;
+                state.feed_mode_named = true;
                 state.told.forget(Once::FeedUnit);
             }
             G::Idle => {}
@@ -163,6 +164,11 @@ impl Interpreter {
     fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
+        match number {
+            7 | 8 => state.coolant = true,
+            9 => state.coolant = false,
+            _ => {}
+        }
         match codes::m_code(number) {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {

@@ -56,8 +56,26 @@ impl Interpreter {
         !request.drop
     }
 
+    /// What a teacher wants to see before the first cut of a tool.
+    #[inline(never)]
+    fn watch_checklist(&mut self, block: &Block) {
+        let (station, offset) = self.state.tool;
+        let tool = format!("T{station:02}{offset:02}");
+        let missing = [
+            (station == 0 && offset == 0).then_some(Message::ToolNotNamed),
+            (!self.state.feed_mode_named).then_some(Message::FeedModeNotNamed),
+            (!self.state.coolant).then_some(Message::CoolantOff { tool }),
+        ];
+        for message in missing.into_iter().flatten() {
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+    }
+
     #[inline]
     pub(super) fn watch_spindle(&mut self, block: &Block) {
+        if self.state.told.first(Once::Checklist) {
+            self.watch_checklist(block);
+        }
         let spindle = &self.state.spindle;
         if spindle.turn == SpindleTurn::Stopped
             && !spindle.live_tool
@@ -127,6 +145,7 @@ impl Interpreter {
         if station == before.0 {
             return;
         }
+        self.state.told.forget(Once::Checklist);
         if before.0 != 0 {
             self.watch_compensation_left_on(text, word.span);
         }

@@ -342,6 +342,11 @@ impl Message {
             }
             Self::ArcOverHalf { word } => vec![("word", Text(word))],
             Self::NotCompared { most } => vec![("most", Count(*most as i64))],
+            Self::CoolantOff { tool } => vec![("tool", Text(tool))],
+            Self::FeedModeNotNamed => vec![],
+            Self::ToolNotNamed => vec![],
+            Self::FeedOnlyForFinishing { word } => vec![("word", Text(word))],
+            Self::StopBehindMove => vec![],
             Self::SetupValue { key, value, need } => {
                 let mut all = vec![("key", Text(key)), ("value", Number(*value))];
                 if let Need::Below(most) | Need::AtMost(most) = need {

@@ -409,6 +409,16 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             A turned profile hardly ever does. Was a positive R meant?",
         NotCompared => "The program has more than {most} blocks, or ten times as many motions: its numbers are not compared with each other.\n\
             A lost point, a lost minus or a U in place of an X is then not remarked. `limits.comparedBlocks` of the setup sets the bound.",
+        CoolantOff => "{tool} cuts without coolant.\n\
+            Switch it on with M08 before the first cut and off with M09 at the end.",
+        FeedModeNotNamed => "Neither G98 nor G99 stands before this cut.\n\
+            Then what F counts depends on how the control was left. Write G99 (mm a turn) or G98 (mm a minute) at the head.",
+        ToolNotNamed => "This cut has no tool: no T word stands before it.\n\
+            The turret may have any tool in place. Call one with its offset, such as T0101.",
+        FeedOnlyForFinishing => "`{word}` stands in a contour: only G70 uses it.\n\
+            G71, G72 and G73 rough with the F, S and T of their own block or before it.",
+        StopBehindMove => "M05 stands in a block with a move: the spindle stops once the move is done.\n\
+            Write it in a block of its own where the order matters.",
         SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
             The picture goes on without it: what is wrong counts as not given.",
         SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\

@@ -409,6 +409,16 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             车削轮廓几乎不会这样。是否应为正 R？",
         NotCompared => "程序超过 {most} 段，或动作超过其十倍：不再相互比较各数值。\n\
             因此不会提示漏小数点、漏负号或把 X 写成 U。上限由设置中的 `limits.comparedBlocks` 决定。",
+        CoolantOff => "{tool} 切削时没有开冷却液。\n\
+            第一次切削前用 M08 打开，结束时用 M09 关闭。",
+        FeedModeNotNamed => "切削之前没有写 G98 或 G99。\n\
+            这时 F 的单位取决于系统当前状态。请在程序开头写 G99（mm/r）或 G98（mm/min）。",
+        ToolNotNamed => "这次切削没有刀具：之前没有 T 指令。\n\
+            刀架上可能是任意一把刀。请调用刀具和刀补，如 T0101。",
+        FeedOnlyForFinishing => "`{word}` 写在轮廓段内：只有 G70 使用它。\n\
+            G71、G72、G73 粗车时用自身程序段或之前的 F、S、T。",
+        StopBehindMove => "M05 与移动写在同一段：移动完成后主轴才停。\n\
+            如果先后次序重要，请单独写一段。",
         SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
             错误的值按未给出处理，图形照常显示。",
         SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\
