@@ -523,7 +523,8 @@ fn start_inside(words: &Words) -> Vec<Mutant> {
     let cycles = [71.0, 72.0, 73.0, 75.0, 90.0, 92.0, 94.0, 76.0];
     let mut made = Vec::new();
     for block in 1..words.blocks.len() {
-        if !cycles.iter().any(|&code| words.has_g(block, code)) {
+        let starts = |block: usize, code: f64| words.has_g(block, code);
+        if !cycles.iter().any(|&code| starts(block, code) && !starts(block - 1, code)) {
             continue;
         }
         let before = words.words.iter().filter(|word| word.address == 'X' && word.block < block);
@@ -536,7 +537,11 @@ fn start_inside(words: &Words) -> Vec<Mutant> {
         let (text, start, stop) = words.rewritten(x, &format!("X{half}"));
         // The rapid that goes in, or the cycle that starts there.
         let shift = |at: usize| at + stop - start - (x.end - x.start);
-        let (from, to) = words.blocks[block];
+        // A multiple cycle has two blocks.
+        let last = (block..words.blocks.len()).take_while(|&next| {
+            cycles.iter().any(|&code| words.has_g(block, code) && words.has_g(next, code))
+        });
+        let ((from, _), (_, to)) = (words.blocks[block], words.blocks[last.last().unwrap_or(block)]);
         if made.last().is_none_or(|made: &Mutant| made.text != text) {
             let place = Place::Needed(start, Need::Word(shift(from), shift(to)));
             made.push(Mutant { text, place });

@@ -347,7 +347,7 @@ impl Interpreter {
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
         self.watch_tap(block, from, to);
-        if code == "G32" && self.state.tap.is_none() {
+        if code != "G33" && self.state.tap.is_none() {
             self.watch_thread_pass(block, words, from, to, lead);
         }
         let gsk = self.dialect.control == Control::Gsk;

@@ -267,6 +267,16 @@ impl Interpreter {
             | roughing::Fault::BeyondStart { piece: Some(piece) } => shape.span_of(piece),
             _ => None,
         };
+        // Where much of the contour lies beyond the start, it is the start that is wrong.
+        let side =
+            if turning { contour.first.x - contour.start.x } else { contour.first.z - contour.start.z };
+        let beyond = |piece: &&crate::cycles::Piece| {
+            let end = if turning { piece.to.x - contour.start.x } else { piece.to.z - contour.start.z };
+            end.abs() > NEAR && end.signum() != side.signum()
+        };
+        let start_is_wrong = matches!(fault, roughing::Fault::BeyondStart { .. })
+            && contour.pieces.iter().filter(beyond).count() > 2;
+        let place = place.filter(|_| !start_is_wrong);
         let message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
         if self.dialect.strict {
             self.tell(message);

@@ -3,6 +3,9 @@
 use super::*;
 use crate::control::compensation::{Axis, cycle_shift};
 
+/// A span longer than this, bytes, is a block and not the word of a taper.
+const LONGEST_WORD: usize = 12;
+
 impl Interpreter {
     /// G90, G92, G94 (semantics §6).
     #[inline(never)]
@@ -193,7 +196,15 @@ impl Interpreter {
             && let Some(message) =
                 crate::diagnostics::rules::taper_not_extended(cycle, start, end, taper, stock)
         {
-            self.tell(Diagnostic::new(message, span));
+            let mut told = Diagnostic::new(message, span);
+            if let Message::TaperNotExtended { needed, .. } = told.message
+                && self.state.unit == words::Unit::Millimetre
+                && span.len() < LONGEST_WORD
+            {
+                let needed = crate::diagnostics::messages::number((1000.0 * needed).round() / 1000.0);
+                told = told.with(Fix::write(span, format!("R{needed}")));
+            }
+            self.tell(told);
         }
         true
     }

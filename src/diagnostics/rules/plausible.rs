@@ -46,6 +46,10 @@ struct Row {
     /// Its first motion, and one past its last.
     motions: Option<(usize, usize)>,
     arc: bool,
+    /// It moves at rapid, as far as the text tells.
+    rapid: bool,
+    /// A tool is called, or the program ends: what stands behind has nothing to do with what stood before.
+    parts: bool,
 }
 
 /// A program taken apart.
@@ -64,6 +68,8 @@ pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Ve
     let Some(program) = Program::read(text, motions, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
     told.extend(program.missing_points());
+    told.extend(program.lost_minus_in_row());
+    told.extend(program.increments_in_row());
     if sound {
         told.extend(program.far_off());
         told.extend(program.lost_minus());
@@ -89,6 +95,7 @@ impl<'a> Program<'a> {
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
         let mut inch = false;
+        let mut rapid = true;
         while parser.next_block(&mut block) {
             if rows.len() >= most {
                 return None;
@@ -111,7 +118,9 @@ impl<'a> Program<'a> {
                         code if SETTINGS.contains(&code) => role = Role::Other,
                         74..=76 if has(b"XZ") => role = Role::Deep,
                         code if MULTIPLE.contains(&code) => role = Role::Other,
-                        2 | 3 => arc = true,
+                        0 => rapid = true,
+                        1 | 32 | 34 | 90 | 92 | 94 => rapid = false,
+                        2 | 3 => (arc, rapid) = (true, false),
                         20 => inch = true,
                         _ => {}
                     }
@@ -125,10 +134,27 @@ impl<'a> Program<'a> {
                     block: rows.len(),
                 });
             }
+            let ends = |word: &crate::text::block::Word| match word.value {
+                Value::Number { number, .. } => {
+                    word.address == b'T'
+                        || word.address == b'M' && matches!(number.mantissa, 2 | 30 | 98 | 99)
+                }
+                Value::Expression => true,
+            };
+            let parts =
+                block.program.is_some() || block.kind != BlockKind::Words || block.words.iter().any(ends);
             if block.kind != BlockKind::Words || block.is_broken() {
                 role = Role::Other;
             }
-            rows.push(Row { span: block.span, role, words: first..words.len(), motions: None, arc });
+            rows.push(Row {
+                span: block.span,
+                role,
+                words: first..words.len(),
+                motions: None,
+                arc,
+                rapid,
+                parts,
+            });
         }
         let mut program = Self { text, rows, words, motions, unit: if inch { 25.4 } else { 1.0 } };
         program.match_motions();
@@ -292,6 +318,106 @@ impl<'a> Program<'a> {
         told
     }
 
+    /// The places along an axis in the order of the text, with what stands before and behind each in the same stretch.
+    fn neighbours(&self, letters: &'static [u8]) -> Vec<(Option<&Word>, &Word, Option<&Word>)> {
+        let own: Vec<&Word> = self.places_or_zero().filter(|word| letters.contains(&word.address)).collect();
+        let together = |a: &Word, b: &Word| {
+            let between = &self.rows[a.block + 1..=b.block];
+            b.block > a.block && !between.iter().any(|row| row.parts)
+        };
+        let at = |index: Option<usize>| index.and_then(|index| own.get(index).copied());
+        let mut found = Vec::new();
+        for (index, &word) in own.iter().enumerate() {
+            let before = at(index.checked_sub(1)).filter(|other| together(other, word));
+            let behind = at(Some(index + 1)).filter(|other| together(word, other));
+            found.push((before, word, behind));
+        }
+        found
+    }
+
+    fn places_or_zero(&self) -> impl Iterator<Item = &Word> {
+        self.words
+            .iter()
+            .filter(|word| b"XZUW".contains(&word.address) && self.rows[word.block].role != Role::Other)
+    }
+
+    /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
+    fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
+        let mut told = Vec::new();
+        for (before, word, behind) in self.neighbours(b"ZW") {
+            let row = &self.rows[word.block];
+            let Some(before) = before else { continue };
+            if word.address != b'Z'
+                || word.negative
+                || word.value <= 0.0
+                || row.rapid
+                || before.address != b'Z'
+            {
+                continue;
+            }
+            let meant = -word.value;
+            let flagged = match behind
+                .filter(|behind| behind.address == b'Z' && !self.rows[behind.block].rapid)
+            {
+                // Between its neighbours with the minus, and the next one lies at −Z.
+                Some(behind) => {
+                    let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
+                    behind.negative && low <= meant && meant <= high && word.value > before.value.abs() * 0.05
+                }
+                // The last of a row that went on that way: no retreat goes so far.
+                None => before.negative && meant < before.value && !self.rows[before.block].rapid,
+            };
+            if flagged {
+                told.push(self.minus(word));
+            }
+        }
+        told
+    }
+
+    fn minus(&self, word: &Word) -> Diagnostic {
+        let written = self.quote(word);
+        let meant = format!("Z-{}", written[1..].trim_start_matches([' ', '+']));
+        let fix = Fix::write(word.span, meant.clone());
+        Diagnostic::new(Message::MinusMissing { word: written, meant }, word.span).with(fix)
+    }
+
+    /// `X16`, `U24`, `X36`: a U whose number is a place between its neighbours, but leads beyond them.
+    fn increments_in_row(&self) -> Vec<Diagnostic> {
+        let mut told = Vec::new();
+        let places = self.places().filter(|word| b"XZ".contains(&word.address)).count();
+        let increments = self.places().filter(|word| b"UW".contains(&word.address)).count();
+        if increments > 2 || places < 3 * increments {
+            return told;
+        }
+        let largest =
+            self.places().filter(|word| word.address == b'X').map(|word| word.value).fold(0.0, f64::max);
+        for (before, word, behind) in self.neighbours(b"XU") {
+            let Some(before) = before.filter(|before| before.address == b'X') else { continue };
+            if word.address != b'U' || word.negative || word.value < 2.0 {
+                continue;
+            }
+            let leads = before.value + word.value;
+            let flagged = match behind.filter(|behind| behind.address == b'X') {
+                Some(behind) => {
+                    let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
+                    (low <= word.value && word.value <= high && leads > high + 0.001)
+                        || leads > largest + 0.001 && word.value >= 10.0 && !self.rows[word.block].rapid
+                }
+                None => leads > largest + 0.001 && word.value >= 10.0 && !self.rows[word.block].rapid,
+            };
+            if !flagged {
+                continue;
+            }
+            let written = self.quote(word);
+            let meant = format!("X{}", &written[1..]);
+            let fix = Fix::write(word.span, meant.clone());
+            let to = round(leads * self.unit);
+            let message = Message::IncrementalForAbsolute { word: written, axis: 'X', to, meant };
+            told.push(Diagnostic::new(message, word.span).with(fix));
+        }
+        told
+    }
+
     /// The Z at which cuts begin behind a rapid: in front of the work.
     fn approach(&self) -> Option<f64> {
         let mut front: Option<f64> = None;
@@ -329,13 +455,9 @@ impl<'a> Program<'a> {
             if word.negative || place <= 0.0 || !self.leads_away(from, to, place, front) {
                 continue;
             }
-            let written = self.quote(word);
-            let meant = format!("Z-{}", written[1..].trim_start_matches([' ', '+']));
-            let fix = Fix::write(word.span, meant.clone());
             let tool = self.motions.get(from).process.tool.0;
             *outward.entry(tool).or_default() += 1;
-            let message = Message::MinusMissing { word: written, meant };
-            told.push((tool, Diagnostic::new(message, word.span).with(fix)));
+            told.push((tool, self.minus(word)));
         }
         let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains_key(tool);
         told.into_iter().filter(|(tool, _)| !works_outward(tool)).map(|(_, told)| told).collect()

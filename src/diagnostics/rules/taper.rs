@@ -41,7 +41,17 @@ pub fn taper_not_extended(
         Single::Threading => return None,
     };
     let crossing = base + scale * taper * part;
-    (is_round(wanted) && !is_round(crossing)).then(|| Message::TaperNotExtended {
+    // The drawing may count from Z0 though the blank stands a little farther out.
+    let at_zero = match cycle {
+        Single::Turning if start.z > 0.0 && end.z < 0.0 => {
+            Some(base + scale * taper * (-end.z / (start.z - end.z)))
+        }
+        _ => None,
+    };
+    let fits_drawing = is_tenth(crossing) || at_zero.is_some_and(is_tenth);
+    let coarse = is_round(wanted) && !is_round(crossing);
+    let fine = is_tenth(wanted) && !fits_drawing;
+    (coarse && !at_zero.is_some_and(is_round) || fine).then(|| Message::TaperNotExtended {
         taper,
         needed: taper / part,
         crossing,
@@ -82,6 +92,11 @@ pub fn shape(
     };
     let narrows = if outside { taper > NEAR } else { taper < -NEAR };
     narrows.then(|| Message::TaperNarrows { word: word.into() })
+}
+
+/// Whether a drawing might carry this length: a multiple of a tenth of a millimetre.
+fn is_tenth(length: f64) -> bool {
+    (length * 10.0 - (length * 10.0).round()).abs() <= 10.0 * NEAR
 }
 
 /// Whether a drawing would carry this length: a multiple of half a millimetre.
