@@ -7,6 +7,8 @@
 #[path = "mutations/classes.rs"]
 mod classes;
 mod fixtures;
+#[path = "../examples/rule-pages/page.rs"]
+mod page;
 #[path = "mutations/text.rs"]
 mod text;
 
@@ -75,17 +77,17 @@ fn count(slug: &str, told: &[Diagnostic]) -> usize {
 }
 
 impl Correct {
-    fn new(program: fixtures::Program) -> Self {
-        let mut setup = Setup::from_json(&program.setup).expect(&program.id);
-        let first = run(&program.text, &setup);
+    fn new(id: String, text: String, setup: &str) -> Self {
+        let mut setup = Setup::from_json(setup).expect(&id);
+        let first = run(&text, &setup);
         // A reader who wants to know of collisions gives the blank; what the program shows of it is given here.
         setup.stock = setup.stock.or(Guesses::of(&first.analysis.motions).stock);
-        let mut ran = run(&program.text, &setup);
+        let mut ran = run(&text, &setup);
         ran.analysis.look_at_machine();
         let told = ran.analysis.diagnostics.iter().filter(|told| told.severity > Severity::Info);
-        let known = told.map(|told| (told.message.slug(), line(&program.text, told.span.start as usize)));
+        let known = told.map(|told| (told.message.slug(), line(&text, told.span.start as usize)));
         let known = known.collect();
-        Self { id: program.id, text: program.text, setup, ran, known }
+        Self { id, text, setup, ran, known }
     }
 
     /// The first message that the fault brings.
@@ -199,11 +201,17 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
 #[test]
 fn the_first_message_stands_at_the_fault() {
     let only = std::env::var("CLASS").ok();
-    let programs: Vec<Correct> = fixtures::all()
-        .into_iter()
-        .filter(|program| !WRONG.contains(&program.id.as_str()))
-        .map(Correct::new)
-        .collect();
+    let fixtures = fixtures::all().into_iter().filter(|program| !WRONG.contains(&program.id.as_str()));
+    let programs = fixtures.map(|program| Correct::new(program.id, program.text, &program.setup));
+    // The corrected programs of the rule pages are fixtures as well; not those about bounds, which are set low there.
+    let pages = page::all().into_iter().filter_map(|(_, page)| page.ok());
+    let pages = pages.filter(|page| !page.setup.contains("limits"));
+    let corrected = pages.map(|page| Correct::new(page.slug, page.right, &page.setup));
+    let programs: Vec<Correct> = if std::env::var_os("ONLY_PROGRAMS").is_some() {
+        programs.collect()
+    } else {
+        programs.chain(corrected).collect()
+    };
     assert!(programs.len() >= 40, "{} programs", programs.len());
     let mut scores: BTreeMap<usize, Score> = BTreeMap::new();
     let mut misses = Vec::new();

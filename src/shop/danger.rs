@@ -231,7 +231,7 @@ impl Watch {
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
         let facing = match tag.cycle {
-            Cycle::Turning | Cycle::Threading | Cycle::MultiThreading => false,
+            Cycle::Turning | Cycle::Threading => false,
             Cycle::Facing => true,
             _ => return false,
         };

@@ -35,7 +35,7 @@ use super::dialect::{
 };
 use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, Target, ThreadPass};
 use super::program::Labels;
-use super::setup::{Setup, Tool};
+use super::setup::{Setup, Tool, ToolKind};
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};

@@ -24,7 +24,7 @@ const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 const NEAR: f64 = 0.001;
 
 /// A least depth of G76 beyond this, mm, is no depth that somebody meant.
-const LEAST_DEPTH: f64 = 1.0;
+const LEAST_DEPTH: f64 = 5.0;
 
 impl Interpreter {
     pub(super) fn multiple(

@@ -88,6 +88,7 @@ impl Interpreter {
         if speed == 0.0
             && spindle.turn != SpindleTurn::Stopped
             && !spindle.live_tool
+            && !self.state.uncertain
             && self.state.told.first(Once::SpeedMissing)
         {
             self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));
@@ -198,7 +199,10 @@ impl Interpreter {
             return;
         }
         let (radius, tip) = self.offset_entry();
-        if matches!(tip, 0 | 9) && radius > 0.0 && self.state.told.first(Once::CompensationTip) {
+        let (station, offset) = self.state.tool;
+        let live = self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);
+        let turns = !matches!(live, Some(ToolKind::Endmill | ToolKind::Drill));
+        if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.state.told.first(Once::CompensationTip) {
             let message = Message::CompensationTip { tip: f64::from(tip) };
             self.tell(Diagnostic::new(message, block.words_span()));
         }

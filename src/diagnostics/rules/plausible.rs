@@ -356,17 +356,19 @@ impl<'a> Program<'a> {
                 continue;
             }
             let meant = -word.value;
-            let flagged = match behind
-                .filter(|behind| behind.address == b'Z' && !self.rows[behind.block].rapid)
-            {
-                // Between its neighbours with the minus, and the next one lies at −Z.
-                Some(behind) => {
-                    let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
-                    behind.negative && low <= meant && meant <= high && word.value > before.value.abs() * 0.05
-                }
-                // The last of a row that went on that way: no retreat goes so far.
-                None => before.negative && meant < before.value && !self.rows[before.block].rapid,
-            };
+            let flagged =
+                match behind.filter(|behind| behind.address == b'Z' && !self.rows[behind.block].rapid) {
+                    // Between its neighbours with the minus, and the next one lies at −Z.
+                    Some(behind) => {
+                        let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
+                        behind.negative && low <= meant && meant <= high && word.value > before.value + 0.001
+                    }
+                    // The last of a row that went on that way: no retreat goes so far.
+                    None => {
+                        let near = word.value <= 3.0 * before.value.abs() + 20.0;
+                        before.negative && meant < before.value && near && !self.rows[before.block].rapid
+                    }
+                };
             if flagged {
                 told.push(self.minus(word));
             }

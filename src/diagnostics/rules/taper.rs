@@ -4,7 +4,7 @@
 //! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
 
 use crate::control::setup::Stock;
-use crate::cycles::single::Single;
+use crate::cycles::single::{self, Single};
 use crate::diagnostics::Message;
 use crate::geometry::Point;
 
@@ -71,6 +71,10 @@ pub fn shape(
     stock: Option<Stock>,
 ) -> Option<Message> {
     if cycle == Single::Facing || taper == 0.0 || end.z >= start.z {
+        return None;
+    }
+    // That it begins beyond the start point is told already.
+    if single::begins_beyond_start(end.x - start.x, taper) {
         return None;
     }
     let begin = end.x + taper;
