@@ -98,7 +98,8 @@ impl<'a> Parser<'a> {
                 block.faults.iter().all(|fault| !fault.is_error()) || decorates(span.of(self.lexer.text()));
             let severity = if harmless { Severity::Warning } else { Severity::Error };
             block.faults.clear();
-            block.fault(Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity));
+            let told = Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity);
+            block.fault(in_brackets(self.lexer.text(), told));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
         self.offer_addresses(block);
@@ -522,6 +523,7 @@ impl<'a> Parser<'a> {
     fn macro_statement(&mut self, block: &mut Block, first: Span) {
         block.kind = BlockKind::Macro;
         block.statement = first.start;
+        block.statement_end = first.end;
         while let Some(byte) = self.lexer.peek_byte() {
             if matches!(byte, b'\n' | b'\r' | b';') {
                 break;
@@ -535,7 +537,8 @@ impl<'a> Parser<'a> {
                     self.lexer.seek(token.span.start as usize);
                     break;
                 }
-                _ => {}
+                TokenKind::Blank => {}
+                _ => block.statement_end = token.span.end,
             }
         }
     }
@@ -572,7 +575,8 @@ impl<'a> Parser<'a> {
         (block.span, block.line) = (span, line);
         let remark = trimmed(text, span);
         block.comment(remark);
-        block.fault(Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark));
+        let told = Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
+        block.fault(in_brackets(text, told));
     }
 
     /// Goes to the end of the line.
@@ -655,6 +659,17 @@ fn without_second_point(word: &str) -> Option<String> {
     let rest = tail.replace('.', "");
     let sure = tail.starts_with('.') || tail.find('.') == Some(tail.len() - 1);
     sure.then(|| format!("{head}{rest}"))
+}
+
+/// Offers to put a remark in brackets, unless it has some of its own.
+fn in_brackets(text: &[u8], told: Diagnostic) -> Diagnostic {
+    match std::str::from_utf8(told.span.of(text)) {
+        Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')']) => {
+            let fix = Fix::write(told.span, format!("({remark})")).safe();
+            told.with(fix)
+        }
+        _ => told,
+    }
 }
 
 /// The span without blanks at either end.
