@@ -19,6 +19,11 @@ impl Interpreter {
         }
         if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
             let spindle = &mut self.state.spindle;
+            if spindle.still != (value == 0.0) {
+                spindle.still = value == 0.0;
+                self.state.told.forget(Once::SpindleStopped);
+            }
+            let spindle = &mut self.state.spindle;
             if spindle.surface {
                 spindle.cutting_speed = value;
             } else {
@@ -27,6 +32,7 @@ impl Interpreter {
         }
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
             self.state.feed = Some(value);
+            self.state.told.forget(Once::FeedZero);
             self.state.feed_is_old = false;
             self.state.threads_per_inch = None;
         }
@@ -45,9 +51,23 @@ impl Interpreter {
             spindle.rpm = spindle.speed_at(radius).unwrap_or(spindle.rpm);
         }
         let begins = surface && !spindle.surface;
+        if !surface {
+            self.state.unclamped = None;
+        }
+        let spindle = &mut self.state.spindle;
         spindle.surface = surface;
         if begins && spindle.highest.is_none() {
-            self.tell(Diagnostic::new(Message::NoSpeedClamp, words.span(b'S')));
+            self.state.unclamped = Some(words.span(b'S'));
+        }
+    }
+
+    /// A motion under G96 without a highest speed: once in a program.
+    #[inline(never)]
+    pub(super) fn tell_speed_clamp(&mut self) {
+        if let Some(span) = self.state.unclamped.take()
+            && self.state.told.first(Once::NoSpeedClamp)
+        {
+            self.tell(Diagnostic::new(Message::NoSpeedClamp, span));
         }
     }
 
@@ -71,7 +91,8 @@ impl Interpreter {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
             self.tell(Diagnostic::new(message, word.span));
         }
-        if station > 999 {
+        // Six digits are three and three: `T010101` would be offset 101.
+        if station > 999 || digits > 6 || (digits == 6 && offset > 99) {
             self.tell(Diagnostic::new(Message::ToolNumber { word: quote(text, word.span) }, word.span));
             return;
         }
@@ -105,8 +126,7 @@ impl Interpreter {
                 let motion = Motion { seconds: Some(seconds), ..motion };
                 self.wait_here(self.routed(block, motion));
             }
-            Some(_) => {}
-            None => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
+            _ => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
         }
     }
 
@@ -127,7 +147,9 @@ impl Interpreter {
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);
+            self.state.unclamped = None;
         }
+        let spindle = &mut self.state.spindle;
         if let Some(lowest) = words.get(b'Q').and_then(plain) {
             spindle.lowest = Some(lowest);
         }

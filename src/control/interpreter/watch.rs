@@ -9,7 +9,9 @@ impl Interpreter {
         let feed = match self.state.feed {
             Some(feed) if feed > 0.0 => feed,
             Some(_) => {
-                self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                if self.state.told.first(Once::FeedZero) {
+                    self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                }
                 request.drop = true;
                 return false;
             }
@@ -48,7 +50,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn watch_spindle(&mut self, block: &Block) {
         let spindle = &self.state.spindle;
-        if spindle.turn == SpindleTurn::Stopped
+        if (spindle.turn == SpindleTurn::Stopped || spindle.still)
             && !spindle.live_tool
             && self.state.told.first(Once::SpindleStopped)
         {
