@@ -328,8 +328,8 @@ fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Poin
         return None;
     }
     let skin = [(from.x - SKIN, low), (from.x - SKIN, high), (from.x, high), (from.x, low)];
-    let skin = part.now().in_common(&[skin.map(|(x, z)| Point::new(x, z))]);
-    let stands = skin.area() > SKIN * STANDS.min((high - low) / 2.0);
+    let (now, skin) = (part.now(), skin.map(|(x, z)| Point::new(x, z)));
+    let stands = now.meets(&skin) && now.in_common(&[skin]).area() > SKIN * STANDS.min((high - low) / 2.0);
     stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 

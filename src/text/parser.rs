@@ -157,6 +157,13 @@ impl<'a> Parser<'a> {
     /// Reads one token, and whatever belongs to it; where the block's text ends, if that is its end.
     #[inline(never)]
     fn token(&mut self, block: &mut Block) -> Option<usize> {
+        // Before a token is made of all the full-width characters in a row: each word would be read to their end.
+        const FULL_WIDTH: u8 = 0xEF;
+        if self.lexer.peek_byte() == Some(FULL_WIDTH)
+            && self.misread_word(block, self.lexer.position() as u32)
+        {
+            return None;
+        }
         let Some(token) = self.lexer.next_token() else { return Some(self.lexer.position()) };
         match token.kind {
             TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),

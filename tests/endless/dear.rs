@@ -30,7 +30,7 @@ pub fn dear_cycles() -> Vec<Hostile> {
     };
     vec![
         case("G71 over a short contour", called(&short, "G71U1R1\nG71P1Q2\n"), "E-TOO-MANY-MOTIONS", 40208),
-        case("G72 over a short contour", called(&short, "G72W1R1\nG72P1Q2\n"), "W-NOT-MONOTONE", 8),
+        case("G72 over a short contour", called(&short, "G72W1R1\nG72P1Q2\n"), "W-NOT-MONOTONE", 5),
         case("G71 of 98 000 passes", called(&short, "G71U.001R0\nG71P1Q2\n"), "E-TOO-MUCH-WORK", 48),
         case("G71 of too many passes", called(&short, "G71U.0005R0\nG71P1Q2\n"), "W-G71-U-SIGN", 7),
         case(

@@ -196,7 +196,7 @@ impl Interpreter {
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
             // The END of a DO that was told to have none: its number is wrong.
-            if self.ends.values().all(Option::is_some) {
+            if !self.lacks_end {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
             }
             return Flow::Next;
@@ -253,6 +253,7 @@ impl Interpreter {
                 None => {}
             }
         }
+        self.lacks_end = true;
         self.ends.extend(open.into_iter().flatten().map(|head| (head, None)));
         None
     }

@@ -200,6 +200,8 @@ pub struct Interpreter {
     labels: Option<Labels>,
     /// Where loops go on behind their END, by the first byte of their DO; found when first asked for.
     ends: BTreeMap<u32, Option<Resume>>,
+    /// One of them has no END.
+    lacks_end: bool,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
@@ -259,6 +261,7 @@ impl Interpreter {
             purpose: None,
             labels: None,
             ends: BTreeMap::new(),
+            lacks_end: false,
             landmarks: Vec::new(),
             roughed: Vec::new(),
             jump: None,
