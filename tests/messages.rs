@@ -4,6 +4,8 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::{Diagnostic, Severity};
+use gcode_playground::diagnostics::rules::machine;
+use gcode_playground::shop::Shop;
 use gcode_playground::text::source::LineIndex;
 
 /// The one door: a program whose annotated lines (`//  ^^^ CODE`) are all its messages but hints.
@@ -261,6 +263,104 @@ fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
         r#"{"rules": {"program-for-another-control": "warning"}}"#,
         "%_N_PART_MPF\nG0 X=R1\nCYCLE95(\"A\",1)",
         &[("program-for-another-control", Warning)],
+#[test]
+fn a_macro_statement_is_marked_without_its_number_and_remark() {
+    check("N1 IF[1EQ1]GOTO 50 (AWAY)\n// ^^^^^^^^^^^^^^^ PS0128\nG0 X1");
+    check("N1 WHILE[1EQ1]DO1  (ROUND)\n// ^^^^^^^^^^^^^^ PS0124\nG0 X1");
+    check("N1 END2 (ALONE)\n// ^^^^ PS0126\nG0 X1");
+    check("G0 X1\n  #3000=1(NO TOOL)  (REMARK)\n//^^^^^^^^^^^^^^^^ E-MACRO-ALARM");
+    // One END that fits no DO.
+    check("  DO1 (A)\n//^^^ PS0124\nG0 X1\nEND2");
+}
+
+#[test]
+fn a_macro_alarm_has_the_number_that_a_control_shows() {
+    for (value, number) in [("1", "3001"), ("12", "3012"), ("99999999", "100002999")] {
+        let analysis = analyze(format!("#3000={value}(NO TOOL)").as_bytes(), &Setup::default());
+        let said = analysis.diagnostics[0].message.sentence(Default::default()).message;
+        assert_eq!(said, format!("The program stops itself with alarm {number}: NO TOOL"));
+    }
+}
+
+#[test]
+fn a_block_that_is_too_long_is_one_fault() {
+    let words: String = (0..70).map(|number| format!(" X{number} F.1 G1")).collect();
+    let program = format!("M3 S500\nG0{words} U? W-\nG1 Z-5\nX5");
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    let told: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
+    assert_eq!(told, ["block-too-long", "no-program-end"]);
+}
+
+#[test]
+fn a_main_program_that_begins_again_is_drawn_once() {
+    check("O1\nN10 G0 X1\nX2\n  M99 P10\n//^^^^^^^ W-ENDLESS");
+    check("O1\nG0 X1\nM99 P10\nX2\nN10 X3\nM30");
+}
+
+#[test]
+fn the_machine_zero_of_the_setup_is_known() {
+    let told = |setup: &str| {
+        let analysis = analyze(b"G53 X0 Z0\nM30", &Setup::from_json(setup).expect("setup"));
+        analysis.diagnostics.iter().map(|told| told.message.slug()).collect::<Vec<_>>()
+    };
+    assert_eq!(told("{}"), ["machine-zero-unknown"]);
+    assert!(told(r#"{"dialect": {"refPoint": {"x": 400, "z": 500}}}"#).is_empty());
+}
+
+#[test]
+fn what_lasts_is_told_once() {
+    let start = "M3 S500 F100\nG0 X60 Z2\n";
+    let contour = "N1 G0 X20\nG1 Z-10\nN2 X50";
+    check(&format!("{start}G73 U5 W2 R0\n//        ^^ PS0321\nG73 P1 Q2 U1\n{contour}"));
+    check(&format!("{start}  G73 U5 W2\n//^^^^^^^^^ PS0321\nG73 P1 Q2 U1\n{contour}"));
+    let stock = r#"{"dialect": {"feedMode": "G98"}, "stock": {"diameter": 50, "length": 60}}"#;
+    check_with(stock, "M3 S1 F100\nG0 X54 Z5\nG94 X30 Z2 R-20\n//         ^^^^ W-TAPER-NOT-EXTENDED\nZ1\nZ0");
+    check("M3 S500\nG1 F0\n  X5\n//^^ PS0011\nX6\nX7\nF100 X8\nF0\n  X9\n//^^ PS0011");
+    check("M3 S500 F100\nG96 S120\n//  ^^^^ W-CSS-NOCLAMP\nG0 X5\nG97 S500\nG96 S100\nX9");
+    check("M3 S500 F100\nG96 S120\nG50 S2000\nG0 X5");
+    check("M3 S500 F100\nG96 S120\nG97 S400\nG0 X5");
+}
+
+#[test]
+fn a_plane_whose_end_is_refused_is_left() {
+    let head = "M45\nM13 S500 F100\nG0 X80 Z5\nG12.1\nG1 X60\n";
+    check(&format!("{head}G13.1 M46\n//    ^^^ E-G121-NOT-ALONE\nG0 X90\nM30"));
+    let tool =
+        r#"{"dialect": {"feedMode": "G98"}, "tools": {"T0101": {"type": "endmill", "toolRadius": 4}}}"#;
+    let head = "T0101\nM45\nM13 S500 F100\nG0 X80 Z5\nG12.1\nG42 G1 X60\nC10\n";
+    check_with(tool, &format!("{head}  G13.1\n//^^^^^ E-G121-COMP\nG0 X90\nG40\nM30"));
+}
+
+#[test]
+fn numbers_and_words_are_named_as_they_are_written() {
+    let start = "M3 S500 F100\nG0 X50 Z2\n";
+    let contour = "N1 G0 X20\nG1 Z-10\nN2 X50";
+    let said = |program: &str| {
+        let analysis = analyze(program.as_bytes(), &Setup::default());
+        analysis
+            .diagnostics
+            .iter()
+            .map(|told| told.message.sentence(Default::default()).message)
+            .collect::<Vec<_>>()
+    };
+    let has = |program: &str, sentence: &str| {
+        let said = said(program);
+        assert!(said.iter().any(|own| own == sentence), "{program}\n{said:?}");
+    };
+    check(&format!("{start}G71 P1 Q2 D-2\n//        ^^^ W-G71-U-SIGN\n{contour}"));
+    has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be larger than zero.");
+    has("G30 P2", "G30 names no axis, so nothing moves.");
+    let reversed = "N10 G1 X20\nN20 Z-5\nG71 U1 R1\nG71 P20 Q10";
+    has(&format!("{start}{reversed}"), "The block that `Q10` names stands before N20, which P names.");
+    has(
+        &format!("{start}G2 X60 Z-5 I0 K0"),
+        "I and K are zero: the centre is the start point, so the arc has no radius.",
+    );
+    has(&format!("{start}G0 X40 ,R2"), "`,R2`: there is no corner in this block.");
+    // At the crest itself.
+    has(
+        "M3 S500 F100\nG0 X30 Z5\nG76 P010060 Q100 R0.05\nG76 X28 Z-20 P1000 Q300 F1.5",
+        "G76 starts at X30, at or inside the crest of the thread at X30.",
     );
 }
 
@@ -306,4 +406,82 @@ fn what_is_off_is_not_counted() {
     };
     assert_eq!(told("{}").len(), 11);
     assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
+fn places_at_the_machine_are_told_in_hundredths() {
+    let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
+    let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
+    let shop = Shop::done(&analysis.motions, &setup);
+    let told = machine::diagnostics(&shop, &analysis.motions);
+    let sentence = told.first().expect("told").message.sentence(Default::default()).message;
+    let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
+    assert!(
+        sentence.contains('.') && sentence.split('.').skip(1).all(|part| decimals(part) <= 2),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn codes_that_exclude_each_other() {
+    check("G98 G99 M3 S500\n//  ^^^ W-SAME-GROUP");
+    check("G50 S900\nG96 G97 S500\n//  ^^^ W-SAME-GROUP");
+    check("G41 G40\n//  ^^^ W-SAME-GROUP");
+    check("S500 M03 M04\n//       ^^^ W-SAME-GROUP");
+    // The nearest cases that are right.
+    check("G1 G01 G28 U0 F100");
+    check("G97 G98 G40 M3 S500 M8");
+    let analysis = analyze(b"M05 M03 S500", &Setup::default());
+    let said = analysis.diagnostics[0].message.sentence(Default::default()).message;
+    assert_eq!(said, "`M03` and `M05` exclude each other; `M05` counts.");
+}
+
+#[test]
+fn a_setup_word_that_cannot_be_read_is_one_fault() {
+    check("(STOCK D=50 LENGHT=80)\n//          ^^^^^^^^^ W-SETUP-NOTE\nM30");
+    check("  (STOCK D=-5 LENGTH=80)\n// ^^^^^^^^^^^^^^^^^^^^ E-SETUP\nM30");
+    check_fix("(STOCK D=50 LENGHT=80)\nM30", "(STOCK D=50 LENGTH=80)\nM30");
+    check_fix("(STOCK D=50 LENGTH=60 WHATEVER=80)\nM30", "(STOCK D=50 LENGTH=60 WHATEVER=80)\nM30");
+}
+
+#[test]
+fn words_that_were_passed_over_in_silence() {
+    let start = "M3 S500 F100\nG0 X50 Z2\n";
+    check(&format!("{start}G92 X48 Z-20 F2 ,C1\n//              ^^^ PS0050"));
+    check(&format!("{start}G90 X48 Z-20 ,R2\n//           ^^^ PS0051"));
+    check(&format!("{start}G75 R-0.5\n//  ^^^^^ PS0318\nG75 X40 P2000"));
+    check("T010101\nM30".replace("T010101\n", "  T010101\n//^^^^^^^ PS0043\n").as_str());
+    check("T001001\nT13013\nM30");
+    check("M3 S0\n  G1 X5 F100\n//^^^^^^^^^^ W-NO-SPINDLE\nX6");
+    check("  G04 X0\n//^^^^^^ W-DWELL-NO-TIME");
+    check("  G04 P-100\n//^^^^^^^^^ W-DWELL-NO-TIME");
+    check("  G04 F2\n//^^^^^^ W-DWELL-NO-TIME");
+}
+
+#[test]
+fn marks_of_words() {
+    let start = "M3 S500 F100\nG0 X50 Z2\n";
+    check(&format!(
+        "{start}G71 U2 R1\nG71 P1 Q2\nN1 G0 X20 Z2\n//        ^^ W-NS-BOTH-AXES\nG1 Z-10\nN2 X50"
+    ));
+    let head = "M45\nM13 S500 F100\nG0 X80 Z5\nG12.1\n";
+    check(&format!("{head}   G1 X-80 (PAST)\n// ^^^^^^^ W-POLAR-CENTER\nG13.1"));
+}
+
+#[test]
+fn repairs_of_what_was_likely_meant() {
+    check_fix("hello world\nG0 X1\nM30", "(hello world)\nG0 X1\nM30");
+    check_fix("G0 X1; rough the face\nM30", "G0 X1; (rough the face)\nM30");
+    let start = "M3 S500 F100\nG0 X50 Z2\n";
+    check_fix(
+        "M13 S500 G98 F100\nG0 X0 Z5\nG83 Z-20\nG28 U0\nM30",
+        "M13 S500 G98 F100\nG0 X0 Z5\nG83 Z-20\nG80\nG28 U0\nM30",
+    );
+    check_fix(&format!("{start}G92 X48 Z-20 F2 ,C1\nM30"), &format!("{start}G92 X48 Z-20 F2\nM30"));
+    let contour = "N1 G0 X20\nG1 Z-10\nN2 X50\nM30";
+    let head = "M3 S500 G98 F100\nG0 X50 Z2\nG17\nG71 U2 R1\n";
+    check_fix(&format!("{head}N5 G71 P1 Q2\n{contour}"), &format!("{head}N5 G18 G71 P1 Q2\n{contour}"));
+    check_fix("#1=1\n#2=(#1+1)*3 (REMARK)\nM30", "#1=1\n#2=[#1+1]*3 (REMARK)\nM30");
+    check_fix("#2=SIN(30)\nM30", "#2=SIN[30]\nM30");
+    check_fix("#1=1\nIF[#1 = 1]GOTO 5\nN5 M30", "#1=1\nIF[#1 EQ 1]GOTO 5\nN5 M30");
+    check_fix("#1=1\nIF[#1>=1]GOTO 5\nN5 M30", "#1=1\nIF[#1 GE 1]GOTO 5\nN5 M30");
+    check_fix("GOTO N10\nN10 M30", "GOTO 10\nN10 M30");
+    check_fix("GOTO #10\nN10 M30", "GOTO 10\nN10 M30");
 }

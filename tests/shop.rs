@@ -75,6 +75,8 @@ fn a_rapid_into_the_work_is_found_and_a_near_miss_is_not() {
     check_danger("T0101\nG00 X62 Z2\nG00 X40 Z2\nG00 Z-10", &[("RapidThroughStock", 4)]);
     check_danger("T0101\nG00 X62 Z2\nG00 X40 Z0.02", &[]);
     check_danger("T0101\nG00 X61 Z2\nG00 Z-50", &[]);
+    // Where the bar is turned off already, nothing is left to rub along.
+    check_danger("M3 S500 T0101\nG00 X56 Z2\nG01 Z-30 F.2\nX60\nG00 Z2", &[]);
     // A hundredth of a millimetre is no touch.
     check_danger("T0101\nG00 X62 Z2\nG00 X60.02\nZ-50\nX62", &[]);
     check_danger("T0101\nG00 X62 Z2\nG00 X60\nZ-50\nX62", &[("RapidAlongStock", 4)]);

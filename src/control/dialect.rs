@@ -282,6 +282,8 @@ pub struct Dialect {
     pub polar_x: PolarX,
     /// First reference point, machine coordinates; X a diameter.
     pub ref_point: super::setup::Position,
+    /// Whether the setup says so.
+    pub ref_point_given: bool,
 }
 
 impl Dialect {
@@ -319,6 +321,7 @@ impl Dialect {
             type_ii: choice.type_ii.unwrap_or(true),
             strict: choice.strict.unwrap_or(false),
             polar_x: choice.polar_x.unwrap_or(PolarX::Diameter),
+            ref_point_given: choice.ref_point.is_some(),
             ref_point: choice.ref_point.unwrap_or(super::setup::Position { x: 300.0, z: 300.0 }),
         }
     }

@@ -148,6 +148,8 @@ pub struct Routed {
     pub motion: Motion,
     /// Its block.
     pub span: Span,
+    /// The words of its block.
+    pub words: Span,
     /// Line of its block, from 0.
     pub line: u32,
     /// In a virtual plane, whose points the motion then has: where it begins and ends along the third axis, mm.
@@ -226,6 +228,7 @@ impl Routed {
     fn shift(&mut self, shift: &Shift) {
         self.line = shift.line(self.line, self.span.start);
         self.span = shift.span(self.span);
+        self.words = shift.span(self.words);
     }
 }
 
@@ -295,6 +298,8 @@ pub struct Spindle {
     pub lowest: Option<f64>,
     /// Direction.
     pub turn: SpindleTurn,
+    /// S0 was given: it stands still under M03 too.
+    pub still: bool,
     /// A live tool turns.
     pub live_tool: bool,
 }
@@ -371,6 +376,9 @@ pub enum Once {
     CompensationSide,
     CompensationTip,
     CompensationIdleBlocks,
+    FeedZero,
+    NoSpeedClamp,
+    TaperNotExtended,
 }
 
 impl Told {
@@ -439,6 +447,8 @@ pub struct State {
     pub threads_per_inch: Option<f64>,
     /// Groups 02 and the M codes of the spindle.
     pub spindle: Spindle,
+    /// G96 without a highest speed, and no motion since: G50 may still give one.
+    pub unclamped: Option<Span>,
     /// Group 07.
     pub compensation: Compensation,
     /// Turret station and offset number.
@@ -514,8 +524,10 @@ impl State {
                 highest: None,
                 lowest: None,
                 turn: SpindleTurn::Stopped,
+                still: false,
                 live_tool: false,
             },
+            unclamped: None,
             compensation: Compensation::Off,
             tool: (0, 0),
             pending: None,
@@ -552,7 +564,8 @@ impl State {
         let pending = self.pending.as_ref().map_or(u32::MAX, Pending::first);
         let compensating = self.compensating.as_ref().map_or(u32::MAX, Compensating::first);
         let stop = self.stop.map_or(u32::MAX, |stop| stop.span.start);
-        pending.min(compensating).min(stop)
+        let unclamped = self.unclamped.map_or(u32::MAX, |span| span.start);
+        pending.min(compensating).min(stop).min(unclamped)
     }
 
     /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
@@ -567,6 +580,7 @@ impl State {
         if let Some(stop) = &mut self.stop {
             stop.shift(shift);
         }
+        self.unclamped = self.unclamped.map(|span| shift.span(span));
         self.course.head = shift.resume(self.course.head);
     }
 

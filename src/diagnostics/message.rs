@@ -220,8 +220,8 @@ pub enum Message {
     G90AsAbsolute,
     /// I in a G92 block.
     LetterIInG92 { as_taper: bool },
-    /// G28 without an axis.
-    G28NoAxis,
+    /// G28 or G30 without an axis.
+    G28NoAxis { code: &'static str },
     /// P of G04 with a point.
     DwellWithPoint { word: String },
     /// G04 without a time.
@@ -296,8 +296,10 @@ pub enum Message {
     TaperNotExtended { taper: f64, needed: f64, crossing: f64, wanted: f64, axis: char },
     /// P or Q is missing in G70 to G73.
     ContourNotNamed { code: &'static str },
-    /// No block has the number that P or Q names, or Q comes before P.
+    /// No block has the number that P or Q names.
     ContourNotFound { word: String },
+    /// The block that Q names stands before that of P.
+    ContourReversed { first: u32, word: String },
     /// The first block of a contour does not move by G00 or G01.
     ContourFirstBlock { code: &'static str },
     /// A code that may not stand in a contour.
@@ -348,6 +350,8 @@ pub enum Message {
     CornerTooLarge { word: String },
     /// A corner between moves that form none.
     CornerNone { word: String },
+    /// A corner word in a block that has no straight cut or arc of its own.
+    CornerNoLine { word: String },
     /// The sign or axis of a corner word does not fit the next move.
     CornerAxis { word: String, alarm: &'static str },
     /// More than one corner word in a block.
@@ -650,7 +654,7 @@ impl Message {
             Self::ToolNumber { .. } => ("PS0043", "tool-number", Error, Some("PS0043")),
             Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
             Self::LetterIInG92 { .. } => ("W-G92-I", "letter-i-in-g92", Warning, None),
-            Self::G28NoAxis => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
+            Self::G28NoAxis { .. } => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
             Self::DwellWithPoint { .. } => ("PS0007", "dwell-with-point", Warning, Some("PS0007")),
             Self::DwellNoTime => ("W-DWELL-NO-TIME", "dwell-without-time", Warning, None),
             Self::AxisNotHere { .. } => ("N-AXIS", "axis-not-supported", Warning, None),
@@ -692,7 +696,9 @@ impl Message {
             Self::TaperBeyondStart { .. } => ("E-TAPER-R", "taper-beyond-start-point", Error, None),
             Self::TaperNotExtended { .. } => ("W-TAPER-NOT-EXTENDED", "taper-not-extended", Warning, None),
             Self::ContourNotNamed { .. } => ("PS0061", "contour-not-named", Error, Some("PS0061")),
-            Self::ContourNotFound { .. } => ("W-NS-NOT-FOUND", "contour-not-found", Error, Some("PS0063")),
+            Self::ContourNotFound { .. } | Self::ContourReversed { .. } => {
+                ("W-NS-NOT-FOUND", "contour-not-found", Error, Some("PS0063"))
+            }
             Self::ContourFirstBlock { .. } => ("PS0065", "contour-first-block", Error, Some("PS0065")),
             Self::ContourIllegal { .. } => ("PS0325", "code-not-allowed-in-contour", Error, Some("PS0325")),
             Self::ContourReachesOver { .. } => {
@@ -731,7 +737,9 @@ impl Message {
             Self::ThreadStartInside { .. } => ("W-THREAD-START", "thread-start-inside-crest", Warning, None),
             Self::CornerNoMove { .. } => ("PS0052", "corner-without-next-move", Error, Some("PS0052")),
             Self::CornerTooLarge { .. } => ("PS0055", "corner-too-large", Error, Some("PS0055")),
-            Self::CornerNone { .. } => ("PS0051", "no-corner-here", Error, Some("PS0051")),
+            Self::CornerNone { .. } | Self::CornerNoLine { .. } => {
+                ("PS0051", "no-corner-here", Error, Some("PS0051"))
+            }
             Self::CornerAxis { alarm, .. } => (alarm, "corner-axis", Error, Some(alarm)),
             Self::CornerTwice { .. } => ("PS0053", "two-corner-words", Error, Some("PS0053")),
             Self::CornerInThread { .. } => ("PS0050", "corner-in-thread", Error, Some("PS0050")),

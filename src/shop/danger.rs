@@ -104,6 +104,10 @@ const CLEAR: f64 = 10.0;
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
 
+/// How deep below the outside of the blank it is looked whether that still stands, and along how much of the way, mm.
+const SKIN: f64 = 0.05;
+const STANDS: f64 = 0.5;
+
 /// Whether a setup says anything that motions can be held against.
 pub fn can_be_found(setup: &Setup) -> bool {
     setup.stock.is_some() || setup.tailstock.is_some() || setup.machine.travel != Travel::default()
@@ -283,7 +287,7 @@ impl Watch {
                 return;
             }
         }
-        if let Some(at) = along_outside(&stock, motion) {
+        if let Some(at) = along_outside(&stock, motion, part) {
             self.tell(index, at, Danger::RapidAlongStock);
             return;
         }
@@ -371,13 +375,18 @@ fn near(stock: &Stock, outline: &[Point]) -> bool {
         && outline.iter().any(|point| point.z > stock.back())
 }
 
-/// A rapid that runs along the outside of the blank, and where it begins to.
-fn along_outside(stock: &Stock, motion: &Motion) -> Option<Point> {
+/// A rapid that runs along the outside of the blank where that still stands, and where it begins to.
+fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Point> {
     let (from, to) = (motion.from, motion.to);
     let on = |point: Point| (2.0 * point.x - stock.diameter).abs() <= 2.0 * ALONG;
     let (low, high) = (from.z.min(to.z).max(stock.back()), from.z.max(to.z).min(stock.face));
-    (on(from) && on(to) && high - low > ALONG)
-        .then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
+    if !on(from) || !on(to) || high - low <= ALONG {
+        return None;
+    }
+    let skin = [(from.x - SKIN, low), (from.x - SKIN, high), (from.x, high), (from.x, low)];
+    let (now, skin) = (part.now(), skin.map(|(x, z)| Point::new(x, z)));
+    let stands = now.meets(&skin) && now.in_common(&[skin]).area() > SKIN * STANDS.min((high - low) / 2.0);
+    stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 
 /// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for one that is straight

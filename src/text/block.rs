@@ -69,6 +69,8 @@ pub struct Block {
     pub faults: Vec<Diagnostic>,
     /// First byte of its macro statement, if it is one.
     pub statement: u32,
+    /// Where the statement ends, without the blanks and comments behind it.
+    pub statement_end: u32,
     /// Some words hold macro expressions.
     pub has_expressions: bool,
     /// It has more words than are kept.
@@ -84,6 +86,11 @@ impl Block {
     /// Whether a fault of its writing keeps it from being carried out.
     pub fn is_broken(&self) -> bool {
         self.faults.iter().any(|fault| fault.is_error())
+    }
+
+    /// Whether it has more words than are kept.
+    pub fn is_overlong(&self) -> bool {
+        self.overlong
     }
 
     /// Adds a word; a block that never ends is cut off with a fault rather than kept.
@@ -105,7 +112,8 @@ impl Block {
     }
 
     pub(super) fn fault(&mut self, fault: Diagnostic) {
-        if self.faults.len() < WORDS_PER_BLOCK {
+        // One fault, one message: words are likely to be torn where a block is cut off.
+        if self.faults.len() < WORDS_PER_BLOCK && (self.faults.is_empty() || !self.overlong) {
             self.faults.push(fault);
         }
     }
@@ -123,10 +131,11 @@ impl Block {
         self.faults.clear();
     }
 
-    /// From the first word to the last; the whole block where there is none.
+    /// From the first word to the last, or the macro statement; the whole block where there is neither.
     pub fn words_span(&self) -> Span {
         match (self.words.first(), self.words.last()) {
             (Some(first), Some(last)) => first.span.to(last.span),
+            _ if self.kind == BlockKind::Macro => Span { start: self.statement, end: self.statement_end },
             _ => self.span,
         }
     }

@@ -98,7 +98,8 @@ impl<'a> Parser<'a> {
                 block.faults.iter().all(|fault| !fault.is_error()) || decorates(span.of(self.lexer.text()));
             let severity = if harmless { Severity::Warning } else { Severity::Error };
             block.faults.clear();
-            block.fault(Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity));
+            let told = Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity);
+            block.fault(in_brackets(self.lexer.text(), told));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
         self.offer_addresses(block);
@@ -156,6 +157,13 @@ impl<'a> Parser<'a> {
     /// Reads one token, and whatever belongs to it; where the block's text ends, if that is its end.
     #[inline(never)]
     fn token(&mut self, block: &mut Block) -> Option<usize> {
+        // Before a token is made of all the full-width characters in a row: each word would be read to their end.
+        const FULL_WIDTH: u8 = 0xEF;
+        if self.lexer.peek_byte() == Some(FULL_WIDTH)
+            && self.misread_word(block, self.lexer.position() as u32)
+        {
+            return None;
+        }
         let Some(token) = self.lexer.next_token() else { return Some(self.lexer.position()) };
         match token.kind {
             TokenKind::Letter(letter) => self.letter(block, letter, token.span, None),
@@ -522,6 +530,7 @@ impl<'a> Parser<'a> {
     fn macro_statement(&mut self, block: &mut Block, first: Span) {
         block.kind = BlockKind::Macro;
         block.statement = first.start;
+        block.statement_end = first.end;
         while let Some(byte) = self.lexer.peek_byte() {
             if matches!(byte, b'\n' | b'\r' | b';') {
                 break;
@@ -535,7 +544,8 @@ impl<'a> Parser<'a> {
                     self.lexer.seek(token.span.start as usize);
                     break;
                 }
-                _ => {}
+                TokenKind::Blank => {}
+                _ => block.statement_end = token.span.end,
             }
         }
     }
@@ -572,7 +582,8 @@ impl<'a> Parser<'a> {
         (block.span, block.line) = (span, line);
         let remark = trimmed(text, span);
         block.comment(remark);
-        block.fault(Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark));
+        let told = Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
+        block.fault(in_brackets(text, told));
     }
 
     /// Goes to the end of the line.
@@ -655,6 +666,17 @@ fn without_second_point(word: &str) -> Option<String> {
     let rest = tail.replace('.', "");
     let sure = tail.starts_with('.') || tail.find('.') == Some(tail.len() - 1);
     sure.then(|| format!("{head}{rest}"))
+}
+
+/// Offers to put a remark in brackets, unless it has some of its own.
+fn in_brackets(text: &[u8], told: Diagnostic) -> Diagnostic {
+    match std::str::from_utf8(told.span.of(text)) {
+        Ok(remark) if !remark.is_empty() && !remark.contains(['(', ')']) => {
+            let fix = Fix::write(told.span, format!("({remark})")).safe();
+            told.with(fix)
+        }
+        _ => told,
+    }
 }
 
 /// The span without blanks at either end.

@@ -39,7 +39,7 @@ pub fn one_sign() -> Vec<Hostile> {
             &[&b"X-;".repeat(300_000)[..], "(外)".as_bytes()].concat(),
         ),
         bytes("minus signs of print", "E-BLOCK-TOO-LONG", 1, "X−1".as_bytes()),
-        bytes("words of a wide keyboard", "PS0009", 1, "Ｘ１".as_bytes()),
+        bytes("words of a wide keyboard", "E-BLOCK-TOO-LONG", 1, "Ｘ１".as_bytes()),
         bytes("X45s", "PS0005", 1, b"X45s\n"),
         bytes("X45s in one line", "E-BLOCK-TOO-LONG", 1, b"X45s "),
         bytes("commas for points", "W-OCR", 1, b"X1,5\n"),

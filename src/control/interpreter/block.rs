@@ -49,7 +49,23 @@ impl Interpreter {
             self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
             return Flow::Next;
         }
+        if block.is_overlong() {
+            return self.torn_block(text, block, here);
+        }
         self.words_of(text, block, here)
+    }
+
+    /// A block of which only the first words are known: they count, but nothing more is told of it, nor that what the
+    /// rest may have set is missing.
+    #[cold]
+    fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        self.muted = true;
+        let flow = self.words_of(text, block, here);
+        self.muted = false;
+        for once in [Once::NoFeed, Once::FeedZero, Once::SpindleStopped, Once::NoSpeedClamp] {
+            self.state.told.first(once);
+        }
+        flow
     }
 
     /// Carries out a block of words.
@@ -62,6 +78,7 @@ impl Interpreter {
             self.take(text, block, &mut request, &mut words, index, word);
         }
         self.technology(text, block, &request, &words);
+        let kept = self.kept();
         if request.drop {
             self.state.uncertain = true;
             self.forget_next_move();
@@ -76,6 +93,9 @@ impl Interpreter {
         if !request.moved {
             self.idle_block();
             self.watch_idle_blocks(block);
+        }
+        if self.state.unclamped.is_some() && (request.moved || self.kept() != kept) {
+            self.tell_speed_clamp();
         }
         if let Some(kind) = request.stop {
             self.stop(block, kind);
@@ -159,7 +179,7 @@ impl Interpreter {
                 self.settle_angle();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
-                    self.tell(Diagnostic::new(Message::CornerNone { word: quote(text, span) }, span));
+                    self.tell(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
                     request.drop = true;
                     return;
                 }
@@ -242,6 +262,9 @@ impl Interpreter {
     fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
         let state = &mut self.state;
         state.hole = None;
+        if mode != state.motion {
+            state.told.forget(Once::TaperNotExtended);
+        }
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
                 // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).

@@ -183,9 +183,13 @@ impl Interpreter {
     fn go_back(&mut self, text: &[u8], block: &Block, words: &Words) -> Flow {
         let named = words.get(b'P').and_then(plain).map(|number| number as u32);
         let Some(call) = self.state.course.calls.last_mut() else {
-            return match named {
-                Some(sequence) => self.go_to(text, block, sequence, words.span(b'P')),
-                None => self.main_again(text, block),
+            let behind = |at: &Resume| at.byte > block.span.start;
+            return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
+                // Ahead is a jump like any other.
+                Some((sequence, at)) if at.as_ref().is_none_or(behind) => {
+                    self.go_to(text, block, sequence, words.span(b'P'))
+                }
+                named => self.main_again(text, block, named.and_then(|(_, at)| at)),
             };
         };
         if named.is_none() && call.rounds > 1 {
@@ -241,8 +245,8 @@ impl Interpreter {
         self.state.uncertain = true;
     }
 
-    /// M99 of the main program: from its head once more, for ever.
-    fn main_again(&mut self, text: &[u8], block: &Block) -> Flow {
+    /// M99 of the main program: from its head, or from the block of P, once more, for ever.
+    fn main_again(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
         // Elsewhere: where to begin was decided already, by the setup or by this very search.
         if !self.begun_elsewhere {
             let labels = self.labels(text);
@@ -265,6 +269,6 @@ impl Interpreter {
         }
         self.wandered = true;
         self.jumped_by = Some(block.words_span());
-        Flow::Jump(self.state.course.head)
+        Flow::Jump(from.unwrap_or(self.state.course.head))
     }
 }

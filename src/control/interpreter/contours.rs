@@ -35,6 +35,10 @@ pub(super) struct FirstBlock {
     pub u_zero: bool,
     /// `W0`, the same for G71.
     pub w_zero: bool,
+    /// The word of X or U.
+    pub x_word: Span,
+    /// The word of Z or W.
+    pub z_word: Span,
 }
 
 /// What a shape is read for.
@@ -93,7 +97,8 @@ impl Interpreter {
         }
         if self.state.plane != Plane::Zx {
             let message = Message::CyclePlane { code, alarm: "PS0327" };
-            self.tell(Diagnostic::new(message, block.words_span()));
+            let span = block.words_span();
+            self.tell(Diagnostic::new(message, span).with(Fix::insert(span.start, "G18 ".to_owned())));
             return None;
         }
         let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
@@ -113,7 +118,11 @@ impl Interpreter {
         };
         if !self.labels(text).is_at_or_behind(last, begins.byte) {
             let word = words.quote(text, b'Q');
-            self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
+            let message = match self.labels(text).find(last, block.span.start) {
+                Some(_) => Message::ContourReversed { first, word },
+                None => Message::ContourNotFound { word },
+            };
+            self.tell(Diagnostic::new(message, words.span(b'Q')));
             return None;
         }
         let before = self.state.clone();
@@ -234,7 +243,7 @@ impl Interpreter {
             let uncertain = std::mem::replace(&mut self.state.uncertain, false);
             let flow = self.run(text, &block, here);
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
-                let span = Span { start: block.statement, end: block.span.end };
+                let span = block.words_span();
                 let word = shortened(&span.quote(text));
                 self.tell(Diagnostic::new(Message::ContourIllegal { word }, span));
                 sound = false;
@@ -301,6 +310,11 @@ impl Interpreter {
                 b'Z' => first.z = true,
                 b'U' => (first.x, first.u_zero) = (true, zero),
                 b'W' => (first.z, first.w_zero) = (true, zero),
+                _ => {}
+            }
+            match word.address {
+                b'X' | b'U' => first.x_word = word.span,
+                b'Z' | b'W' => first.z_word = word.span,
                 _ => {}
             }
         }

@@ -56,7 +56,8 @@ impl Interpreter {
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());
-        self.tell(Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity));
+        let told = Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity);
+        self.tell(told.with(Fix::insert(block.span.start, "G80\n".to_owned())));
         lenient
     }
 

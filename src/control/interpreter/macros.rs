@@ -61,9 +61,13 @@ impl Interpreter {
         };
         match action {
             Action::Done | Action::Print | Action::Pause { .. } => Flow::Next,
-            Action::Goto(sequence) => self.go_to(text, block, sequence, span),
+            Action::Goto(sequence) => self.go_to(text, block, sequence, block.words_span()),
             Action::Alarm { number, message } => {
-                let words = shortened(&within(message).quote(text));
+                let words = within(message);
+                let end = block.statement_end.max(if words.is_empty() { 0 } else { words.end + 1 });
+                let (words, span) = (shortened(&words.quote(text)), Span { end: end.min(span.end), ..span });
+                // What a control shows (semantics §8.4).
+                let number = number.saturating_add(3000);
                 self.tell_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
                 Flow::End
             }
@@ -92,7 +96,7 @@ impl Interpreter {
                     self.tell_macro(FaultKind::Format, words);
                     return Flow::Next;
                 }
-                (own.span, own.statement) = (block.span, block.statement);
+                own.span = block.span;
                 self.tell_faults(&own);
                 match own.is_broken() {
                     true => self.trace_fault(),
@@ -114,7 +118,7 @@ impl Interpreter {
             self.state.course.loops().truncate(open);
             return;
         }
-        self.tell_fault(fault, statement_span(block));
+        self.tell_fault(text, fault, statement_span(block));
         if let Some((Mark::Do, number)) = mark {
             self.end_of_loop(text, block, number, here);
             self.leave_loop(here);
@@ -131,14 +135,20 @@ impl Interpreter {
         self.state.course.loops().iter().rposition(is_own)
     }
 
-    fn tell_fault(&mut self, fault: &Fault, within: Span) {
+    fn tell_fault(&mut self, text: &[u8], fault: &Fault, within: Span) {
         let at = |place: usize| within.start + place as u32;
-        self.tell_macro(fault.kind, Span { start: at(fault.at.start), end: at(fault.at.end) });
+        let span = Span { start: at(fault.at.start), end: at(fault.at.end) };
+        self.tell_macro_with(fault.kind, span, repair(text, fault.kind, within, span));
     }
 
     fn tell_macro(&mut self, kind: FaultKind, span: Span) {
+        self.tell_macro_with(kind, span, None);
+    }
+
+    fn tell_macro_with(&mut self, kind: FaultKind, span: Span, fix: Option<Fix>) {
         self.trace_fault();
-        self.tell(Diagnostic::new(Message::Macro { kind }, span));
+        let told = Diagnostic::new(Message::Macro { kind }, span);
+        self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
         self.state.uncertain = true;
     }
 
@@ -157,7 +167,7 @@ impl Interpreter {
             let outer = loops[old].head.byte;
             let end = self.ends.get(&outer).copied().flatten();
             if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
-                self.tell_macro(FaultKind::LoopNumber, statement_span(block));
+                self.tell_macro(FaultKind::LoopNumber, block.words_span());
             } else {
                 // A jump out of a loop left it open.
                 self.state.course.loops().truncate(old);
@@ -185,7 +195,10 @@ impl Interpreter {
     /// END: back to the beginning of the loop.
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
-            self.tell_macro(FaultKind::LoopNumber, statement_span(block));
+            // The END of a DO that was told to have none: its number is wrong.
+            if !self.lacks_end {
+                self.tell_macro(FaultKind::LoopNumber, block.words_span());
+            }
             return Flow::Next;
         };
         let loops = self.state.course.loops();
@@ -196,7 +209,7 @@ impl Interpreter {
         }
         loops.truncate(old + 1);
         self.wandered = true;
-        self.jumped_by = Some(block.span);
+        self.jumped_by = Some(block.words_span());
         if self.count_round(block) { Flow::Jump(head) } else { Flow::End }
     }
 
@@ -204,7 +217,7 @@ impl Interpreter {
     fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
         let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.full {
-            self.tell_macro(FaultKind::EndMissing, statement_span(block));
+            self.tell_macro(FaultKind::EndMissing, block.words_span());
         }
         found
     }
@@ -240,6 +253,7 @@ impl Interpreter {
                 None => {}
             }
         }
+        self.lacks_end = true;
         self.ends.extend(open.into_iter().flatten().map(|head| (head, None)));
         None
     }
@@ -322,7 +336,7 @@ impl Interpreter {
             },
             Err(fault) => {
                 let start = word.span.start + letter as u32;
-                self.tell_fault(&fault, Span { start, end: word.span.end });
+                self.tell_fault(text, &fault, Span { start, end: word.span.end });
                 None
             }
         }
@@ -441,6 +455,72 @@ fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     }
     let at = statement.windows(2).rposition(|pair| pair.eq_ignore_ascii_case(b"DO"))?;
     Some((Mark::Do, number(&statement[at + 2..])?))
+}
+
+/// What a statement or expression with a fault at `span` was likely meant to be: a jump to a number that is written out,
+/// a comparison by its letters, square brackets in place of round ones.
+fn repair(text: &[u8], kind: FaultKind, within: Span, span: Span) -> Option<Fix> {
+    const SIGNS: [(&str, &str); 7] =
+        [("<>", "NE"), ("<=", "LE"), (">=", "GE"), ("==", "EQ"), ("=", "EQ"), (">", "GT"), ("<", "LT")];
+    if kind == FaultKind::JumpTarget {
+        let written = span.quote(text);
+        let digits = written.strip_prefix(['N', 'n', '#'])?.trim();
+        let is_number = (1..=8).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit());
+        return is_number.then(|| Fix::write(span, digits.to_owned()));
+    }
+    if !matches!(kind, FaultKind::Expression | FaultKind::Format) {
+        return None;
+    }
+    let rest = &text[span.start as usize..within.end as usize];
+    let compares = [&b"IF"[..], b"WHILE"].iter().any(|word| {
+        let head = within.of(text).get(..word.len());
+        head.is_some_and(|head| head.eq_ignore_ascii_case(word))
+    });
+    if compares
+        && let Some((sign, letters)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(sign.as_bytes()))
+    {
+        let end = span.start + sign.len() as u32;
+        let blank = |place: usize| text.get(place).is_none_or(|byte| *byte == b' ');
+        let before = if blank(span.start as usize - 1) { "" } else { " " };
+        let behind = if blank(end as usize) { "" } else { " " };
+        return Some(Fix::write(Span { start: span.start, end }, format!("{before}{letters}{behind}")));
+    }
+    square_brackets(text, within)
+}
+
+/// Square brackets in place of round ones that hold an expression rather than a remark.
+fn square_brackets(text: &[u8], within: Span) -> Option<Fix> {
+    let written = within.of(text);
+    let mut meant = written.to_vec();
+    let (mut at, mut is_sure) = (0, false);
+    while let Some(found) = written[at..].iter().position(|&byte| byte == b'(') {
+        let open = at + found;
+        // The bracket that closes it.
+        let mut depth = 0;
+        let closes = |byte: &u8| {
+            depth += i32::from(*byte == b'(') - i32::from(*byte == b')');
+            depth == 0
+        };
+        let close = open + written[open..].iter().position(closes)?;
+        let inside = &written[open + 1..close];
+        let counts = inside.iter().any(u8::is_ascii_digit)
+            && (inside.contains(&b'#') || !inside.iter().any(u8::is_ascii_alphabetic))
+            && inside.iter().all(|byte| byte.is_ascii_alphanumeric() || b" #.+-*/,[]()".contains(byte));
+        if counts {
+            is_sure = true;
+            let turned = |byte: &mut u8| match *byte {
+                b'(' => *byte = b'[',
+                b')' => *byte = b']',
+                _ => {}
+            };
+            meant[open..=close].iter_mut().for_each(turned);
+        }
+        at = close + 1;
+    }
+    let meant = String::from_utf8(meant).ok().filter(|_| is_sure)?;
+    let trimmed = meant.trim_end();
+    let end = within.start + trimmed.len() as u32;
+    Some(Fix::write(Span { end, ..within }, trimmed.to_owned()))
 }
 
 /// The macro statement of a block.

@@ -128,6 +128,17 @@ enum OneShot {
     NotSupported,
 }
 
+/// Groups of codes of which a block can have one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Exclusive {
+    Motion,
+    Surface,
+    Feed,
+    Compensation,
+    /// M03, M04, M05.
+    Spindle,
+}
+
 /// What the codes of one block ask for.
 #[derive(Default)]
 struct Request {
@@ -154,8 +165,8 @@ struct Request {
     extended_frame: Option<Span>,
     /// The motion of the block is not carried out.
     drop: bool,
-    /// The word of group 01 met so far.
-    motion_word: Option<Span>,
+    /// The words met so far of the groups that are looked at (`Exclusive`), and their numbers.
+    group_words: [Option<(u64, Span)>; 5],
     /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
     comma: [Option<usize>; 3],
     /// The block made a move of the path.
@@ -189,6 +200,8 @@ pub struct Interpreter {
     labels: Option<Labels>,
     /// Where loops go on behind their END, by the first byte of their DO; found when first asked for.
     ends: BTreeMap<u32, Option<Resume>>,
+    /// One of them has no END.
+    lacks_end: bool,
     /// Places of the contour cycles, for the picture.
     landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
@@ -217,6 +230,8 @@ pub struct Interpreter {
     trace: Option<Vec<Executed>>,
     /// The first fault in the writing of the block under way.
     fault: Option<Span>,
+    /// Nothing is told of the block under way any more.
+    muted: bool,
     /// Messages told, in order of place and name: what runs again is not told again.
     told: Vec<(u32, &'static str)>,
 }
@@ -246,6 +261,7 @@ impl Interpreter {
             purpose: None,
             labels: None,
             ends: BTreeMap::new(),
+            lacks_end: false,
             landmarks: Vec::new(),
             roughed: Vec::new(),
             jump: None,
@@ -260,6 +276,7 @@ impl Interpreter {
             heads: BTreeSet::new(),
             trace: None,
             fault: None,
+            muted: false,
             told: Vec::new(),
         }
     }
@@ -307,6 +324,7 @@ impl Interpreter {
     /// Makes the moves that wait for a next one: the program has ended.
     pub fn finish(&mut self) {
         self.settle();
+        self.tell_speed_clamp();
     }
 
     /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.
@@ -323,7 +341,7 @@ impl Interpreter {
     pub fn tell(&mut self, diagnostic: Diagnostic) {
         // One fault, one message: what is said of a whole block with a misspelt word is mostly its consequence.
         let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
-        if self.fault.is_some_and(about_all) {
+        if self.muted || self.fault.is_some_and(about_all) {
             return;
         }
         // What is off takes no room from the rest.

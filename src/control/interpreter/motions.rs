@@ -213,7 +213,7 @@ impl Interpreter {
         let plain_word = [b'C', b'R'].into_iter().find_map(|address| words.get(address));
         let Some(word) = comma.or(plain_word.filter(|_| !self.state.c_axis)) else { return true };
         let message = Message::CornerInThread { word: quote(text, word.span) };
-        self.tell(Diagnostic::new(message, word.span));
+        self.tell(Diagnostic::new(message, word.span).with(Fix::delete(text, word.span)));
         false
     }
 

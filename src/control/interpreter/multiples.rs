@@ -160,7 +160,10 @@ impl Interpreter {
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
             // A depth that is wrong in the first block was told there.
-            if depth.is_none() || words.get(b'D').is_some() {
+            if let Some(word) = words.get(b'D') {
+                let depth = plain(word);
+                self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, word.span));
+            } else if depth.is_none() {
                 self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));
             }
             return None;
@@ -216,7 +219,8 @@ impl Interpreter {
         let pockets = second_named && (idiom || second_moves);
         if second_named && !idiom && !second_moves {
             let other = if turning { 'Z' } else { 'X' };
-            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, shape.first_span));
+            let word = if turning { shape.first.z_word } else { shape.first.x_word };
+            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, word));
         }
         for axis in roughing::allowance_into_material(contour, how) {
             let (address, other) = match axis {
@@ -313,8 +317,12 @@ impl Interpreter {
                 parameters.relief =
                     Some(Point::new(length(b'U').unwrap_or(old.x), length(b'W').unwrap_or(old.z)));
             }
-            parameters.pattern_passes = words.get(b'R').and_then(plain).or(parameters.pattern_passes);
-            return self.pattern_passes(words, b'R').map(|_| ());
+            let old = parameters.pattern_passes.filter(|&passes| passes >= 1.0);
+            parameters.pattern_passes = words.get(b'R').and_then(plain).or(old);
+            let passes = self.pattern_passes(words, b'R');
+            // What is missing is told here, and not again of the second block.
+            self.state.parameters.pattern_passes.get_or_insert(0.0);
+            return passes.map(|_| ());
         }
         if words.has_any(letters(b"D")) {
             parameters.pattern_passes = words.get(b'D').and_then(plain);
@@ -322,6 +330,10 @@ impl Interpreter {
         }
         let shape = self.shape(text, block, words, "G73", Purpose::Roughing)?;
         self.go_on_behind(block, shape.begins, shape.ends);
+        let told = self.state.parameters.pattern_passes.is_some_and(|passes| passes < 1.0);
+        if told && words.get(b'D').is_none() {
+            return None;
+        }
         let passes = self.pattern_passes(words, b'D')?;
         let how = Pattern {
             relief: self.state.parameters.relief.unwrap_or_default(),
@@ -368,6 +380,10 @@ impl Interpreter {
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         if !words.has_any(AXES) {
             if let Some(retract) = length(b'R') {
+                if retract < 0.0 {
+                    let message = Message::ReliefNegative { word: words.quote(text, b'R') };
+                    self.tell(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
+                }
                 self.state.parameters.retract = retract.abs();
             }
             return Some(());

@@ -295,7 +295,7 @@ impl Interpreter {
                         }
                         Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
                     };
-                    self.tell(Diagnostic::new(message, routed.span));
+                    self.tell(Diagnostic::new(message, routed.words));
                     self.state.uncertain = true;
                 }
             }

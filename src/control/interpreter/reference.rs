@@ -28,7 +28,8 @@ impl Interpreter {
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
             if !words.has_any(letters(b"YV")) {
-                self.tell(Diagnostic::new(Message::G28NoAxis, block.words_span()));
+                let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
+                self.tell(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
             }
             return;
         }
@@ -108,7 +109,7 @@ impl Interpreter {
             true => self.reference_point(),
             false => Point::new(-offset.x, -offset.z),
         };
-        if from_reference && self.state.told.first(Once::MachineZero) {
+        if from_reference && !self.dialect.ref_point_given && self.state.told.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
             self.tell(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
         }

@@ -60,6 +60,7 @@ impl Interpreter {
             let other_text = quote(text, other.span);
             self.tell(Diagnostic::new(Message::PolarNotAlone { code, other: other_text }, other.span));
             request.drop = true;
+            self.leave_plane_refused(switch);
             return;
         }
         if switch == Switch::Off && self.state.virtual_plane.is_none() {
@@ -68,6 +69,7 @@ impl Interpreter {
         }
         if self.compensates_at(block, code) {
             request.drop = true;
+            self.leave_plane_refused(switch);
             return;
         }
         match switch {
@@ -95,6 +97,9 @@ impl Interpreter {
         let Some(radius) = radius.filter(|&radius| radius >= 0.0 && block.words.len() == 2) else {
             self.tell(Diagnostic::new(Message::CylinderFormat, block.words_span()));
             request.drop = true;
+            if radius == Some(0.0) {
+                self.leave_plane_refused(Switch::Off);
+            }
             return;
         };
         if radius == 0.0 && self.state.virtual_plane.is_none() {
@@ -103,6 +108,7 @@ impl Interpreter {
         }
         if self.compensates_at(block, "G07.1") {
             request.drop = true;
+            self.leave_plane_refused(if radius == 0.0 { Switch::Off } else { Switch::On });
             return;
         }
         if radius == 0.0 {
@@ -142,6 +148,15 @@ impl Interpreter {
             self.state.compensating = None;
             self.state.position = plane.surface.machine(self.state.position, plane.third.1);
             self.state.c = plane.angle;
+        }
+    }
+
+    /// A code that ends the plane is refused: what follows is written for the plane of turning all the same. One fault,
+    /// one message.
+    fn leave_plane_refused(&mut self, switch: Switch) {
+        if switch == Switch::Off && self.state.virtual_plane.is_some() {
+            self.leave_plane();
+            self.state.compensation = Compensation::Off;
         }
     }
 
@@ -277,7 +292,7 @@ impl Interpreter {
     #[inline]
     pub(super) fn routed(&self, block: &Block, motion: Motion) -> Routed {
         let third = self.state.virtual_plane.map(|plane| plane.third);
-        Routed { motion, span: block.span, line: block.line, third, stop: None }
+        Routed { motion, span: block.span, words: block.words_span(), line: block.line, third, stop: None }
     }
 
     /// What the machine does for a motion of a virtual plane.
@@ -301,7 +316,7 @@ impl Interpreter {
         (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
         let distance = way.distance_from_center();
         if plane.surface == Surface::Face && distance < CENTER && self.state.told.first(Once::PolarCenter) {
-            self.tell(Diagnostic::new(Message::PolarCenter { distance }, routed.span));
+            self.tell(Diagnostic::new(Message::PolarCenter { distance }, routed.words));
         }
         routed
     }

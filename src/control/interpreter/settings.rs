@@ -26,6 +26,11 @@ impl Interpreter {
         }
         if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
             let spindle = &mut self.state.spindle;
+            if spindle.still != (value == 0.0) {
+                spindle.still = value == 0.0;
+                self.state.told.forget(Once::SpindleStopped);
+            }
+            let spindle = &mut self.state.spindle;
             if spindle.surface {
                 spindle.cutting_speed = value;
             } else {
@@ -34,6 +39,7 @@ impl Interpreter {
         }
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
             self.state.feed = Some(value);
+            self.state.told.forget(Once::FeedZero);
             self.state.feed_is_old = false;
             self.state.feed_use = FeedUse::Open;
             self.state.threads_per_inch = None;
@@ -57,6 +63,10 @@ impl Interpreter {
         let begins = surface && !spindle.surface;
         let kept = if surface { spindle.rpm } else { spindle.cutting_speed };
         let changes = surface != spindle.surface && words.get(b'S').is_none() && kept > 0.0;
+        if !surface {
+            self.state.unclamped = None;
+        }
+        let spindle = &mut self.state.spindle;
         spindle.surface = surface;
         if changes {
             let code = if surface { "G96" } else { "G97" };
@@ -65,7 +75,17 @@ impl Interpreter {
         }
         let spindle = &self.state.spindle;
         if begins && spindle.highest.is_none() {
-            self.tell(Diagnostic::new(Message::NoSpeedClamp, words.span(b'S')));
+            self.state.unclamped = Some(words.span(b'S'));
+        }
+    }
+
+    /// A motion under G96 without a highest speed: once in a program.
+    #[inline(never)]
+    pub(super) fn tell_speed_clamp(&mut self) {
+        if let Some(span) = self.state.unclamped.take()
+            && self.state.told.first(Once::NoSpeedClamp)
+        {
+            self.tell(Diagnostic::new(Message::NoSpeedClamp, span));
         }
     }
 
@@ -89,7 +109,8 @@ impl Interpreter {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
             self.tell(Diagnostic::new(message, word.span));
         }
-        if station > 999 {
+        // Six digits are three and three: `T010101` would be offset 101.
+        if station > 999 || digits > 6 || (digits == 6 && offset > 99) {
             self.tell(Diagnostic::new(Message::ToolNumber { word: quote(text, word.span) }, word.span));
             return;
         }
@@ -123,8 +144,7 @@ impl Interpreter {
                 let motion = Motion { seconds: Some(seconds), ..motion };
                 self.wait_here(self.routed(block, motion));
             }
-            Some(_) => {}
-            None => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
+            _ => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
         }
     }
 
@@ -145,7 +165,9 @@ impl Interpreter {
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);
+            self.state.unclamped = None;
         }
+        let spindle = &mut self.state.spindle;
         if let Some(lowest) = words.get(b'Q').and_then(plain) {
             spindle.lowest = Some(lowest);
         }

@@ -32,6 +32,19 @@ impl Interpreter {
         if !words.has_any(AXES) {
             return;
         }
+        if let Some(index) = request.comma.into_iter().flatten().next() {
+            let span = block.words[index].span;
+            let word = quote(text, span);
+            let told = match cycle {
+                Single::Threading => {
+                    Diagnostic::new(Message::CornerInThread { word }, span).with(Fix::delete(text, span))
+                }
+                Single::Turning | Single::Facing => Diagnostic::new(Message::CornerNoLine { word }, span),
+            };
+            self.tell(told);
+            request.drop = true;
+            return;
+        }
         let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.get(address).is_some());
         if let Some(address) = other {
             let message = Message::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
@@ -195,6 +208,7 @@ impl Interpreter {
         if let Some(stock) = self.setup.stock
             && let Some(message) =
                 crate::diagnostics::rules::taper_not_extended(cycle, start, end, taper, stock)
+            && self.state.told.first(Once::TaperNotExtended)
         {
             let mut told = Diagnostic::new(message, span);
             if let Message::TaperNotExtended { needed, .. } = told.message

@@ -166,7 +166,7 @@ impl Interpreter {
     }
 
     fn unknown_system(&mut self, block: &Block, variable: u32) {
-        self.tell(Diagnostic::new(Message::SystemVariable { variable }, block.span));
+        self.tell(Diagnostic::new(Message::SystemVariable { variable }, block.words_span()));
     }
 
     /// A column of a tool offset, mm: as the program wrote it, else as the setup says.

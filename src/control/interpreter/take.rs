@@ -56,8 +56,15 @@ impl Interpreter {
             self.unknown_g(text, request, tenths, word);
             return;
         };
-        if found.group == 1 {
-            self.note_motion_word(text, request, word.span);
+        let group = match found.group {
+            1 => Some(Exclusive::Motion),
+            2 => Some(Exclusive::Surface),
+            5 => Some(Exclusive::Feed),
+            7 => Some(Exclusive::Compensation),
+            _ => None,
+        };
+        if let (Some(group), Some(key)) = (group, tenths) {
+            self.note_group(text, request, group, key, word.span);
         }
         if self.state.virtual_plane.is_some() && !self.may_stand_in_plane(text, found.code, word) {
             request.drop = true;
@@ -147,13 +154,16 @@ impl Interpreter {
         request.drop = true;
     }
 
-    /// Two different codes of group 01 in a block: the last is valid. The other groups are rarely met twice.
-    #[inline(never)]
-    fn note_motion_word(&mut self, text: &[u8], request: &mut Request, span: Span) {
-        if let Some(before) = request.motion_word.replace(span)
-            && quote(text, before) != quote(text, span)
+    /// Two different codes of a group in a block: the last is valid, but M05 acts at the end of the block.
+    fn note_group(&mut self, text: &[u8], request: &mut Request, group: Exclusive, key: u64, span: Span) {
+        const STOP: u64 = 5;
+        if let Some((other, before)) = request.group_words[group as usize].replace((key, span))
+            && other != key
         {
-            let (dropped, used) = (quote(text, before), quote(text, span));
+            let (mut dropped, mut used) = (quote(text, before), quote(text, span));
+            if group == Exclusive::Spindle && other == STOP {
+                std::mem::swap(&mut dropped, &mut used);
+            }
             let fixes = [before, span].map(|span| Fix::delete(text, span));
             let told = Diagnostic::new(Message::SameGroup { dropped, used }, span);
             self.tell(Diagnostic { fixes: fixes.into(), ..told });
@@ -162,6 +172,10 @@ impl Interpreter {
 
     #[inline(never)]
     fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+        let code = codes::m_code(number);
+        if matches!(code, Some(M::Spindle(_))) {
+            self.note_group(text, request, Exclusive::Spindle, number, word.span);
+        }
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match number {
@@ -169,7 +183,7 @@ impl Interpreter {
             9 => state.coolant = false,
             _ => {}
         }
-        match codes::m_code(number) {
+        match code {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
                 state.spindle.turn = turn;

@@ -14,7 +14,9 @@ impl Interpreter {
             Some(_) if self.purpose == Some(contours::Purpose::Roughing) => return true,
             Some(feed) if feed > 0.0 => feed,
             Some(_) => {
-                self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                if self.state.told.first(Once::FeedZero) {
+                    self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                }
                 request.drop = true;
                 return false;
             }
@@ -77,7 +79,7 @@ impl Interpreter {
             self.watch_checklist(block);
         }
         let spindle = &self.state.spindle;
-        if spindle.turn == SpindleTurn::Stopped
+        if (spindle.turn == SpindleTurn::Stopped || spindle.still)
             && !spindle.live_tool
             && self.state.told.first(Once::SpindleStopped)
         {

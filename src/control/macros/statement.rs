@@ -156,6 +156,11 @@ fn assignment(reader: &mut Evaluator) -> Result<Action, Fault> {
 }
 
 fn jump(reader: &mut Evaluator) -> Result<Action, Fault> {
+    // `GOTO N10`: the number stands alone.
+    let (start, mut ahead) = (reader.cursor.start(), reader.cursor);
+    if ahead.eat(b'N') && ahead.number().is_some() {
+        return Err(FaultKind::JumpTarget.at(ahead.since(start)));
+    }
     let value = reader.term()?;
     let target = count(value.or_zero()?).filter(|target| (1..=LARGEST_SEQUENCE).contains(target));
     let target = target.ok_or_else(|| FaultKind::JumpTarget.at(value.at.clone()))?;

@@ -20,8 +20,8 @@ use std::borrow::Cow;
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
-use crate::diagnostics::levels::{known, nearest};
-use crate::diagnostics::{Diagnostic, Levels, Message, Severity};
+use crate::diagnostics::levels::{self, known};
+use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
 use crate::text::source::Span;
 
 /// Notes stand in the first bytes of a text: so many are looked at.
@@ -55,6 +55,8 @@ pub struct NoteFault {
     pub span: Span,
     /// The words that can stand there.
     pub expected: Cow<'static, str>,
+    /// The word that its key was likely meant to be.
+    pub nearest: Option<&'static str>,
 }
 
 /// A word of a note: `KEY=value`, or a name alone.
@@ -112,12 +114,19 @@ impl Notes {
     pub fn diagnostics(&self, faults: Vec<Fault>, text: &[u8]) -> Vec<Diagnostic> {
         let words = self.faults.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
-            Diagnostic::new(Message::NoteWord { word, expected: fault.expected.clone() }, fault.span)
+            let key = word.split('=').next().map_or(0, str::len) as u32;
+            let told =
+                Diagnostic::new(Message::NoteWord { word, expected: fault.expected.clone() }, fault.span);
+            let key = Span { end: fault.span.start + key, ..fault.span };
+            let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
+            Diagnostic { fixes: fix.into_iter().collect(), ..told }
         });
-        let values = faults.into_iter().map(|Fault { key, value, need }| {
+        let values = faults.into_iter().filter_map(|Fault { key, value, need }| {
             let place = self.places.iter().rfind(|place| key.starts_with(&place.0));
             let span = place.map_or(Span::new(0, 0), |place| place.1);
-            Diagnostic::new(Message::SetupValue { key, value, need }, span)
+            // One fault, one message: what a word that cannot be read was to set is missing.
+            let is_consequence = self.faults.iter().any(|fault| place.is_some() && span.contains(fault.span));
+            (!is_consequence).then(|| Diagnostic::new(Message::SetupValue { key, value, need }, span))
         });
         words.chain(values).collect()
     }
@@ -167,7 +176,7 @@ impl Notes {
         let expected = "T and four digits, such as T0101";
         let Some((name, rest)) = words.split_first() else { return };
         let Some(key) = tool_name(&name.key) else {
-            self.faults.push(NoteFault { span: name.span, expected: expected.into() });
+            self.faults.push(NoteFault { span: name.span, expected: expected.into(), nearest: None });
             return;
         };
         let mut tool = Tool::default();
@@ -183,10 +192,11 @@ impl Notes {
             return;
         }
         let may_look = self.faults.len() < NEAREST;
-        let name = name.or_else(|| if may_look { nearest(&word.key) } else { None });
+        let nearest = if name.is_none() && may_look { levels::nearest(&word.key) } else { None };
+        let name = name.or(nearest);
         let expected = name.map(|name| format!("{}=OFF (INFO, WARNING, ERROR)", name.to_ascii_uppercase()));
         let expected = expected.map_or(RULE_WORDS.into(), Cow::from);
-        self.faults.push(NoteFault { span: word.span, expected });
+        self.faults.push(NoteFault { span: word.span, expected, nearest });
     }
 
     fn stands(&mut self, key: &str, span: Span) {
@@ -224,10 +234,46 @@ impl Notes {
             let read = fields.iter().find(is_meant).map(|field| (field, field.entry.read(word.value)));
             match read {
                 Some((field, Ok(value))) => (field.set)(own, &value),
-                _ => self.faults.push(NoteFault { span: word.span, expected: expected.into() }),
+                read => {
+                    let known = fields.iter().map(|field| field.word);
+                    let nearest = if read.is_none() { nearest(&word.key, known) } else { None };
+                    self.faults.push(NoteFault { span: word.span, expected: expected.into(), nearest });
+                }
             }
         }
     }
+}
+
+/// The word that differs least from one that is misspelt, if by little: a letter too many, too few or another, or two
+/// letters in each other's place.
+fn nearest(key: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
+    const SHORTEST: usize = 3;
+    let near = known
+        .filter(|word| word.len() >= SHORTEST)
+        .map(|word| (distance(key.as_bytes(), word.as_bytes()), word));
+    near.filter(|(edits, word)| *edits <= word.len() / 3).min().map(|(_, word)| word)
+}
+
+/// Letters to change, put in, take out or exchange with their neighbour to make one word of the other.
+fn distance(a: &[u8], b: &[u8]) -> usize {
+    const LONGEST: usize = 32;
+    if a.len() > LONGEST {
+        return usize::MAX;
+    }
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for (i, letter) in a.iter().enumerate() {
+        let mut row = vec![i + 1];
+        for (j, other) in b.iter().enumerate() {
+            let mut least =
+                (rows[i][j + 1] + 1).min(row[j] + 1).min(rows[i][j] + usize::from(letter != other));
+            if i > 0 && j > 0 && a[i - 1] == *other && b[j - 1] == *letter {
+                least = least.min(rows[i - 1][j - 1] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
 }
 
 /// A tool's name in four digits: T1 is tool 1 with offset 1. Nothing for what is no T word.

@@ -106,6 +106,7 @@ impl Message {
             | Self::CornerNoMove { word }
             | Self::CornerTooLarge { word }
             | Self::CornerNone { word }
+            | Self::CornerNoLine { word }
             | Self::CornerAxis { word, .. }
             | Self::CornerInThread { word }
             | Self::CornerWithCompensation { word }
@@ -128,7 +129,6 @@ impl Message {
             | Self::DataPassedOver
             | Self::G90AsAbsolute
             | Self::LetterIInG92 { .. }
-            | Self::G28NoAxis
             | Self::DwellNoTime
             | Self::CAxisNotConnected
             | Self::LiveToolStopped
@@ -159,6 +159,7 @@ impl Message {
             Self::MoreMessages { hidden } => vec![("hidden", Count(*hidden as i64))],
             Self::Stopped { seconds } => vec![("seconds", Number(*seconds))],
             Self::CallNoNumber { code }
+            | Self::G28NoAxis { code }
             | Self::HoleNoDepth { code }
             | Self::HoleOfOthers { code }
             | Self::PlaneCompensation { code }
@@ -221,6 +222,9 @@ impl Message {
                 ("wanted", Number(*wanted)),
                 ("axis", Letter(*axis)),
             ],
+            Self::ContourReversed { first, word } => {
+                vec![("first", Count(i64::from(*first))), ("word", Text(word))]
+            }
             Self::ContourReachesOver { code, word, line } => {
                 vec![("code", Text(code)), ("word", Text(word)), ("line", Count(i64::from(*line)))]
             }

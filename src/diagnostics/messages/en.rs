@@ -50,7 +50,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             A control keeps only one program under a number.",
         NoEnd => "The program ends without M30 or M02.\n\
             Put M30 at the end: without it the control stops with an alarm, and spindle and coolant keep running.",
-        MoreMessages => "{hidden} more messages are not shown.\n\
+        MoreMessages => "Messages not shown: {hidden}.\n\
             Mend the first ones; later ones are often their consequence.",
         TooManyMotions => "The program makes more than {most} motions; the rest is not shown.\n\
             Is an amount in a cycle far too small?",
@@ -67,7 +67,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             A program that calls itself, or two that call each other, never end.",
         NoReturn => "This subprogram ends without M99.\n\
             A control stops here with an alarm. The picture goes on behind the call.",
-        EndlessMain => "M99 in a main program goes back to its head, for ever; one round is drawn.\n\
+        EndlessMain => "M99 in a main program makes it begin again, for ever; one round is drawn.\n\
             That is usual with a bar feeder. As a subprogram, called by M98 from another, it would return to its caller. Write M30 to end the program.",
         TooManyRepeats => "From here more than {most} blocks were run by jumps, loops and calls; the run ends.\n\
             The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call.",
@@ -87,7 +87,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroUnknownFunction => "There is no such function.\n\
             SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, with their values in `[ ]`.",
         MacroExpression => "This expression cannot be read.\n\
-            Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values.",
+            Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values. Comparisons are EQ NE GT GE LT LE, not `=` and `>`.",
         MacroBracketOpen => "This `[` has no `]`.",
         MacroNumberOrCondition => "A condition stands where a number belongs, or a number where a condition belongs.\n\
             A condition compares: `[#1 GT 10]`, with EQ NE GT GE LT LE.",
@@ -103,7 +103,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroLoopNumber => "The number of a loop is 1, 2 or 3, and END belongs to a DO that runs.",
         MacroWordsBehind => "A macro statement must have its block to itself.\n\
             Put the words of the machine in a block of their own.",
-        MacroJumpTarget => "GOTO needs a sequence number from 1 to 99999.",
+        MacroJumpTarget => "GOTO needs a sequence number from 1 to 99999999, without the letter N: `GOTO 10`.",
         MacroArgumentLetter => "This letter cannot hand an argument to a macro.\n\
             G, L, N, O and P cannot be used.",
         MacroAlarm => "The program stops itself with alarm {number}: {words}\n\
@@ -163,12 +163,12 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
         LetterIIsThreads => "I in G92 was read as threads per inch.\n\
             FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
-        G28NoAxis => "G28 names no axis, so nothing moves.\n\
-            Write G28 U0 W0 to send both axes home.",
+        G28NoAxis => "{code} names no axis, so nothing moves.\n\
+            Write U0 W0 behind {code} to send both axes there.",
         DwellWithPoint => "`{word}` has a point; it was read as seconds.\n\
             FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere.",
         DwellNoTime => "G04 has no time, so it does not wait.\n\
-            Write X or U in seconds, or P in milliseconds.",
+            Write X or U in seconds, or P in milliseconds, greater than zero. F is no time.",
         AxisNotHere => "The Y axis of `{word}` is not supported here: only X, Z and C are drawn.\n\
             The moves of X and Z are drawn all the same, faint from here on. Said once.",
         PlaneNotHere => "Arcs in the plane of {word} are not supported here outside G12.1.\n\
@@ -212,7 +212,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         FeedNotRepeatedPerMinute => "After G98 the old F{feed} now counts as mm per minute.\n\
             Write F anew whenever the feed mode changes.",
         SpindleStopped => "The tool cuts while the spindle stands still.\n\
-            Start the spindle with M03 or M04 before the first cut.",
+            Start the spindle with M03 or M04 and a speed S greater than zero before the first cut.",
         NoSpeedClamp => "G96 without a highest spindle speed.\n\
             Towards the centre the speed rises without bound. Give a limit first, such as G50 S2000.",
         ClampReversed => "The lowest spindle speed Q{lowest} is above the highest S{highest}.",
@@ -224,6 +224,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The radius must be at least {least} mm, half the distance. X counts as a diameter.",
         ArcEndOffCircle => "The end point is not on the circle: the centre is {start_radius} mm from the start but {end_radius} mm from the end.\n\
             I is a radius value from the start point to the centre, K the same along Z; both have a sign.",
+        ArcNoRadius => "I and K are zero: the centre is the start point, so the arc has no radius.\n\
+            I is a radius value from the start point to the centre, K the same along Z; or give the radius with R.",
         ArcRadiusNegative => "This control does not take R{radius}.\n\
             Give arcs of more than 180° with I and K.",
         ArcNowhere => "The arc ends where it begins, so with R nothing moves.\n\
@@ -238,6 +240,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P names the first block of the contour by its N number, Q the last.",
         ContourNotFound => "No block has the number that `{word}` names.\n\
             P names the first block of the contour, Q the last, which must stand behind it in the same program.",
+        ContourReversed => "The block that `{word}` names stands before N{first}, which P names.\n\
+            P names the first block of the contour, Q the last. Were P and Q exchanged?",
         ContourFirstBlock => "The first block of the contour of {code} does not move by G00 or G01.\n\
             It takes the tool from the start point to where the contour begins.",
         ContourIllegal => "`{word}` may not stand between P and Q.\n\
@@ -273,7 +277,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Pecks and steps have no sign: the direction follows from the end point.",
         PeckMissing => "{code} moves this axis but has no {address}.\n\
             P is the amount along X (radius), Q along Z.",
-        ReliefNegative => "The relief `{word}` cannot be negative here.\n\
+        ReliefNegative => "The relief or retract `{word}` cannot be negative here.\n\
             Its direction follows from the steps.",
         AmountInMillimetres => "`{word}` was read as mm (inches under G20).\n\
             FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide.",
@@ -285,13 +289,15 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
         ThreadNoFirstDepth => "G76 needs a first depth Q larger than zero.\n\
             P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
-        ThreadStartInside => "G76 starts at X{start}, inside the crest of the thread at X{crest}.\n\
+        ThreadStartInside => "G76 starts at X{start}, at or inside the crest of the thread at X{crest}.\n\
             The tool returns to the start X after every pass: it must clear the work.",
         CornerNoMove => "`{word}` has no straight move behind it to form a corner with.\n\
             The next block must move by G01 (G02 and G03 for `,C` and `,R`).",
         CornerTooLarge => "`{word}` is larger than the moves beside it.",
         CornerNone => "`{word}`: these two moves form no corner.\n\
             The path goes straight on or turns back on itself.",
+        CornerNoLine => "`{word}`: there is no corner in this block.\n\
+            A chamfer or a rounded corner needs a move by G01 (G02 and G03 for `,C` and `,R`); rapids and cycles have none.",
         CornerAxis => "`{word}` does not fit the next move.\n\
             Without a comma, a chamfer or radius joins a move along one axis to a move along the other; its sign is the direction of the next move.",
         CornerTwice => "`{word}` and `{other}` both ask for a corner; a block can have one.",
@@ -420,13 +426,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         StopBehindMove => "M05 stands in a block with a move: the spindle stops once the move is done.\n\
             Write it in a block of its own where the order matters.",
         SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
-            The picture goes on without it: what is wrong counts as not given.",
+            The picture goes on without it: a blank, tool or tailstock with a wrong value counts as not given.",
         SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\
-            The picture goes on without it: what is wrong counts as not given.",
+            The picture goes on without it: a blank, tool or tailstock with a wrong value counts as not given.",
         SetupBelow => "`{key}` of the setup is {value}; it must be less than {most}.\n\
-            A bore fits inside the bar, and jaws hold less than the whole of it. What is wrong counts as not given.",
+            A bore fits inside the bar, and jaws hold less than the whole of it. A blank or tool with a wrong value counts as not given.",
         SetupAtMost => "`{key}` of the setup is {value}; it can be {most} at most.\n\
-            Lengths are in millimetres, angles in degrees. What is wrong counts as not given.",
+            Lengths are in millimetres, angles in degrees. A blank, tool or tailstock with a wrong value counts as not given.",
         NoteWord => "`{word}` is nothing a setup comment can say.\n\
             Here can stand: {expected}",
         PartTooManyMotions => "The program has more than {most} motions: the path is shown, but not the part, and no collision is looked for.\n\
@@ -452,7 +458,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         SlopeTooSteep => "The contour falls by {slope}°, but the edge behind the tip lets this tool follow only {follows}°.\n\
             The trailing edge takes off material beside the contour. Use an insert with a smaller point angle, or cut from the other side.",
         BelowCenter => "The cut goes to X{x}, beyond the spindle axis.\n\
-            Facing ends at X0, or past it by twice the nose radius. Beyond that the edge rubs against work that moves the other way.",
+            Facing ends at X0, or past it by the nose radius, in X twice as much. Beyond that the edge rubs against work that moves the other way.",
         OverTravel => "{axis}{to} is beyond the travel of the machine, which ends at {axis}{limit}.\n\
             The control stops there. Check sign and point of the number, or the travel in the setup.",
     }

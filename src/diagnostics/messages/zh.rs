@@ -67,7 +67,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             程序调用自身，或两个程序互相调用，永远不会结束。",
         NoReturn => "该子程序结尾没有 M99。\n\
             系统在此报警停止；图形从调用处之后继续。",
-        EndlessMain => "主程序中的 M99 返回程序开头，无限循环；图中只画一遍。\n\
+        EndlessMain => "主程序中的 M99 使程序从头再来，无限循环；图中只画一遍。\n\
             自动送料加工常这样写。作为子程序由 M98 调用时，则返回调用它的程序。结束程序请写 M30。",
         TooManyRepeats => "从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。\n\
             循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。",
@@ -87,7 +87,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroUnknownFunction => "没有这个函数。\n\
             可用 SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD，自变量写在 `[ ]` 内。",
         MacroExpression => "无法读取该表达式。\n\
-            写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。",
+            写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。比较用 EQ NE GT GE LT LE，不用 `=`、`>`。",
         MacroBracketOpen => "该 `[` 没有对应的 `]`。",
         MacroNumberOrCondition => "应为数值处写了条件，或应为条件处写了数值。\n\
             条件用于比较：`[#1 GT 10]`，可用 EQ NE GT GE LT LE。",
@@ -103,7 +103,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         MacroLoopNumber => "循环号为 1、2 或 3，且 END 要与正在执行的 DO 对应。",
         MacroWordsBehind => "宏语句必须单独一段。\n\
             把 NC 指令写在另一段。",
-        MacroJumpTarget => "GOTO 需要 1～99999 的顺序号。",
+        MacroJumpTarget => "GOTO 需要 1～99999999 的顺序号，不写字母 N：`GOTO 10`。",
         MacroArgumentLetter => "该地址不能作为宏的自变量。\n\
             不能使用 G、L、N、O、P。",
         MacroAlarm => "程序自身发出报警 {number}：{words}\n\
@@ -163,12 +163,12 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
         LetterIIsThreads => "G92 中的 I 已按每英寸牙数读取。\n\
             FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
-        G28NoAxis => "G28 没有指定轴，刀具不动。\n\
-            要让两轴都返回参考点，请写 G28 U0 W0。",
+        G28NoAxis => "{code} 没有指定轴，刀具不动。\n\
+            要让两轴都返回该点，请在 {code} 后写 U0 W0。",
         DwellWithPoint => "`{word}` 带小数点，按秒读取。\n\
             FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。",
         DwellNoTime => "G04 没有写时间，不会暂停。\n\
-            请用 X 或 U 指定秒数，或用 P 指定毫秒数。",
+            请用 X 或 U 指定秒数，或用 P 指定毫秒数，都要大于零。F 不是时间。",
         AxisNotHere => "这里不支持 `{word}` 的 Y 轴：只画 X、Z 和 C。\n\
             X 和 Z 的运动照常画出，此后以淡色表示。只提示一次。",
         PlaneNotHere => "这里不支持 G12.1 以外 {word} 平面的圆弧。\n\
@@ -212,7 +212,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         FeedNotRepeatedPerMinute => "改用 G98 后，原来的 F{feed} 按 mm/min 计算。\n\
             改变进给方式后，要重新写 F。",
         SpindleStopped => "主轴没有转，刀具就在切削。\n\
-            切削之前，请先用 M03 或 M04 启动主轴。",
+            切削之前，请先用 M03 或 M04 启动主轴，转速 S 要大于零。",
         NoSpeedClamp => "用了 G96 恒线速，却没有限制主轴最高转速。\n\
             越靠近中心，转速升得越高，没有上限。请先限速，如 G50 S2000。",
         ClampReversed => "主轴最低转速 Q{lowest} 高于最高转速 S{highest}。",
@@ -224,6 +224,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             半径至少要 {least} mm，即距离的一半。注意 X 是直径值。",
         ArcEndOffCircle => "终点不在圆上：圆心到起点是 {start_radius} mm，到终点却是 {end_radius} mm。\n\
             I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量，都带正负号。",
+        ArcNoRadius => "I 和 K 都是零：圆心就是起点，圆弧没有半径。\n\
+            I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量；也可用 R 指定半径。",
         ArcRadiusNegative => "本系统不接受 R{radius}。\n\
             大于 180° 的圆弧请用 I、K 编程。",
         ArcNowhere => "圆弧的终点就是起点，用 R 编程时刀具不动。\n\
@@ -238,6 +240,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P 是精加工路线第一个程序段的顺序号，Q 是最后一个程序段的顺序号。",
         ContourNotFound => "找不到 `{word}` 指定的程序段。\n\
             P 指定精加工路线的第一段，Q 指定最后一段；两段要在同一个程序中，Q 段在 P 段之后。",
+        ContourReversed => "`{word}` 指定的程序段在 P 指定的 N{first} 之前。\n\
+            P 指定精加工路线的第一段，Q 指定最后一段。P 和 Q 是不是写反了？",
         ContourFirstBlock => "{code} 精加工路线的第一段没有用 G00 或 G01 移动。\n\
             这一段要把刀具从循环起点移到轮廓的起点。",
         ContourIllegal => "`{word}` 不能写在 P 段到 Q 段之间。\n\
@@ -273,7 +277,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             啄式进给量和移动量不带正负号，方向由终点坐标决定。",
         PeckMissing => "{code} 在这个轴上有移动，却没有写 {address}。\n\
             P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量。",
-        ReliefNegative => "这里的让刀量 `{word}` 不能是负值。\n\
+        ReliefNegative => "这里的让刀量或退刀量 `{word}` 不能是负值。\n\
             让刀方向由每次移动的方向决定。",
         AmountInMillimetres => "`{word}` 已按 mm（G20 时按英寸）读取。\n\
             FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
@@ -292,6 +296,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。",
         CornerNone => "`{word}`：这两段移动之间没有拐角。\n\
             轨迹是一直向前，或者原路折返。",
+        CornerNoLine => "`{word}`：这个程序段没有拐角。\n\
+            倒角和倒圆角要写在 G01 的移动中（`,C`、`,R` 也可用于 G02、G03）；快速移动和循环没有拐角。",
         CornerAxis => "`{word}` 与下一段移动不符。\n\
             不带逗号的倒角、倒圆，前后两段要分别沿不同的轴移动；正负号表示下一段的移动方向。",
         CornerTwice => "`{word}` 和 `{other}` 都是倒角指令，一个程序段只能有一个。",
@@ -420,13 +426,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         StopBehindMove => "M05 与移动写在同一段：移动完成后主轴才停。\n\
             如果先后次序重要，请单独写一段。",
         SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
-            错误的值按未给出处理，图形照常显示。",
+            毛坯、刀具或尾座有一个值错误，就整个按未给出处理，图形照常显示。",
         SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\
-            错误的值按未给出处理，图形照常显示。",
+            毛坯、刀具或尾座有一个值错误，就整个按未给出处理，图形照常显示。",
         SetupBelow => "设置中的 `{key}` 为 {value}，必须小于 {most}。\n\
-            内孔要小于外径，卡爪夹持长度要小于毛坯长度。错误的值按未给出处理。",
+            内孔要小于外径，卡爪夹持长度要小于毛坯长度。毛坯或刀具有一个值错误，就整个按未给出处理。",
         SetupAtMost => "设置中的 `{key}` 为 {value}，最大为 {most}。\n\
-            长度单位为毫米，角度单位为度。错误的值按未给出处理。",
+            长度单位为毫米，角度单位为度。毛坯、刀具或尾座有一个值错误，就整个按未给出处理。",
         NoteWord => "设置注释中不能写 `{word}`。\n\
             这里可以写：{expected}",
         PartTooManyMotions => "程序的刀具运动超过 {most} 段：只显示轨迹，不计算零件，也不检查碰撞。\n\
@@ -452,7 +458,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         SlopeTooSteep => "轮廓下降 {slope}°，而这把刀的副切削刃只允许 {follows}°。\n\
             副切削刃会切掉轮廓旁的材料。请用刀尖角较小的刀片，或从另一侧切削。",
         BelowCenter => "切削到 X{x}，超过了主轴中心。\n\
-            车端面到 X0 为止，或再过两倍刀尖圆弧半径。再往前，刀刃会与反向运动的工件摩擦。",
+            车端面到 X0 为止，或再过一个刀尖圆弧半径，X 值为其两倍。再往前，刀刃会与反向运动的工件摩擦。",
         OverTravel => "{axis}{to} 超出机床行程，行程到 {axis}{limit} 为止。\n\
             系统会在那里停止并报警。请检查数值的正负号和小数点，或设置中的行程。",
     }

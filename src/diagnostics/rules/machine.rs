@@ -31,7 +31,8 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagn
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
-    let (x, z) = (2.0 * finding.at.x, finding.at.z);
+    let hundredth = |length: f64| (100.0 * length).round() / 100.0;
+    let (x, z) = (hundredth(2.0 * finding.at.x), hundredth(finding.at.z));
     match finding.danger {
         Danger::RapidThroughStock => Message::RapidThroughStock { x, z },
         Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
@@ -50,8 +51,9 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
         }
         Danger::BelowCenter => Message::BelowCenter { x },
         Danger::OverTravel { axis, limit } => match axis {
-            Axis::X => Message::OverTravel { axis: 'X', to: x, limit },
-            Axis::Z => Message::OverTravel { axis: 'Z', to: z, limit },
+            // Unrounded: it may be a little beyond.
+            Axis::X => Message::OverTravel { axis: 'X', to: 2.0 * finding.at.x, limit },
+            Axis::Z => Message::OverTravel { axis: 'Z', to: finding.at.z, limit },
         },
         Danger::ToolNotListed { station } => {
             let offset = motions.get(finding.motion).process.tool.1;
