@@ -447,6 +447,21 @@ impl Run {
             let levels = &self.interpreter.setup().rules;
             let told: Vec<_> =
                 told.into_iter().filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
+            let turned = |told: &Diagnostic| {
+                matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
+            };
+            let mut told = told;
+            if told.iter().any(turned) {
+                // The allowance is right, and what the contour does is a consequence.
+                let follows = |old: &Diagnostic| {
+                    matches!(old.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
+                };
+                let gravest = self.sorted.iter().filter(|old| follows(old)).map(|old| old.severity).max();
+                self.sorted.retain(|old| !follows(old));
+                for one in told.iter_mut().filter(|one| turned(one)) {
+                    one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
+                }
+            }
             self.sorted.extend(told);
         }
         sort_by_place(&mut self.sorted);

@@ -3,8 +3,8 @@
 
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
-use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::diagnostics::rules::machine;
+use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::shop::Shop;
 use gcode_playground::text::source::LineIndex;
 
@@ -229,40 +229,6 @@ fn virtual_planes() {
     check(&format!("{head}G1 X70\nG7.1 C30\nC10\n   M30\n// ^^^ W-POLAR-END"));
 }
 
-/// The one door of levels: slug and severity of all messages, those of the machine among them.
-#[track_caller]
-fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
-    let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
-    analysis.look_at_machine();
-    let told: Vec<_> =
-        analysis.diagnostics.iter().map(|found| (found.message.slug(), found.severity)).collect();
-    assert_eq!(told, expected, "{setup}\n{program}");
-}
-
-#[test]
-fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
-    use Severity::{Error, Info, Warning};
-    let program = "G00 X50 Z2\nG777\nG00 X60";
-    let end = ("no-program-end", Warning);
-    check_levels("{}", program, &[("unknown-g-code", Error), end]);
-    let lower = r#"{"rules": {"unknown-g-code": "info"}}"#;
-    check_levels(lower, program, &[("unknown-g-code", Info), end]);
-    check_levels(
-        r#"{"rules": {"unknown-g-code": "off", "no-program-end": "error"}}"#,
-        program,
-        &[(end.0, Error)],
-    );
-    // A comment goes before the setup, rule by rule, wherever other comments of the setup stand.
-    let noted = format!("O0001\n(Rules unknown-g-code=Warning)\n{program}");
-    check_levels(lower, &noted, &[("unknown-g-code", Warning), end]);
-    check_levels(r#"{"rules": {"no-program-end": "off"}}"#, &noted, &[("unknown-g-code", Warning)]);
-    check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG777", &[]);
-    // What is told of the setup itself, and of where a program comes from, has levels as well.
-    check_levels("{}", "(RULES SETUP-COMMENT=ERROR QQQ=1)\nM30", &[("setup-comment", Error)]);
-    check_levels(
-        r#"{"rules": {"program-for-another-control": "warning"}}"#,
-        "%_N_PART_MPF\nG0 X=R1\nCYCLE95(\"A\",1)",
-        &[("program-for-another-control", Warning)],
 #[test]
 fn a_macro_statement_is_marked_without_its_number_and_remark() {
     check("N1 IF[1EQ1]GOTO 50 (AWAY)\n// ^^^^^^^^^^^^^^^ PS0128\nG0 X1");
@@ -365,52 +331,11 @@ fn numbers_and_words_are_named_as_they_are_written() {
 }
 
 #[test]
-fn messages_of_the_machine_have_levels_too() {
-    let program = "(STOCK D=60 LENGTH=80)\nT0101 M3 S500\nG00 X70 Z2\nG00 X40 Z-30\nG00 Z2\nM30\n";
-    let usual = |program: &str, levels: &str| {
-        let mut analysis = analyze(format!("{program}{levels}").as_bytes(), &Setup::default());
-        analysis.look_at_machine();
-        let of_rule = |found: &&Diagnostic| found.message.slug() == "rapid-through-stock";
-        analysis.diagnostics.iter().filter(of_rule).map(|found| found.severity).max()
-    };
-    assert_eq!(usual(program, ""), Some(Severity::Error));
-    assert_eq!(usual(program, "(RULES RAPID-THROUGH-STOCK=INFO)"), Some(Severity::Info));
-    assert_eq!(usual(program, "(RULES RAPID-THROUGH-STOCK=OFF)"), None);
-}
-
-#[test]
-fn a_level_changes_no_motion() {
-    let program = "G00 X50 Z2\nG01 X40 Y3 F0.1\nG777 X9\nG00 X60\nM30";
-    let usual = analyze(program.as_bytes(), &Setup::default());
-    let rules: Vec<String> =
-        usual.diagnostics.iter().map(|found| format!("\"{}\": \"off\"", found.message.slug())).collect();
-    let setup = format!(r#"{{"rules": {{{}}}}}"#, rules.join(", "));
-    let quiet = analyze(program.as_bytes(), &Setup::from_json(&setup).expect("setup"));
-    assert!(usual.diagnostics.iter().any(Diagnostic::is_error));
-    assert_eq!(quiet.diagnostics, []);
-    let ends = |analysis: &gcode_playground::run::Analysis| -> Vec<_> {
-        analysis.motions.iter().map(|motion| (motion.to.x, motion.to.z, motion.process.uncertain)).collect()
-    };
-    assert_eq!(ends(&quiet), ends(&usual));
-}
-
-/// What is off takes no room from what is told.
-#[test]
-fn what_is_off_is_not_counted() {
-    let program = "G777\n".repeat(50) + "Z1..2\nM30";
-    let setup = |rules: &str| format!(r#"{{"limits": {{"messages": 10}}, "rules": {rules}}}"#);
-    let told = |rules: &str| -> Vec<_> {
-        let setup = Setup::from_json(&setup(rules)).expect("setup");
-        let analysis = analyze(program.as_bytes(), &setup);
-        analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
-    };
-    assert_eq!(told("{}").len(), 11);
-    assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
 fn places_at_the_machine_are_told_in_hundredths() {
     let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
     let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
     let shop = Shop::done(&analysis.motions, &setup);
-    let told = machine::diagnostics(&shop, &analysis.motions);
+    let told = machine::diagnostics(&shop, &analysis.motions, &setup.rules);
     let sentence = told.first().expect("told").message.sentence(Default::default()).message;
     let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     assert!(
@@ -484,4 +409,85 @@ fn repairs_of_what_was_likely_meant() {
     check_fix("#1=1\nIF[#1>=1]GOTO 5\nN5 M30", "#1=1\nIF[#1 GE 1]GOTO 5\nN5 M30");
     check_fix("GOTO N10\nN10 M30", "GOTO 10\nN10 M30");
     check_fix("GOTO #10\nN10 M30", "GOTO 10\nN10 M30");
+}
+
+/// The one door of levels: slug and severity of all messages, those of the machine among them.
+#[track_caller]
+fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
+    let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
+    analysis.look_at_machine();
+    let told: Vec<_> =
+        analysis.diagnostics.iter().map(|found| (found.message.slug(), found.severity)).collect();
+    assert_eq!(told, expected, "{setup}\n{program}");
+}
+
+#[test]
+fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
+    use Severity::{Error, Info, Warning};
+    let program = "G00 X50 Z2\nG777\nG00 X60";
+    let end = ("no-program-end", Warning);
+    check_levels("{}", program, &[("unknown-g-code", Error), end]);
+    let lower = r#"{"rules": {"unknown-g-code": "info"}}"#;
+    check_levels(lower, program, &[("unknown-g-code", Info), end]);
+    check_levels(
+        r#"{"rules": {"unknown-g-code": "off", "no-program-end": "error"}}"#,
+        program,
+        &[(end.0, Error)],
+    );
+    // A comment goes before the setup, rule by rule, wherever other comments of the setup stand.
+    let noted = format!("O0001\n(Rules unknown-g-code=Warning)\n{program}");
+    check_levels(lower, &noted, &[("unknown-g-code", Warning), end]);
+    check_levels(r#"{"rules": {"no-program-end": "off"}}"#, &noted, &[("unknown-g-code", Warning)]);
+    check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG777", &[]);
+    // What is told of the setup itself, and of where a program comes from, has levels as well.
+    check_levels("{}", "(RULES SETUP-COMMENT=ERROR QQQ=1)\nM30", &[("setup-comment", Error)]);
+    check_levels(
+        r#"{"rules": {"program-for-another-control": "warning"}}"#,
+        "%_N_PART_MPF\nG0 X=R1\nCYCLE95(\"A\",1)",
+        &[("program-for-another-control", Warning)],
+    );
+}
+
+#[test]
+fn messages_of_the_machine_have_levels_too() {
+    let program = "(STOCK D=60 LENGTH=80)\nT0101 M3 S500\nG00 X70 Z2\nG00 X40 Z-30\nG00 Z2\nM30\n";
+    let usual = |program: &str, levels: &str| {
+        let mut analysis = analyze(format!("{program}{levels}").as_bytes(), &Setup::default());
+        analysis.look_at_machine();
+        let of_rule = |found: &&Diagnostic| found.message.slug() == "rapid-through-stock";
+        analysis.diagnostics.iter().filter(of_rule).map(|found| found.severity).max()
+    };
+    assert_eq!(usual(program, ""), Some(Severity::Error));
+    assert_eq!(usual(program, "(RULES RAPID-THROUGH-STOCK=INFO)"), Some(Severity::Info));
+    assert_eq!(usual(program, "(RULES RAPID-THROUGH-STOCK=OFF)"), None);
+}
+
+#[test]
+fn a_level_changes_no_motion() {
+    let program = "G00 X50 Z2\nG01 X40 Y3 F0.1\nG777 X9\nG00 X60\nM30";
+    let usual = analyze(program.as_bytes(), &Setup::default());
+    let rules: Vec<String> =
+        usual.diagnostics.iter().map(|found| format!("\"{}\": \"off\"", found.message.slug())).collect();
+    let setup = format!(r#"{{"rules": {{{}}}}}"#, rules.join(", "));
+    let quiet = analyze(program.as_bytes(), &Setup::from_json(&setup).expect("setup"));
+    assert!(usual.diagnostics.iter().any(Diagnostic::is_error));
+    assert_eq!(quiet.diagnostics, []);
+    let ends = |analysis: &gcode_playground::run::Analysis| -> Vec<_> {
+        analysis.motions.iter().map(|motion| (motion.to.x, motion.to.z, motion.process.uncertain)).collect()
+    };
+    assert_eq!(ends(&quiet), ends(&usual));
+}
+
+/// What is off takes no room from what is told.
+#[test]
+fn what_is_off_is_not_counted() {
+    let program = "G777\n".repeat(50) + "Z1..2\nM30";
+    let setup = |rules: &str| format!(r#"{{"limits": {{"messages": 10}}, "rules": {rules}}}"#);
+    let told = |rules: &str| -> Vec<_> {
+        let setup = Setup::from_json(&setup(rules)).expect("setup");
+        let analysis = analyze(program.as_bytes(), &setup);
+        analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
+    };
+    assert_eq!(told("{}").len(), 11);
+    assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
 }

@@ -115,7 +115,7 @@ fn stands_at(mutant: &Mutant, correct: &Correct, told: &Diagnostic) -> bool {
     let same_line = |at: usize| line(&mutant.text, from) == line(&mutant.text, at);
     match mutant.place {
         Place::At(start, end) => touches(start, end),
-        Place::Needed(at, Need::Word(start, end)) => same_line(at) || touches(start, end),
+        Place::Needed(at, Need::Word(start, end)) => same_line(at) || same_line(start) || touches(start, end),
         Place::Needed(at, Need::End) => same_line(at) || to + 2 >= mutant.text.trim_end().len(),
         Place::Needed(at, Need::Cut) => {
             // The first block from there on that cuts in the correct program.

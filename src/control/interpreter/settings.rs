@@ -109,10 +109,15 @@ impl Interpreter {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
             self.tell(Diagnostic::new(message, word.span));
         }
-        // Six digits are three and three: `T010101` would be offset 101.
-        if station > 999 || digits > 6 || (digits == 6 && offset > 99) {
-            self.tell(Diagnostic::new(Message::ToolNumber { word: quote(text, word.span) }, word.span));
-            return;
+        // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
+        let beyond = station > 999 || digits > 6;
+        if beyond || (digits == 6 && offset > 99) {
+            let severity = if beyond { Severity::Error } else { Severity::Warning };
+            let message = Message::ToolNumber { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            if beyond {
+                return;
+            }
         }
         let station = if digits <= 2 { self.state.tool.0 } else { station as u16 };
         self.state.tool = (station, offset as u16);

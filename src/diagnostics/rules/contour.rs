@@ -71,5 +71,7 @@ pub fn pattern_remarks(contour: &Contour, relief: f64, stock: Option<Stock>) -> 
         air += if middle >= radius { length } else { 0.0 };
     }
     let share = (100.0 * air / whole).round();
-    (whole > 0.0 && share > 50.0).then_some(Message::PatternAir { share })
+    // Who stands off by no more than there is to remove means the whole of it.
+    let needed = radius - low;
+    (whole > 0.0 && share > 50.0 && relief > needed + NEAR).then_some(Message::PatternAir { share })
 }

@@ -34,7 +34,7 @@ pub fn pass_not_deeper(
         Single::Facing => (pass.end.z - pass.start.z).signum(),
         _ => (pass.end.x - pass.start.x).signum(),
     };
-    (same && side(own) == side(before) && other <= NEAR && deep <= NEAR)
+    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR)
         .then_some(Message::PassNotDeeper { word, deepest })
 }
 

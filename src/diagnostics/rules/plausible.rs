@@ -26,6 +26,9 @@ struct Word {
     block: usize,
 }
 
+/// What a chamfer or a rounded corner may take off a move, mm.
+const CORNER: f64 = 5.0;
+
 /// What a block is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
@@ -48,6 +51,10 @@ struct Row {
     arc: bool,
     /// It moves at rapid, as far as the text tells.
     rapid: bool,
+    /// It stands in a contour, P to Q.
+    contour: bool,
+    /// Its sequence number.
+    sequence: Option<u32>,
     /// A tool is called, or the program ends: what stands behind has nothing to do with what stood before.
     parts: bool,
 }
@@ -86,8 +93,8 @@ pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Ve
 }
 
 const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
-/// G04, G10, G28, G30, G50, G52, G53, G65, G66; the hole cycles, whose R and Q are no places.
-const SETTINGS: [u64; 15] = [4, 10, 28, 30, 50, 52, 53, 65, 66, 83, 84, 85, 87, 88, 89];
+/// G04, G10, G28, G30, G50, G52, G53, G65, G66.
+const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
 
 impl<'a> Program<'a> {
     fn read(text: &'a [u8], motions: &'a Motions, most: usize) -> Option<Self> {
@@ -117,6 +124,8 @@ impl<'a> Program<'a> {
                     match number.mantissa {
                         code if SETTINGS.contains(&code) => role = Role::Other,
                         74..=76 if has(b"XZ") => role = Role::Deep,
+                        // R and Q of a hole are no places.
+                        83 | 84 | 85 | 87 | 88 | 89 => role = Role::Deep,
                         code if MULTIPLE.contains(&code) => role = Role::Other,
                         0 => rapid = true,
                         1 | 32 | 34 | 90 | 92 | 94 => rapid = false,
@@ -153,11 +162,14 @@ impl<'a> Program<'a> {
                 motions: None,
                 arc,
                 rapid,
+                contour: false,
+                sequence: block.sequence,
                 parts,
             });
         }
         let mut program = Self { text, rows, words, motions, unit: if inch { 25.4 } else { 1.0 } };
         program.match_motions();
+        program.find_contours();
         Some(program)
     }
 
@@ -171,6 +183,23 @@ impl<'a> Program<'a> {
                 Some((_, end)) if *end == index => *end = index + 1,
                 Some(_) => {}
                 none => *none = Some((index, index + 1)),
+            }
+        }
+    }
+
+    /// Which blocks stand in a contour that a cycle before them names.
+    fn find_contours(&mut self) {
+        for index in 0..self.rows.len() {
+            let words = self.words_of(&self.rows[index]);
+            let cycle = words.iter().any(|word| word.address == b'G' && (71.0..=73.0).contains(&word.value));
+            let named =
+                |address: u8| words.iter().find(|word| word.address == address).map(|word| word.value as u32);
+            let (true, Some(first), Some(last)) = (cycle, named(b'P'), named(b'Q')) else { continue };
+            let at = |number: u32| {
+                (index + 1..self.rows.len()).find(|&row| self.rows[row].sequence == Some(number))
+            };
+            if let (Some(first), Some(last)) = (at(first), at(last)) {
+                self.rows[first.min(last)..=last].iter_mut().for_each(|row| row.contour = true);
             }
         }
     }
@@ -258,6 +287,8 @@ impl<'a> Program<'a> {
         usual.sort_by_key(|&(decimals, count)| (std::cmp::Reverse(count), decimals));
         let mut decimals: Vec<u8> = usual.into_iter().map(|(decimals, _)| decimals).collect();
         decimals.extend([1, 2, 3]);
+        // Others have it at their end.
+        decimals.push(0);
         let digits = written.bytes().filter(u8::is_ascii_digit).count();
         let mut texts: Vec<String> = Vec::new();
         for places in decimals.into_iter().filter(|&places| usize::from(places) < digits) {
@@ -363,9 +394,14 @@ impl<'a> Program<'a> {
                         let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
                         behind.negative && low <= meant && meant <= high && word.value > before.value + 0.001
                     }
+                    // A contour leads into the work, and so does an arc.
+                    None if row.contour && before.value >= 0.0 && !self.rows[before.block].contour => {
+                        word.value > before.value + 0.001
+                    }
+                    None if row.arc && before.value.abs() < 0.001 => true,
                     // The last of a row that went on that way: no retreat goes so far.
                     None => {
-                        let near = word.value <= 3.0 * before.value.abs() + 20.0;
+                        let near = word.value <= 3.0 * before.value.abs() && word.value * self.unit >= 5.0;
                         before.negative && meant < before.value && near && !self.rows[before.block].rapid
                     }
                 };
@@ -467,13 +503,17 @@ impl<'a> Program<'a> {
 
     /// Whether the motions of a block cut toward +Z to `place`, in front of the work, where cuts begin at `front`.
     fn leads_away(&self, from: usize, to: usize, place: f64, front: f64) -> bool {
-        let goes_there =
-            |motion: &Motion| (motion.to.z - place).abs() < 0.001 && motion.to.z > motion.from.z + 0.001;
+        // A corner takes off a little at the end.
+        let reaches = |z: f64| (place - CORNER..=place + 0.001).contains(&z);
+        let goes_there = |motion: &Motion| reaches(motion.to.z) && motion.to.z > motion.from.z + 0.001;
         let leaves = |motion: &Motion| {
-            motion.cycle.is_some_and(|tag| matches!(tag.step, Step::Retract | Step::Return | Step::PullOut))
+            motion.cycle.is_some_and(|tag| matches!(tag.step, Step::Retract | Step::Return))
         };
         let mut motions = (from..to).map(|index| self.motions.get(index));
         let first = self.motions.get(from);
+        if first.rotary.is_some() || first.virtual_move().is_some() {
+            return false;
+        }
         if first.cycle.is_some() {
             // The infeed of G94 leads to its Z.
             let infeed = |motion: &Motion| motion.cycle.is_some_and(|tag| tag.step == Step::Infeed);
