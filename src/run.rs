@@ -14,7 +14,7 @@ use crate::control::origin::{self, Foreign};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
-use crate::diagnostics::{Diagnostic, Message, rules, sort_by_place};
+use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
 use crate::shop::{Shop, danger};
 use crate::text::block::Block;
@@ -438,7 +438,8 @@ impl Run {
         if self.origin.foreign.is_some() || self.stopped {
             // Nothing was run, or not all of it.
         } else if self.blocks > most || motions.len() > 10 * most {
-            self.sorted.push(Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0)));
+            let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
+            self.sorted.extend(self.interpreter.setup().rules.graded(told));
         } else {
             let sound = !self.sorted.iter().any(Diagnostic::is_error);
             let told = rules::plausible::remarks(&self.text, motions, sound, most);
@@ -464,7 +465,33 @@ impl Run {
             }
             self.sorted.extend(told);
         }
+        for told in &mut self.sorted {
+            offer(told, &self.text);
+        }
         sort_by_place(&mut self.sorted);
         self.finished = true;
+    }
+}
+
+/// Adds the repairs that need the text around a message.
+fn offer(told: &mut Diagnostic, text: &[u8]) {
+    match told.message {
+        Message::NoEnd if told.fixes.is_empty() => {
+            let end = text.trim_ascii_end();
+            // Before the sign that ends the tape, or another program.
+            let (at, insert) = match told.span.end as usize {
+                _ if end.ends_with(b"%") && told.span.end as usize == end.len() => (end.len() - 1, "M30\n"),
+                at if at == end.len() => (at, "\nM30"),
+                _ => (told.span.start as usize, "M30\n"),
+            };
+            told.fixes.push(Fix::insert(at as u32, insert.to_owned()).safe());
+        }
+        Message::NoSpeedClamp => {
+            let before = &text[..told.span.start as usize];
+            let at =
+                before.iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';')).map_or(0, |end| end + 1);
+            told.fixes = vec![Fix::insert(at as u32, "G50 S2000\n".to_owned())];
+        }
+        _ => {}
     }
 }

@@ -426,7 +426,7 @@ pub enum Message {
     /// The first pass of a taper is very deep at one end.
     TaperEdge { depth: f64 },
     /// A pass of a cycle that cuts nothing.
-    PassNotDeeper { word: String, deepest: f64 },
+    PassNotDeeper { word: String, axis: char, deepest: f64 },
     /// A cycle that starts far from the work.
     AirCut { axis: char, distance: f64 },
     /// A facing cycle that starts behind the face.
@@ -438,7 +438,7 @@ pub enum Message {
     /// The tool leaves a bore sideways.
     BoreRetract { x: f64, z: f64 },
     /// The step of a groove is as wide as the blade.
-    GrooveStep { step: f64, width: f64 },
+    GrooveStep { word: String, step: f64, width: f64 },
     /// The retract of a roughing pass is larger than the pass.
     EscapeTooLarge { escape: f64, depth: f64 },
     /// The contour does not begin where the cycle starts.
@@ -474,7 +474,7 @@ pub enum Message {
     /// The program is too long for its numbers to be compared with each other.
     NotCompared { most: usize },
     /// A cut without coolant.
-    CoolantOff { tool: String },
+    CoolantOff,
     /// No G98 or G99 before the first cut.
     FeedModeNotNamed,
     /// A cut before any T.
@@ -816,7 +816,7 @@ impl Message {
             Self::DuplicateSequence { .. } => ("W-DUP-N", "sequence-number-twice", Warning, None),
             Self::ArcOverHalf { .. } => ("W-ARC-OVER-HALF", "arc-over-half-circle", Warning, None),
             Self::NotCompared { .. } => ("I-NOT-COMPARED", "numbers-not-compared", Info, None),
-            Self::CoolantOff { .. } => ("W-COOLANT", "coolant-off", Off, None),
+            Self::CoolantOff => ("W-COOLANT", "coolant-off", Off, None),
             Self::FeedModeNotNamed => ("W-FEED-MODE-MISSING", "feed-mode-not-named", Off, None),
             Self::ToolNotNamed => ("W-NO-TOOL", "tool-not-named", Off, None),
             Self::FeedOnlyForFinishing { .. } => ("W-F-IN-CONTOUR", "feed-only-for-finishing", Off, None),

@@ -113,7 +113,9 @@ impl Interpreter {
         };
         let Some(begins) = roughed.or_else(|| self.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
-            self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P')));
+            let told = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
+            let fix = number_missing(text, block.span.end, first, false);
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         };
         if !self.labels(text).is_at_or_behind(last, begins.byte) {
@@ -122,8 +124,28 @@ impl Interpreter {
                 Some(_) => Message::ContourReversed { first, word },
                 None => Message::ContourNotFound { word },
             };
-            self.tell(Diagnostic::new(message, words.span(b'Q')));
+            let fix = match message {
+                Message::ContourNotFound { .. } => number_missing(text, begins.byte, last, true),
+                _ => None,
+            };
+            let told = Diagnostic::new(message, words.span(b'Q'));
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
+        }
+        // A number that is searched for and stands twice within its contour.
+        for (address, number) in [(b'P', first), (b'Q', last)] {
+            let again = self.labels(text).find(number, begins.byte.max(block.span.start));
+            let other = again.filter(|again| again.byte > begins.byte);
+            let other = match address {
+                b'P' => other,
+                _ => other
+                    .and_then(|first| self.labels(text).find(number, first.byte))
+                    .filter(|next| Some(*next) != again && next.byte > begins.byte),
+            };
+            if let Some(other) = other.filter(|_| purpose == Purpose::Roughing) {
+                let message = Message::DuplicateSequence { sequence: number, line: other.line + 1 };
+                self.tell(Diagnostic::new(message, words.span(address)));
+            }
         }
         let before = self.state.clone();
         let outer = self.recorded.replace(Vec::new());
@@ -394,4 +416,38 @@ impl Shape {
         let own = usize::from(self.moves.first().is_some_and(|routed| routed.span == self.first_span));
         self.moves.get(piece + own).or(self.moves.last())
     }
+}
+
+/// A sequence number for the block that begins a contour, behind byte `from`, or for the one that ends it: the last before the
+/// tool leaves, another cycle or another tool.
+fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
+    /// A contour of more blocks is not searched.
+    const BLOCKS: usize = 500;
+    let mut parser = Parser::resume(text, Resume::inside(from, 0));
+    let mut block = Block::default();
+    let mut found = None;
+    for count in 0..BLOCKS {
+        if !parser.next_block(&mut block) {
+            break;
+        }
+        let moves = block.words.iter().any(|word| b"XZUW".contains(&word.address));
+        let rapid = block.words.iter().any(|word| word.address == b'G' && plain(word) == Some(0.0));
+        let leaves = block.words.iter().any(|word| match word.address {
+            b'G' => plain(word).is_some_and(|code| code >= 28.0 && !(40.0..=42.0).contains(&code)),
+            b'T' | b'M' => true,
+            _ => false,
+        });
+        if last && count > 0 && (leaves || rapid) {
+            break;
+        }
+        if block.span.start < from || !moves || leaves {
+            continue;
+        }
+        found = Some((block.span.start, block.sequence.is_none()));
+        if !last {
+            break;
+        }
+    }
+    let (at, free) = found?;
+    free.then(|| Fix::insert(at, format!("N{number} ")))
 }

@@ -139,6 +139,9 @@ impl Interpreter {
         if self.state.compensation != Compensation::Off {
             self.watch_compensation_side(block, from, to);
         }
+        if self.state.tap.is_some() {
+            self.watch_tap_leaving(block, to);
+        }
         if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
             return;
         }
@@ -337,6 +340,11 @@ impl Interpreter {
             return;
         };
         self.leave_compensation();
+        let tap = self.state.position.x.abs() <= crate::geometry::SAME && to.x.abs() <= crate::geometry::SAME;
+        if tap && self.state.spindle.surface {
+            // Said of the tap.
+            let _said = self.state.told.first(Once::ThreadAtSurfaceSpeed);
+        }
         if !self.watch_thread(text, block, words, code)
             || !self.no_corner_in_thread(text, block, request, words)
         {

@@ -24,7 +24,7 @@ const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 const NEAR: f64 = 0.001;
 
 /// A least depth of G76 beyond this, mm, is no depth that somebody meant.
-const LEAST_DEPTH: f64 = 5.0;
+const LEAST_DEPTH: f64 = 1.0;
 
 impl Interpreter {
     pub(super) fn multiple(
@@ -422,9 +422,10 @@ impl Interpreter {
         if let (Some(width), Some(step)) = (width, stepover)
             && cycle == Multiple::Grooving
             && (end.z - start.z).abs() > NEAR
-            && step >= width - NEAR
+            // Far apart they are grooves of their own.
+            && (width - NEAR..=1.5 * width).contains(&step)
         {
-            let message = Message::GrooveStep { step, width };
+            let message = Message::GrooveStep { word: words.quote(text, other), step, width };
             self.tell(Diagnostic::new(message, words.span(other)));
         }
         let how = Pecking {
@@ -526,15 +527,41 @@ impl Interpreter {
         };
         if let Some(address) = pointed.filter(|_| forbidden) {
             let word = words.quote(text, address);
-            self.tell(Diagnostic::new(Message::PointNotAllowed { word }, words.span(address)));
+            let fixes = self.in_micrometres(text, words);
+            let told = Diagnostic::new(Message::PointNotAllowed { word }, words.span(address));
+            self.tell(Diagnostic { fixes, ..told });
             return false;
         }
         if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
             let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
             let word = words.quote(text, address);
-            self.tell(Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address)));
+            let fixes = self.in_micrometres(text, words);
+            let told = Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address));
+            self.tell(Diagnostic { fixes, ..told });
         }
         true
+    }
+
+    /// P and Q as a control counts them, thousandths of a millimetre without a point.
+    fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
+        if self.state.unit != words::Unit::Millimetre {
+            return Vec::new();
+        }
+        let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));
+        let mut edits: Vec<Edit> = found
+            .filter_map(|word| {
+                let (Value::Number { .. }, written) = (word.value, quote(text, word.span)) else {
+                    return None;
+                };
+                let letter = written.chars().next()?;
+                let thousandths = (1000.0 * plain(word)?).round();
+                Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
+            })
+            .collect();
+        edits.sort_by_key(|edit| edit.span.start);
+        let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
+        let title = Repair::Write { text: title.join(" ") };
+        if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }
     }
 
     /// G76.

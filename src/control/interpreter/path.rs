@@ -227,6 +227,12 @@ impl Interpreter {
             (None, _) => return self.emit(routed),
         };
         compensating.is_new &= compensating.waiting.is_empty();
+        let length = motion.from.distance(motion.to);
+        let begins = compensating.is_new && compensating.waiting.is_empty();
+        if (begins || side.is_none()) && length > 0.0 && length < nose.radius && self.recorded.is_none() {
+            let message = Message::CompensationShort { length, radius: nose.radius };
+            self.tell(Diagnostic::new(message, routed.span));
+        }
         let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
         compensating.waiting.push((id, routed));
         compensating.idle_blocks = 0;

@@ -61,7 +61,7 @@ impl Interpreter {
             spindle.rpm = spindle.speed_at(radius).unwrap_or(spindle.rpm);
         }
         let begins = surface && !spindle.surface;
-        let kept = if surface { spindle.rpm } else { spindle.cutting_speed };
+        let kept = if surface { 0.0 } else { spindle.rpm.floor() };
         let changes = surface != spindle.surface && words.get(b'S').is_none() && kept > 0.0;
         if !surface {
             self.state.unclamped = None;
@@ -69,7 +69,7 @@ impl Interpreter {
         let spindle = &mut self.state.spindle;
         spindle.surface = surface;
         if changes {
-            let code = if surface { "G96" } else { "G97" };
+            let code = "G97";
             let message = Message::SpeedNotRepeated { code, speed: kept };
             self.tell(Diagnostic::new(message, block.words_span()));
         }

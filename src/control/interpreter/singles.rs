@@ -144,6 +144,12 @@ impl Interpreter {
                 self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             }
         }
+        let surface = before
+            .map(|before| before.end.x + before.taper)
+            .or(self.setup.stock.map(|stock| stock.diameter / 2.0));
+        if let Some(depth) = rules::cycle::edge_depth(cycle, &own, surface, before.is_none()) {
+            self.tell(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
+        }
         let moved = match cycle {
             Single::Facing => [b'Z', b'W'],
             _ => [b'X', b'U'],
@@ -164,7 +170,10 @@ impl Interpreter {
             self.state.memory.deepest = Some(rules::cycle::deeper(cycle, own, before));
         }
         let switches = block.words.iter().find(|word| {
-            word.address == b'G' && plain(word).is_some_and(|code| (40.0..=42.0).contains(&code))
+            let code = if word.address == b'G' { plain(word) } else { None };
+            code.is_some_and(|code| {
+                (41.0..=42.0).contains(&code) || code == 40.0 && self.state.compensating.is_some()
+            })
         });
         if let Some(word) = switches {
             let message =

@@ -176,6 +176,12 @@ impl Interpreter {
         if matches!(code, Some(M::Spindle(_))) {
             self.note_group(text, request, Exclusive::Spindle, number, word.span);
         }
+        let spindle = &self.state.spindle;
+        // M11 opens the chuck on many machines.
+        if number == 11 && spindle.turn != SpindleTurn::Stopped && !spindle.live_tool && !self.state.c_axis {
+            let message = Message::ChuckOpen { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span));
+        }
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match number {

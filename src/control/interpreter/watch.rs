@@ -62,11 +62,10 @@ impl Interpreter {
     #[inline(never)]
     fn watch_checklist(&mut self, block: &Block) {
         let (station, offset) = self.state.tool;
-        let tool = format!("T{station:02}{offset:02}");
         let missing = [
             (station == 0 && offset == 0).then_some(Message::ToolNotNamed),
             (!self.state.feed_mode_named).then_some(Message::FeedModeNotNamed),
-            (!self.state.coolant).then_some(Message::CoolantOff { tool }),
+            (!self.state.coolant).then_some(Message::CoolantOff),
         ];
         for message in missing.into_iter().flatten() {
             self.tell(Diagnostic::new(message, block.words_span()));
@@ -83,7 +82,8 @@ impl Interpreter {
             && !spindle.live_tool
             && self.state.told.first(Once::SpindleStopped)
         {
-            self.tell(Diagnostic::new(Message::SpindleStopped, block.words_span()));
+            let fix = Fix::insert(block.span.start, "M03\n".to_owned());
+            self.tell(Diagnostic::new(Message::SpindleStopped, block.words_span()).with(fix));
             return;
         }
         let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
@@ -221,7 +221,12 @@ impl Interpreter {
     pub(super) fn watch_thread_spindle(&mut self, block: &Block, code: &'static str) {
         self.watch_spindle(block);
         if self.state.spindle.surface && self.state.told.first(Once::ThreadAtSurfaceSpeed) {
-            self.tell(Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span()));
+            let told = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
+            // The speed that G96 has here, to the next ten below.
+            let speed = self.state.spindle.speed_at(self.state.position.x).filter(|&speed| speed >= 10.0);
+            let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
+            let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
         }
         if self.state.compensation != Compensation::Off && self.state.told.first(Once::CompensationIdle) {
             self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
@@ -246,7 +251,9 @@ impl Interpreter {
     pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
         let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
         if !whole {
-            self.tell(Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span));
+            let told = Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+            let fix = without_point(text, word);
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
         }
         whole
     }
@@ -261,4 +268,13 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
         }
     }
+}
+
+/// `P10.` as `P10`; nothing where digits stand behind the point.
+fn without_point(text: &[u8], word: &Word) -> Option<Fix> {
+    let Value::Number { number, .. } = word.value else { return None };
+    let written = quote(text, word.span);
+    let (head, tail) = written.split_once('.')?;
+    let whole = number.value().fract() == 0.0 && tail.bytes().all(|byte| byte == b'0');
+    whole.then(|| Fix::write(word.span, head.to_owned()))
 }

@@ -303,8 +303,8 @@ impl Message {
             Self::TaperNarrows { word } => vec![("word", Text(word))],
             Self::TaperCrossesAxis { word, x } => vec![("word", Text(word)), ("x", Number(*x))],
             Self::TaperEdge { depth } => vec![("depth", Number(*depth))],
-            Self::PassNotDeeper { word, deepest } => {
-                vec![("word", Text(word)), ("deepest", Number(*deepest))]
+            Self::PassNotDeeper { word, axis, deepest } => {
+                vec![("axis", Letter(*axis)), ("word", Text(word)), ("deepest", Number(*deepest))]
             }
             Self::AirCut { axis, distance } => vec![("axis", Letter(*axis)), ("distance", Number(*distance))],
             Self::StartBehindFace { z, face } => vec![("z", Number(*z)), ("face", Number(*face))],
@@ -313,7 +313,9 @@ impl Message {
                 vec![("tool", Text(tool)), ("x", Number(*x)), ("z", Number(*z))]
             }
             Self::BoreRetract { x, z } => vec![("x", Number(*x)), ("z", Number(*z))],
-            Self::GrooveStep { step, width } => vec![("step", Number(*step)), ("width", Number(*width))],
+            Self::GrooveStep { word, step, width } => {
+                vec![("word", Text(word)), ("step", Number(*step)), ("width", Number(*width))]
+            }
             Self::EscapeTooLarge { escape, depth } => {
                 vec![("escape", Number(*escape)), ("depth", Number(*depth))]
             }
@@ -346,7 +348,7 @@ impl Message {
             }
             Self::ArcOverHalf { word } => vec![("word", Text(word))],
             Self::NotCompared { most } => vec![("most", Count(*most as i64))],
-            Self::CoolantOff { tool } => vec![("tool", Text(tool))],
+            Self::CoolantOff => vec![],
             Self::FeedModeNotNamed => vec![],
             Self::ToolNotNamed => vec![],
             Self::FeedOnlyForFinishing { word } => vec![("word", Text(word))],

@@ -331,7 +331,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             A decimal point was probably lost: `{meant}`. Without it the number is ten times or more too large.",
         PointMissing => "`{word}` has no decimal point, though the program writes all others with one.\n\
             Was a point lost? A control that counts thousandths reads it as {thousandths} mm.",
-        FarOff => "`{word}` leads to {axis}{to}, far beyond the rest of the program, which stays within {axis}{farthest}.\n\
+        FarOff => "`{word}` leads to {axis}{to}, far beyond the rest of the program, which stays within {farthest} mm of {axis}0.\n\
             Was a decimal point lost, or a digit typed twice?",
         MinusMissing => "`{word}` cuts away from the chuck, in front of the work.\n\
             Was the minus lost? `{meant}` would cut into the work. In front of the face there is only air.",
@@ -339,7 +339,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             U and W are increments, X and Z places. The rest of the program writes places: was `{meant}` meant?",
         SpeedMissing => "The tool cuts, but no spindle speed S was given.\n\
             Write S with G97 (turns a minute) or G96 (metres a minute) before the first cut, such as G97 S800 M03.",
-        SpeedNotRepeated => "{code} changes what S means, but the old S{speed} stays.\n\
+        SpeedNotRepeated => "{code} without S: the spindle keeps the {speed} turns a minute that it reached last.\n\
             S counts metres a minute under G96, turns a minute under G97. Write S anew with {code}.",
         ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} mm: the slides follow up to about {limit} turns a minute.\n\
             The rule is n ≤ 1200/P − 80. Above it the thread loses its pitch at both ends.",
@@ -367,7 +367,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             R is a radius difference: X of the end plus twice R is the start of the cut. Check sign and point of R.",
         TaperEdge => "This pass of the taper is {depth} mm deep at its thin end.\n\
             With a taper the depth differs along the cut. Begin farther outside and come nearer pass by pass.",
-        PassNotDeeper => "`{word}` is no deeper than an earlier pass at {deepest}: it cuts air.\n\
+        PassNotDeeper => "`{word}` is less deep than an earlier pass at {axis}{deepest}: it cuts air.\n\
             Each pass of the cycle should go deeper. Was a digit misread, or the order of the lines changed?",
         AirCut => "The cycle starts {distance} mm away from the work in {axis}; each pass repeats this way at feed.\n\
             Start 1 to 3 mm outside the blank.",
@@ -379,7 +379,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The other tools of the turret swing around there. Go to the change point first, such as X200 Z200; boring bars need more room.",
         BoreRetract => "The rapid out of the bore runs into its wall at X{x} Z{z}.\n\
             Leave the wall towards smaller X first, then go out along Z alone, and only then to the change point.",
-        GrooveStep => "The step of {step} mm is not smaller than the blade of {width} mm: ridges stay between the cuts.\n\
+        GrooveStep => "`{word}` is a step of {step} mm, not smaller than the blade of {width} mm: ridges stay between the cuts.\n\
             The cuts must overlap: make Q smaller than the width of the blade.",
         EscapeTooLarge => "The retract R{escape} is larger than the depth of cut {depth}.\n\
             After each pass the tool lifts by R at 45°; half a millimetre is usual.",
@@ -391,7 +391,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             U of the first block is the whole depth to remove, as a radius: stock minus thinnest diameter, halved.",
         PatternAir => "{share} % of the first pass of G73 run outside the blank.\n\
             G73 repeats a shape, for castings and forgings. From a bar G71 is quicker.",
-        CompensationInCycle => "`{word}` stands in a block of {code}.\n\
+        CompensationInCycle => "`{word}` stands in a block of {code}: compensation cannot be switched in the middle of a cycle.\n\
             Switch compensation in a block of its own, on the move to the start point and behind the last pass.",
         CompensationLeftOn => "{code} is still on at `{word}`.\n\
             The path is shifted by the nose radius until G40. Cancel it on a move away from the work first.",
@@ -401,7 +401,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The control looks only a few blocks ahead; without a next move it cuts too much or too little at the corner. Put such blocks elsewhere.",
         CompensationShort => "The move of {length} mm that begins or ends compensation is shorter than the nose radius {radius} mm.\n\
             Give it at least the radius, better twice, outside the material.",
-        CompensationTip => "The tool's tip number is {tip}, so its centre is compensated, not its tip.\n\
+        CompensationTip => "The tool's tip number is {tip}, so the control takes the centre of the nose for its tip.\n\
             Turning tools have 3, boring bars 2: the setup's `tip` says where the imaginary tip lies.",
         ChuckOpen => "`{word}` opens the chuck on many machines, and the spindle still turns.\n\
             Stop it first with M05.",
@@ -414,8 +414,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ArcOverHalf => "`{word}` is negative: the arc goes the long way round, more than 180°.\n\
             A turned profile hardly ever does. Was a positive R meant?",
         NotCompared => "The program has more than {most} blocks, or ten times as many motions: its numbers are not compared with each other.\n\
-            A lost point, a lost minus or a U in place of an X is then not remarked. `limits.comparedBlocks` of the setup sets the bound.",
-        CoolantOff => "{tool} cuts without coolant.\n\
+            A lost point, a lost minus or a U in place of an X is then not noticed. `limits.comparedBlocks` of the setup sets the bound.",
+        CoolantOff => "This cut is made without coolant.\n\
             Switch it on with M08 before the first cut and off with M09 at the end.",
         FeedModeNotNamed => "Neither G98 nor G99 stands before this cut.\n\
             Then what F counts depends on how the control was left. Write G99 (mm a turn) or G98 (mm a minute) at the head.",
@@ -424,7 +424,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         FeedOnlyForFinishing => "`{word}` stands in a contour: only G70 uses it.\n\
             G71, G72 and G73 rough with the F, S and T of their own block or before it.",
         StopBehindMove => "M05 stands in a block with a move: the spindle stops once the move is done.\n\
-            Write it in a block of its own where the order matters.",
+            Write M05 in its own block, before or behind the move.",
         SetupPositive => "`{key}` of the setup is {value}; it must be greater than zero.\n\
             The picture goes on without it: a blank, tool or tailstock with a wrong value counts as not given.",
         SetupNotNegative => "`{key}` of the setup is {value}; it cannot be negative.\n\

@@ -259,7 +259,7 @@ impl Wording {
             Message::DuplicateSequence { .. } => Self::DuplicateSequence,
             Message::ArcOverHalf { .. } => Self::ArcOverHalf,
             Message::NotCompared { .. } => Self::NotCompared,
-            Message::CoolantOff { .. } => Self::CoolantOff,
+            Message::CoolantOff => Self::CoolantOff,
             Message::FeedModeNotNamed => Self::FeedModeNotNamed,
             Message::ToolNotNamed => Self::ToolNotNamed,
             Message::FeedOnlyForFinishing { .. } => Self::FeedOnlyForFinishing,

@@ -331,7 +331,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             很可能漏了小数点，应为 `{meant}`。漏掉后数值大了十倍以上。",
         PointMissing => "`{word}` 没有小数点，而程序中其他数都写了小数点。\n\
             是否漏了小数点？按最小设定单位计数的系统会读成 {thousandths} mm。",
-        FarOff => "`{word}` 走到 {axis}{to}，远远超出程序其余部分（不超过 {axis}{farthest}）。\n\
+        FarOff => "`{word}` 走到 {axis}{to}，远远超出程序其余部分（其余部分离 {axis}0 不超过 {farthest} mm）。\n\
             是否漏了小数点，或多打了一位数字？",
         MinusMissing => "`{word}` 向远离卡盘的方向切削，在工件前方走空。\n\
             是否漏了负号？`{meant}` 才会切入工件；端面前方没有材料。",
@@ -339,10 +339,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             U、W 是增量，X、Z 是绝对坐标。程序其余部分都用绝对坐标：是否应为 `{meant}`？",
         SpeedMissing => "开始切削，但没有指定主轴转速 S。\n\
             第一次切削前请用 G97（r/min）或 G96（m/min）给出 S，如 G97 S800 M03。",
-        SpeedNotRepeated => "{code} 改变了 S 的含义，但 S 仍是原来的 {speed}。\n\
+        SpeedNotRepeated => "{code} 未写 S：主轴保持刚才的 {speed} r/min。\n\
             G96 时 S 是线速度（m/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
         ThreadTooFast => "螺距 {pitch} mm 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
-            经验公式 n ≤ 1200/P − 80。超过时螺纹两端会乱扣。",
+            经验公式 n ≤ 1200/P − 80。超过时螺纹两端螺距不准。",
         ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
             各刀将不在同一螺旋槽内（乱扣）。从第一刀到最后一刀请保持转速不变。",
         ThreadStartMoved => "本刀起点为 Z{now}，上一刀为 Z{before}：两刀不在同一螺旋槽。\n\
@@ -367,7 +367,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             R 是半径差：终点 X 加两倍 R 就是切削起点。请检查 R 的符号和小数点。",
         TaperEdge => "这一刀锥面在小端切深达 {depth} mm。\n\
             车锥面时切深沿长度变化。请从更大的直径开始逐刀接近。",
-        PassNotDeeper => "`{word}` 没有比之前的 {deepest} 更深，这一刀是空走。\n\
+        PassNotDeeper => "`{word}` 没有比之前的 {axis}{deepest} 更深，这一刀是空走。\n\
             循环的每一刀都应更深。是否数字看错或行序颠倒？",
         AirCut => "循环起点在 {axis} 向距工件 {distance} mm，每一刀都要以切削进给空走这段距离。\n\
             起点距毛坯 1～3 mm 即可。",
@@ -379,7 +379,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             刀架转动时其他刀具会扫过工件。请先退到换刀点，如 X200 Z200；镗刀要更远。",
         BoreRetract => "快速退出内孔时在 X{x} Z{z} 碰到孔壁。\n\
             先向小直径方向离开孔壁，再单独沿 Z 退出孔外，最后去换刀点。",
-        GrooveStep => "移动量 {step} mm 不小于刀宽 {width} mm，各刀之间会留下残料。\n\
+        GrooveStep => "`{word}` 即移动量 {step} mm，不小于刀宽 {width} mm，各刀之间会留下残料。\n\
             各刀必须重叠：Q 应小于刀宽。",
         EscapeTooLarge => "退刀量 R{escape} 大于背吃刀量 {depth}。\n\
             每刀后刀具以 45° 抬起 R，通常 0.5 mm 左右。",
@@ -391,7 +391,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             第一段的 U 是总切除量（半径值）：毛坯直径减最小直径的一半。",
         PatternAir => "G73 第一刀有 {share} % 在毛坯之外空走。\n\
             G73 用于铸锻件毛坯。棒料用 G71 更快。",
-        CompensationInCycle => "`{word}` 写在 {code} 的程序段里。\n\
+        CompensationInCycle => "`{word}` 写在 {code} 程序段里：循环进行中不能切换补偿。\n\
             刀尖半径补偿应在单独的段里，在到起点的移动中建立，在最后一刀之后取消。",
         CompensationLeftOn => "到 `{word}` 时 {code} 仍未取消。\n\
             在 G40 之前轨迹一直偏移刀尖半径。请先在离开工件的移动中写 G40。",
@@ -401,7 +401,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             系统只预读几个程序段；读不到下一移动时会在拐角过切或欠切。请把这些段放到别处。",
         CompensationShort => "建立或取消补偿的移动 {length} mm 小于刀尖半径 {radius} mm。\n\
             该移动至少为半径，最好两倍，并在材料之外。",
-        CompensationTip => "该刀的假想刀尖号为 {tip}，补偿按圆心而不是刀尖计算。\n\
+        CompensationTip => "该刀的刀尖方位号为 {tip}，系统把圆心当作刀尖。\n\
             外圆车刀一般为 3，镗刀为 2：在设置的 `tip` 中给出。",
         ChuckOpen => "`{word}` 在许多机床上是松开卡盘，而主轴仍在旋转。\n\
             请先用 M05 停主轴。",
@@ -415,7 +415,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             车削轮廓几乎不会这样。是否应为正 R？",
         NotCompared => "程序超过 {most} 段，或动作超过其十倍：不再相互比较各数值。\n\
             因此不会提示漏小数点、漏负号或把 X 写成 U。上限由设置中的 `limits.comparedBlocks` 决定。",
-        CoolantOff => "{tool} 切削时没有开冷却液。\n\
+        CoolantOff => "切削时没有开冷却液。\n\
             第一次切削前用 M08 打开，结束时用 M09 关闭。",
         FeedModeNotNamed => "切削之前没有写 G98 或 G99。\n\
             这时 F 的单位取决于系统当前状态。请在程序开头写 G99（mm/r）或 G98（mm/min）。",
@@ -424,7 +424,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         FeedOnlyForFinishing => "`{word}` 写在轮廓段内：只有 G70 使用它。\n\
             G71、G72、G73 粗车时用自身程序段或之前的 F、S、T。",
         StopBehindMove => "M05 与移动写在同一段：移动完成后主轴才停。\n\
-            如果先后次序重要，请单独写一段。",
+            M05 单独写一段，放在移动之前或之后。",
         SetupPositive => "设置中的 `{key}` 为 {value}，必须大于零。\n\
             毛坯、刀具或尾座有一个值错误，就整个按未给出处理，图形照常显示。",
         SetupNotNegative => "设置中的 `{key}` 为 {value}，不能为负数。\n\

@@ -7,6 +7,8 @@ use crate::diagnostics::Message;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
+/// A pass deeper than this is much for a small lathe, mm (radius).
+const DEEPEST_PASS: f64 = 3.0;
 /// A start farther from the work than this wastes time with each pass, mm.
 const FAR: f64 = 10.0;
 
@@ -30,12 +32,23 @@ pub fn pass_not_deeper(
         }
         Single::Threading => return None,
     };
+    let axis = if cycle == Single::Facing { 'Z' } else { 'X' };
     let side = |pass: &DeepestPass| match cycle {
         Single::Facing => (pass.end.z - pass.start.z).signum(),
         _ => (pass.end.x - pass.start.x).signum(),
     };
-    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR)
-        .then_some(Message::PassNotDeeper { word, deepest })
+    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(Message::PassNotDeeper {
+        word,
+        axis,
+        deepest,
+    })
+}
+
+/// How deep the first pass of a taper is at its thin end, outside, where that is far deeper than a pass (radius, mm).
+pub fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
+    let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
+    let depth = surface? - (own.end.x + own.taper);
+    (first && outside && depth > DEEPEST_PASS).then_some(depth)
 }
 
 /// The deeper of two passes.

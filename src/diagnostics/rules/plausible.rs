@@ -551,7 +551,8 @@ impl<'a> Program<'a> {
             let with_place = self.words_of(row).iter().any(|other| other.address == b'Z');
             let known = |place: f64| moves(b"X").any(|other| (other.value * self.unit - place).abs() < 0.001);
             let farthest = moves(b"X").map(|other| other.value * self.unit).fold(0.0, f64::max);
-            let small = value <= 10.0 && !with_place;
+            // A little out is a retract or a taper.
+            let small = value <= 10.0;
             let suspicious = !known(leads) && (with_place || leads > farthest + 0.001 || known(value));
             if small || !suspicious {
                 continue;
