@@ -441,8 +441,9 @@ impl Run {
             let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
             self.sorted.extend(self.interpreter.setup().rules.graded(told));
         } else {
+            let unit = self.interpreter.state.unit.millimetres();
             let sound = !self.sorted.iter().any(Diagnostic::is_error);
-            let told = rules::plausible::remarks(&self.text, motions, sound, most);
+            let told = rules::plausible::remarks(&self.text, motions, unit, sound, most);
             // One fault, one message.
             let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
             let levels = &self.interpreter.setup().rules;
@@ -463,7 +464,8 @@ impl Run {
                     one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
                 }
             }
-            self.sorted.extend(told);
+            let room = self.interpreter.setup().limits.messages.saturating_sub(self.sorted.len());
+            self.sorted.extend(told.into_iter().take(room));
         }
         for told in &mut self.sorted {
             offer(told, &self.text);

@@ -301,7 +301,8 @@ fn linuxcnc_1120_the_return_of_g70_does_not_dig_into_the_part() {
 #[test]
 fn linuxcnc_1785_g42_with_g70_stays_outside_the_profile() {
     const NOSE: f64 = 0.8;
-    let setup = r#"{"tools": {"T0101": {"noseRadius": 0.8, "tip": 3}}}"#;
+    let setup = r#"{"tools": {"T0101": {"noseRadius": 0.8, "tip": 3}},
+                    "rules": {"compensation-left-on": "off"}}"#;
     let program = format!("G0 X60 Z5\nG71 U2 R0.5\nG71 P1 Q2 U0.4 W0.1\n{}\nG70 P1 Q2", part("G42"));
     let motions = motions_with(setup, &program);
     let finishing: Vec<&Motion> = motions

@@ -115,7 +115,7 @@ fn a_dogleg_is_held_against_the_work_too() {
 #[test]
 fn bores_are_left_along_the_axis() {
     check_danger("T0202\nG00 X18 Z2\nG00 Z-20\nG01 X24 F1\nG01 Z-40\nX19\nG00 Z2", &[]);
-    check_danger("T0202\nG00 X18 Z2\nG00 Z-20\nG00 X30", &[("RapidThroughStock", 4)]);
+    check_danger("T0202\nG00 X18 Z2\nG00 Z-20\nG00 X30", &[("LeavesBore", 4)]);
     check_danger("T0202\nG00 X18 Z2\nG01 Z-20 F1", &[]);
 }
 

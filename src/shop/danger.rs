@@ -95,6 +95,9 @@ const BESIDE: f64 = 0.05;
 /// where the tool leaves at rapid, as many programs have it, it scrapes that off.
 const SCRAPED: f64 = 0.25;
 
+/// Where a bore is looked at, in front of the tip, mm.
+const IN_FRONT: f64 = 0.5;
+
 /// How far within the material the start of a cycle may lie without a word, mm.
 const INSIDE: f64 = 0.1;
 
@@ -279,9 +282,13 @@ impl Watch {
             if let Some(at) = outlines().find_map(|outline| hit(now, outline, motion)) {
                 let from = motion.from;
                 // Material begins beyond the tip all along the way to the wall: it stands in a bore.
+                // Looked at a little in front of the tip, which may stand at the bottom or touch the wall.
                 let in_bore = from.z < stock.face
                     && motion.to.x > from.x
-                    && now.radii(from.z).first().is_some_and(|material| material.0 > from.x);
+                    && now
+                        .radii(from.z + IN_FRONT)
+                        .first()
+                        .is_some_and(|material| material.0 > from.x - IN_FRONT && material.0 > 0.0);
                 let danger = if in_bore { Danger::LeavesBore } else { Danger::RapidThroughStock };
                 self.tell(index, at, danger);
                 return;

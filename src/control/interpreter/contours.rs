@@ -114,7 +114,8 @@ impl Interpreter {
         let Some(begins) = roughed.or_else(|| self.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             let told = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
-            let fix = number_missing(text, block.span.end, first, false);
+            let fix =
+                self.may_offer(&told).then(|| number_missing(text, block.span.end, first, false)).flatten();
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         };
@@ -124,11 +125,10 @@ impl Interpreter {
                 Some(_) => Message::ContourReversed { first, word },
                 None => Message::ContourNotFound { word },
             };
-            let fix = match message {
-                Message::ContourNotFound { .. } => number_missing(text, begins.byte, last, true),
-                _ => None,
-            };
+            let is_missing = matches!(message, Message::ContourNotFound { .. });
             let told = Diagnostic::new(message, words.span(b'Q'));
+            let may_offer = is_missing && self.may_offer(&told);
+            let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         }

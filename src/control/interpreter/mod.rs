@@ -354,6 +354,12 @@ impl Interpreter {
         self.tell_always(diagnostic);
     }
 
+    /// Whether a repair is worth its search: the message is new, and there is room for it.
+    fn may_offer(&self, diagnostic: &Diagnostic) -> bool {
+        let room = self.diagnostics.len() < self.setup.limits.messages;
+        room && self.told.binary_search(&told_as(diagnostic)).is_err()
+    }
+
     /// What is told of the setup: many faults of one kind have no other place than the beginning of the text.
     pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
         let graded = self.setup.rules.graded(diagnostic);

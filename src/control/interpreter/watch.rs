@@ -25,7 +25,12 @@ impl Interpreter {
         if words.has_any(letters(b"F")) {
             let per_turn = self.state.feed_mode == FeedMode::PerTurn;
             let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
-            if mixed_up && self.state.told.first(Once::FeedUnit) {
+            // Without a point it counts increments, which each machine has its own of.
+            let counts = self.dialect.decimal == DecimalRule::LeastIncrement
+                && words.get(b'F').is_some_and(
+                    |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
+                );
+            if mixed_up && !counts && self.state.told.first(Once::FeedUnit) {
                 self.tell(Diagnostic::new(Message::FeedUnit { feed, per_turn }, words.span(b'F')));
             }
         } else if self.state.feed_is_old {
@@ -90,6 +95,7 @@ impl Interpreter {
         if speed == 0.0
             && spindle.turn != SpindleTurn::Stopped
             && !spindle.live_tool
+            && !spindle.still
             && !self.state.uncertain
             && self.state.told.first(Once::SpeedMissing)
         {

@@ -69,10 +69,11 @@ struct Program<'a> {
     unit: f64,
 }
 
-/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. Of a program that is not
+/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `unit`: millimetres in one of
+/// its units. Of a program that is not
 /// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
-pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Vec<Diagnostic> {
-    let Some(program) = Program::read(text, motions, blocks) else { return Vec::new() };
+pub fn remarks(text: &[u8], motions: &Motions, unit: f64, sound: bool, blocks: usize) -> Vec<Diagnostic> {
+    let Some(program) = Program::read(text, motions, unit, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
     told.extend(program.missing_points());
     told.extend(program.lost_minus_in_row());
@@ -82,6 +83,7 @@ pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Ve
         told.extend(program.lost_minus());
         told.extend(program.increments());
     }
+    told.truncate(MOST);
     // One fault, one message: what was told first of a word stays.
     let mut seen = Vec::new();
     told.retain(|one| {
@@ -92,16 +94,18 @@ pub fn remarks(text: &[u8], motions: &Motions, sound: bool, blocks: usize) -> Ve
     told
 }
 
+/// More of them are a consequence of something else.
+const MOST: usize = 50;
+
 const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
 /// G04, G10, G28, G30, G50, G52, G53, G65, G66.
 const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
 
 impl<'a> Program<'a> {
-    fn read(text: &'a [u8], motions: &'a Motions, most: usize) -> Option<Self> {
+    fn read(text: &'a [u8], motions: &'a Motions, unit: f64, most: usize) -> Option<Self> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
-        let mut inch = false;
         let mut rapid = true;
         while parser.next_block(&mut block) {
             if rows.len() >= most {
@@ -130,7 +134,6 @@ impl<'a> Program<'a> {
                         0 => rapid = true,
                         1 | 32 | 34 | 90 | 92 | 94 => rapid = false,
                         2 | 3 => (arc, rapid) = (true, false),
-                        20 => inch = true,
                         _ => {}
                     }
                 }
@@ -167,7 +170,7 @@ impl<'a> Program<'a> {
                 parts,
             });
         }
-        let mut program = Self { text, rows, words, motions, unit: if inch { 25.4 } else { 1.0 } };
+        let mut program = Self { text, rows, words, motions, unit };
         program.match_motions();
         program.find_contours();
         Some(program)
