@@ -7,7 +7,9 @@
 
 #[path = "mutations/classes.rs"]
 mod classes;
+#[allow(dead_code, reason = "the programs are asked for here, not what is expected of them")]
 mod fixtures;
+#[allow(dead_code, reason = "only the programs of the pages are read here")]
 #[path = "../examples/rule-pages/page.rs"]
 mod page;
 #[path = "mutations/text.rs"]

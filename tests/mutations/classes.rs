@@ -232,11 +232,11 @@ fn depth_negative(words: &Words) -> Vec<Mutant> {
 /// The single cycle in force at a block.
 fn single_cycle(words: &Words, block: usize) -> Option<u32> {
     let group_01 = [0.0, 1.0, 2.0, 3.0, 32.0, 34.0, 90.0, 92.0, 94.0];
-    let last = words
+    let mut last = words
         .words
         .iter()
         .filter(|word| word.block <= block && word.address == 'G' && group_01.contains(&word.value));
-    let code = last.last()?.value as u32;
+    let code = last.next_back()?.value as u32;
     let has_setting = [50.0, 28.0, 4.0, 30.0].iter().any(|&code| words.has_g(block, code));
     ((90..=94).contains(&code) && !has_setting).then_some(code)
 }
@@ -263,12 +263,12 @@ fn r_not_extended(words: &Words) -> Vec<Mutant> {
         let cycle = single_cycle(words, word.block)?;
         // Where the tool stood before: the last X and Z outside the cycle.
         let place = |address: char| {
-            let before = words.words.iter().filter(|other| {
+            let mut before = words.words.iter().filter(|other| {
                 other.address == address
                     && other.block < word.block
                     && single_cycle(words, other.block).is_none()
             });
-            before.last().map(|other| other.value)
+            before.next_back().map(|other| other.value)
         };
         if word.address != 'R' || word.value == 0.0 {
             return None;
@@ -527,8 +527,8 @@ fn start_inside(words: &Words) -> Vec<Mutant> {
         if !cycles.iter().any(|&code| starts(block, code) && !starts(block - 1, code)) {
             continue;
         }
-        let before = words.words.iter().filter(|word| word.address == 'X' && word.block < block);
-        let Some(x) = before.last() else { continue };
+        let mut before = words.words.iter().filter(|word| word.address == 'X' && word.block < block);
+        let Some(x) = before.next_back() else { continue };
         let end = words.words.iter().find(|word| word.address == 'X' && word.block >= block);
         if end.is_some_and(|end| end.value >= x.value) || !words.has_g(x.block, 0.0) {
             continue;
