@@ -150,6 +150,42 @@ fn repairs() {
     check_fix("Z–20", "Z-20");
     check_fix("G0 (open\nX5", "G0 (open)\nX5");
     check_fix("00006;\nG0 X1", "O0006;\nG0 X1");
+    check_fix("G0 X2O0 Zl0", "G0 X200 Z10");
+    check_fix("G0 X1..5 Z2.5.", "G0 X1.5 Z2.5");
+    let start = "M3 S500\nG99 G0 X50 Z2 F.2\n";
+    let both = |before: &str, after: &str| check_fix(&format!("{start}{before}"), &format!("{start}{after}"));
+    // Roles of U and W, signs, and words of the multiple cycles.
+    both("G71 W2 R.5", "G71 U2 R.5");
+    both("G72 U2 R.5", "G72 W2 R.5");
+    both("G71 X2 R.5", "G71 U2 R.5");
+    both("G71 U-2 R.5", "G71 U2 R.5");
+    both("G73 X6 W2 R3", "G73 U6 W2 R3");
+    // Sequence numbers that are missing, and written with a point.
+    let contour = |p: &str, first: &str, last: &str| {
+        format!("G71 U2 R.5\nG71 {p} Q2 U.4 W.1\n{first}G0 X30\nG1 Z-20\n{last}X50\nG0 X80 Z9")
+    };
+    both(&contour("P1", "", "N2 "), &contour("P1", "N1 ", "N2 "));
+    both(&contour("P1", "N1 ", ""), &contour("P1", "N1 ", "N2 "));
+    both(&contour("P1.", "N1 ", "N2 "), &contour("P1", "N1 ", "N2 "));
+    // Threads.
+    both("G76 P020050 Q100 R.05", "G76 P020055 Q100 R.05");
+    both("G74 R.5\nG74 Z-20 Q5.5 F.1", "G74 R.5\nG74 Z-20 Q5500 F.1");
+    check_fix(
+        "G50 S900\nG96 S100 M3\nG0 X40 Z4\nG32 Z-9 F2",
+        "G50 S900\nG96 S100 M3\nG0 X40 Z4\nG97 S790\nG32 Z-9 F2",
+    );
+    // What is missing before a cut, and at the end.
+    check_fix("G97 S500\nG99 G1 Z-5 F.1", "G97 S500\nM03\nG99 G1 Z-5 F.1");
+    check_fix("G96 S100 M3\nG0 X40", "G50 S2000\nG96 S100 M3\nG0 X40");
+    check_end("G0 X40", "G0 X40\nM30");
+    check_end("%\nO1\nG0 X40\n%\n", "%\nO1\nG0 X40\nM30\n%\n");
+}
+
+/// The one repair that stands at the end of the text.
+#[track_caller]
+fn check_end(before: &str, after: &str) {
+    let repaired = gcode_playground::repair::repaired(before.as_bytes(), &Setup::default());
+    assert_eq!(String::from_utf8_lossy(&repaired.text), after);
 }
 
 #[test]

@@ -43,13 +43,7 @@ pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     offer('Q', whole && (contour || deep) && !has(b"Q") && has(b"P"));
     offer('P', whole && has(b"M") && !has(b"P") && value >= 1000.0);
     offer('G', (leading || value == 0.0 && number.len() == 2) && number.len() == 2 && !before(b"XZUW"));
-    offer(
-        'M',
-        (leading || whole && value <= 99.0)
-            && !has(b"M")
-            && digits.len() <= 2
-            && (before(b"XZS") || words.is_empty()),
-    );
+    offer('M', (leading || whole && value <= 99.0) && !has(b"M") && digits.len() <= 2 && before(b"XZS"));
     offer('G', whole && !has(b"G") && !before(b"XZUWFS") && (70.0..100.0).contains(&value));
     offer('F', has_point && !negative && value < 1.0 && !has(b"F") && before(b"XZUWPQ"));
     let arc = code(&[2, 3]);

@@ -119,6 +119,10 @@ impl<'a> Parser<'a> {
                 }
                 _ => continue,
             };
+            if let Message::BlankInNumber { joined, .. } = &fault.message {
+                let title = Repair::Write { text: joined.clone() };
+                fault.fixes.push(Fix::replace(title, fault.span, joined).asking());
+            }
             let place = Span { start: at, end: at };
             let letters = lost_letter::candidates(number, place, words);
             fault.fixes.extend(letters.into_iter().map(|letter| Fix::insert(at, letter.to_string())));
