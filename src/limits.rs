@@ -61,7 +61,7 @@ impl Default for Limits {
             messages: 500,
             part_motions: 20_000,
             part_corners: 50_000,
-            compared_blocks: 20_000,
+            compared_blocks: 10_000,
             stride: 4096,
         }
     }

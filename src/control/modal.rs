@@ -376,6 +376,7 @@ pub enum Once {
     CompensationSide,
     CompensationTip,
     CompensationIdleBlocks,
+    PassNotDeeper,
     FeedZero,
     NoSpeedClamp,
     TaperNotExtended,

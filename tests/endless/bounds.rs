@@ -51,6 +51,7 @@ pub fn bounds() -> Vec<Bound> {
         bound("too-many-macro-steps", r#""macroSteps": 11"#, &sums(3), &sums(4)),
         bound("part-too-many-motions", r#""partMotions": 2"#, "X1\nX2\nM30", "X1\nX2\nX3\nM30"),
         bound("part-too-many-corners", r#""partCorners": 8"#, &grooves(1), &grooves(2)),
+        bound("numbers-not-compared", r#""comparedBlocks": 3"#, "X1\nX2\nM30", "X1\nX2\nX3\nM30"),
         bound("block-too-long", "", &words(WORDS_PER_BLOCK), &words(WORDS_PER_BLOCK + 1)),
         bound("too-many-digits", "", "X12345.678", "X12345.6789"),
         bound("macro-brackets-too-deep", "", "#1=[[[[[1]]]]]", "#1=[[[[[[1]]]]]]"),

@@ -270,10 +270,14 @@ impl Interpreter {
                 // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
                 state.memory.taper = 0.0;
                 if new != old {
+                    state.told.forget(Once::PassNotDeeper);
                     state.memory.passes = 0;
                 }
             }
-            _ => state.memory = CycleMemory::EMPTY,
+            _ => {
+                state.told.forget(Once::PassNotDeeper);
+                state.memory = CycleMemory::EMPTY;
+            }
         }
         state.motion = mode;
         if mode == MotionMode::Cycle(Single::Turning)

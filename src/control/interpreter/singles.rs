@@ -157,7 +157,9 @@ impl Interpreter {
         let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
         if let (Some(before), Some(address)) = (before, own_word) {
             let word = words.quote(text, address);
-            if let Some(message) = rules::cycle::pass_not_deeper(cycle, &own, &before, word) {
+            if let Some(message) = rules::cycle::pass_not_deeper(cycle, &own, &before, word)
+                && self.state.told.first(Once::PassNotDeeper)
+            {
                 self.tell(Diagnostic::new(message, words.span(address)));
             }
         } else if before.is_none()
