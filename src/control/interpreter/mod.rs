@@ -15,6 +15,7 @@ mod motions;
 mod multiples;
 mod output;
 mod path;
+mod pecks;
 mod reference;
 mod rotary;
 mod settings;
@@ -22,6 +23,7 @@ mod singles;
 mod snapshot;
 mod system;
 mod take;
+mod threads;
 mod trace;
 mod watch;
 

@@ -1,0 +1,208 @@
+//! G74 and G75 as blocks call them, and what P and Q of G74 to G76 count.
+//!
+//! In: the words of a block. Out: the moves of the cycle, amounts as lengths. The geometry is in `cycles::grooving`, the
+//! guess of the unit in `cycles::units`.
+
+use super::multiples::{INCREMENT, NEAR};
+use super::*;
+use crate::cycles::grooving::{self, Pecking};
+use crate::cycles::units::{self, Amount, Written};
+use crate::diagnostics::{Edit, Repair};
+
+impl Interpreter {
+    /// G74 and G75.
+    pub(super) fn pecking(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        cycle: Multiple,
+    ) -> Option<()> {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        if !words.has_any(AXES) {
+            if let Some(retract) = length(b'R') {
+                if retract < 0.0 {
+                    let message = Message::ReliefNegative { word: words.quote(text, b'R') };
+                    self.tell(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
+                }
+                self.state.parameters.retract = retract.abs();
+            }
+            return Some(());
+        }
+        let code = cycle.cycle().code();
+        let direction = match cycle {
+            Multiple::FacePecking => grooving::Direction::Face,
+            _ => grooving::Direction::Radial,
+        };
+        let start = self.state.position;
+        let end = self.target(text, words);
+        if !self.may_cut(block, words, &mut Request::default()) {
+            return None;
+        }
+        // The older one-block form spells P, Q and R as I, K and D, in millimetres.
+        let (x_amount, z_amount, relief) = if words.has_any(letters(b"IK")) {
+            (length(b'I'), length(b'K'), words.get(b'D').and_then(|word| self.one_block_depth(word)))
+        } else {
+            let (_, p, q) = self.amounts(text, words, |p, q| units::pecking(start, end, p, q))?;
+            (p, q, length(b'R'))
+        };
+        let (peck, stepover) = match direction {
+            grooving::Direction::Face => (z_amount, x_amount),
+            grooving::Direction::Radial => (x_amount, z_amount),
+        };
+        let (address, other) = if cycle == Multiple::FacePecking { (b'Q', b'P') } else { (b'P', b'Q') };
+        if peck.unwrap_or(0.0) == 0.0 {
+            let message = Message::PeckMissing { code, address: address as char };
+            let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
+            self.tell(Diagnostic::new(message, block.words_span()).graded(severity));
+            if self.dialect.strict {
+                return None;
+            }
+        }
+        let width = self.blade_width();
+        if let (Some(width), Some(step)) = (width, stepover)
+            && cycle == Multiple::Grooving
+            && (end.z - start.z).abs() > NEAR
+            // Far apart they are grooves of their own.
+            && (width - NEAR..=1.5 * width).contains(&step)
+        {
+            let message = Message::GrooveStep { word: words.quote(text, other), step, width };
+            self.tell(Diagnostic::new(message, words.span(other)));
+        }
+        let how = Pecking {
+            end,
+            peck,
+            stepover,
+            retract: self.state.parameters.retract,
+            relief: relief.unwrap_or(0.0),
+            first_column: match self.dialect.relief_first {
+                true => grooving::FirstColumn::WithRelief,
+                false => grooving::FirstColumn::WithoutRelief,
+            },
+        };
+        let most = self.moves_left();
+        let (message, span) = match grooving::peck(start, direction, &how, most) {
+            Ok(moves) => {
+                self.run_cycle(block, cycle.cycle(), None, &moves);
+                return Some(());
+            }
+            Err(grooving::Fault::NegativeRelief) => {
+                (Message::ReliefNegative { word: words.quote(text, b'R') }, words.span(b'R'))
+            }
+            Err(grooving::Fault::NoStepover) => {
+                (Message::PeckMissing { code, address: other as char }, block.words_span())
+            }
+            Err(grooving::Fault::NegativePeck) => {
+                (Message::PeckNegative { word: words.quote(text, address) }, words.span(address))
+            }
+            Err(grooving::Fault::NegativeStepover) => {
+                (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
+            }
+            Err(grooving::Fault::TooManyMoves) => {
+                self.refuse_long_cycle(block, code, 0, most);
+                return None;
+            }
+        };
+        self.tell(Diagnostic::new(message, span));
+        None
+    }
+
+    /// Width of the blade of the tool in force, mm, if the setup names one.
+    pub(super) fn blade_width(&self) -> Option<f64> {
+        let (station, offset) = self.state.tool;
+        self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
+    }
+
+    /// What P and Q count (semantics §7.6), and both as lengths, mm.
+    pub(super) fn amounts(
+        &mut self,
+        text: &[u8],
+        words: &Words,
+        by_size: impl FnOnce(Option<Amount>, Option<Amount>) -> units::Reading,
+    ) -> Option<(units::Reading, Option<f64>, Option<f64>)> {
+        let (p, q) = (self.amount(words, b'P'), self.amount(words, b'Q'));
+        let reading = match self.dialect.pq_unit {
+            PqUnit::Auto => by_size(p, q),
+            PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
+            PqUnit::Um => units::Reading::Micrometres,
+        };
+        if !self.tell_amounts(text, words, reading) {
+            return None;
+        }
+        Some((
+            reading,
+            p.map(|amount| self.amount_in(amount, reading)),
+            q.map(|amount| self.amount_in(amount, reading)),
+        ))
+    }
+
+    /// A P or Q word as it would count least increments.
+    pub(super) fn amount(&self, words: &Words, address: u8) -> Option<Amount> {
+        let word = words.get(address)?;
+        let Value::Number { number, .. } = word.value else { return None };
+        let increment = match self.state.unit {
+            words::Unit::Millimetre => INCREMENT,
+            words::Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
+        };
+        let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
+        Some(Amount { in_increments: plain(word)? * increment, written })
+    }
+
+    pub(super) fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
+        match (reading, self.state.unit) {
+            (units::Reading::Micrometres, _) => amount.in_increments,
+            (units::Reading::Millimetres(_), words::Unit::Millimetre) => amount.in_increments / INCREMENT,
+            (units::Reading::Millimetres(_), words::Unit::Inch) => amount.in_increments / INCREMENT * 10.0,
+        }
+    }
+
+    /// Says that P and Q were read as millimetres, or that a control takes no point there. False: it does not.
+    pub(super) fn tell_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
+        let pointed = [b'P', b'Q'].into_iter().find(|&address| {
+            self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
+        });
+        let forbidden = match self.dialect.pq_unit {
+            PqUnit::Um => true,
+            PqUnit::Auto => self.dialect.strict,
+            PqUnit::Mm => false,
+        };
+        if let Some(address) = pointed.filter(|_| forbidden) {
+            let word = words.quote(text, address);
+            let fixes = self.in_micrometres(text, words);
+            let told = Diagnostic::new(Message::PointNotAllowed { word }, words.span(address));
+            self.tell(Diagnostic { fixes, ..told });
+            return false;
+        }
+        if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
+            let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
+            let word = words.quote(text, address);
+            let fixes = self.in_micrometres(text, words);
+            let told = Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address));
+            self.tell(Diagnostic { fixes, ..told });
+        }
+        true
+    }
+
+    /// P and Q as a control counts them, thousandths of a millimetre without a point.
+    pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
+        if self.state.unit != words::Unit::Millimetre {
+            return Vec::new();
+        }
+        let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));
+        let mut edits: Vec<Edit> = found
+            .filter_map(|word| {
+                let (Value::Number { .. }, written) = (word.value, quote(text, word.span)) else {
+                    return None;
+                };
+                let letter = written.chars().next()?;
+                let thousandths = (1000.0 * plain(word)?).round();
+                Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
+            })
+            .collect();
+        edits.sort_by_key(|edit| edit.span.start);
+        let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
+        let title = Repair::Write { text: title.join(" ") };
+        if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }
+    }
+}

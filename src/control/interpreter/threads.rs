@@ -1,0 +1,194 @@
+//! G76 as blocks call it: `P(m)(r)(a) Q R`, then the thread (semantics §7.7).
+//!
+//! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor remarks in
+//! `rules::thread`.
+
+use super::multiples::NEAR;
+use super::*;
+use crate::cycles::threading::{self, MultiThread};
+use crate::cycles::units;
+use crate::diagnostics::{Edit, Repair};
+use crate::motion::Cycle;
+
+/// Tool angles that FANUC takes, degrees (PS0315).
+const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
+
+/// A least depth of G76 beyond this, mm, is no depth that somebody meant.
+const LEAST_DEPTH: f64 = 1.0;
+
+impl Interpreter {
+    /// G76.
+    pub(super) fn multi_threading(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
+        let reading = self.reading();
+        let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        if !words.has_any(AXES) {
+            return self.threading_parameters(text, words);
+        }
+        let one_block = words.get(b'K').is_some();
+        let start = self.state.position;
+        let end = self.target(text, words);
+        let lead = self.lead(block, words, "G76")?;
+        self.watch_thread_spindle(block, "G76");
+        let taper_word = if one_block { b'I' } else { b'R' };
+        self.watch_thread_pass(block, words, Point::new(end.x, start.z), end, lead);
+        let (height, first_depth, least_depth, method) = if one_block {
+            let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
+            (length(b'K'), depth, 0.0, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
+        } else {
+            // Q of the first block is read in the unit of this pair.
+            let least = self.state.parameters.least_amount;
+            let (unit, p, q) = self.amounts(text, words, |p, q| units::threading(least, p, q))?;
+            (p, q, least.map_or(0.0, |least| self.amount_in(least, unit)), 1)
+        };
+        let angle = if one_block {
+            words.get(b'A').and_then(plain).unwrap_or(0.0)
+        } else {
+            self.state.parameters.angle
+        };
+        let gsk = self.dialect.control == Control::Gsk;
+        if !gsk && !one_block && !THREAD_ANGLES.contains(&angle) {
+            // Told at the first block.
+            return None;
+        }
+        let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
+        let pull_out = 0.1 * f64::from(self.state.thread_chamfer) * lead;
+        let parameters = self.state.parameters;
+        let how = MultiThread {
+            end,
+            taper,
+            height: height.unwrap_or(0.0),
+            first_depth: first_depth.unwrap_or(0.0),
+            least_depth,
+            allowance: if one_block { 0.0 } else { parameters.thread_allowance },
+            finishing: parameters.finishing,
+            pull_out: (self.state.thread_chamfer_on && pull_out > 0.0)
+                .then_some(PullOut { along: pull_out, out: pull_out }),
+            angle: angle.to_radians(),
+            clamp: match self.dialect.g76_clamp {
+                G76Clamp::Prev => threading::Clamp::Previous,
+                G76Clamp::Sqrt => threading::Clamp::Root,
+            },
+            edge: if matches!(method, 2 | 4) { threading::Edge::InTurn } else { threading::Edge::Leading },
+            load: if matches!(method, 3 | 4) {
+                threading::Load::EvenDepth
+            } else {
+                threading::Load::EvenArea
+            },
+        };
+        let most = self.moves_left();
+        let message = match threading::thread(start, &how, most) {
+            Ok(moves) => {
+                self.check_thread_start(block, start, &how);
+                let measured = if one_block { 60.0 } else { angle };
+                if let Some(message) = rules::thread::amounts(how.height, how.first_depth, lead, measured) {
+                    let address =
+                        if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
+                    let span = if one_block { block.words_span() } else { words.span(address) };
+                    let fixes = self.swapped_amounts(text, words, &message);
+                    self.tell(Diagnostic { fixes, ..Diagnostic::new(message, span) });
+                }
+                let way = (start.x - end.x).abs();
+                if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
+                    let message = Message::ThreadPullOut { pull_out: out.out, way };
+                    self.tell(Diagnostic::new(message, block.words_span()));
+                }
+                if words.get(taper_word).is_some() {
+                    let word = words.quote(text, taper_word);
+                    let stock = self.setup.stock;
+                    if let Some(message) =
+                        rules::taper_shape(Single::Threading, start, end, taper, &word, stock)
+                    {
+                        let fix = matches!(message, Message::TaperNarrows { .. })
+                            .then(|| Fix::write(words.span(taper_word), singles::with_other_sign(&word)));
+                        let told = Diagnostic::new(message, words.span(taper_word));
+                        self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+                    }
+                }
+                self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
+                return Some(());
+            }
+            Err(threading::Fault::Angle) => Message::ThreadAngle { angle },
+            Err(threading::Fault::LeastDepthTooLarge) => {
+                Message::ThreadLeastDepth { least: how.least_depth, height: how.height }
+            }
+            Err(threading::Fault::NoHeight) => Message::ThreadNoDepth { word: 'P' },
+            Err(threading::Fault::NoFirstDepth) => Message::ThreadNoDepth { word: 'Q' },
+            Err(threading::Fault::TooManyMoves) => {
+                self.refuse_long_cycle(block, "G76", 0, most);
+                return None;
+            }
+        };
+        self.tell(Diagnostic::new(message, block.words_span()));
+        None
+    }
+
+    /// P and Q of G76 with their letters exchanged, where that is what the message is about.
+    pub(super) fn swapped_amounts(&self, text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
+        let (Some(p), Some(q), Message::ThreadFirstDepth { .. }) =
+            (words.get(b'P'), words.get(b'Q'), message)
+        else {
+            return Vec::new();
+        };
+        let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
+        let mut edits = [
+            (p.span, format!("Q{}", words::behind_letter(&p_text))),
+            (q.span, format!("P{}", words::behind_letter(&q_text))),
+        ];
+        edits.sort_by_key(|edit| edit.0.start);
+        let title =
+            Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
+        let edits = edits.map(|(span, text)| Edit { span, text });
+        vec![Fix { title, safe: false, edits: edits.into() }]
+    }
+
+    /// The first block of G76: `P(m)(r)(a) Q R`.
+    pub(super) fn threading_parameters(&mut self, text: &[u8], words: &Words) -> Option<()> {
+        let reading = self.reading();
+        if let Some(word) = words.get(b'P') {
+            let Value::Number { number, .. } = word.value else { return None };
+            if !self.is_whole(text, word) {
+                return None;
+            }
+            let packed = number.mantissa;
+            self.state.parameters.finishing = (packed / 10_000 % 100).max(1) as u32;
+            self.state.thread_chamfer = (packed / 100 % 100) as u8;
+            let angle = (packed % 100) as f64;
+            self.state.parameters.angle = angle;
+            if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
+                let written = quote(text, word.span);
+                let head = written.len().saturating_sub(2);
+                let told = Diagnostic::new(Message::ThreadAngle { angle }, word.span);
+                // The nearest angle there is.
+                let apart = |other: &f64| (other - angle).abs();
+                let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+                let fix = near
+                    .filter(|_| written.is_char_boundary(head) && number.digits >= 3)
+                    .map(|near| Fix::write(word.span, format!("{}{near:02}", &written[..head])));
+                self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            }
+        }
+        if words.get(b'Q').is_some() {
+            self.state.parameters.least_amount = self.amount(words, b'Q');
+            let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
+            if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {
+                let message = Message::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
+                self.tell(Diagnostic::new(message, words.span(b'Q')));
+            }
+        }
+        if let Some(allowance) = words.get(b'R').and_then(|word| reading.length(word)) {
+            self.state.parameters.thread_allowance = allowance.abs();
+        }
+        Some(())
+    }
+
+    /// The tool returns to the start X after each pass: it must clear the crest.
+    pub(super) fn check_thread_start(&mut self, block: &Block, start: Point, how: &MultiThread) {
+        let external = how.end.x < start.x;
+        let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
+        let inside = if external { start.x <= crest + 0.001 } else { start.x >= crest - 0.001 };
+        if inside {
+            let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest };
+            self.tell(Diagnostic::new(message, block.words_span()));
+        }
+    }
+}

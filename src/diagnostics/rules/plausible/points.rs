@@ -1,0 +1,130 @@
+//! Lost decimal points: zeros that pad, single numbers without a point, places far beyond all others.
+
+use super::*;
+
+impl Program<'_> {
+    /// `F02`, `R05`: a zero in front of a number without a point.
+    pub(super) fn leading_zeros(&self) -> Vec<Diagnostic> {
+        let numbers = b"XZUWRFIKCA";
+        let padded = |word: &&Word| {
+            let written = word.span.of(self.text);
+            let digits = written[1..].iter().skip_while(|byte| matches!(byte, b' ' | b'-' | b'+'));
+            let digits: Vec<u8> = digits.copied().collect();
+            word.value != 0.0 && digits.len() >= 2 && digits[0] == b'0'
+        };
+        let bare = |word: &&Word| numbers.contains(&word.address) && word.decimals.is_none();
+        let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
+        // Who pads lengths more than once, `Z02`, counts on it; nobody pads a feed.
+        let lengths = found.iter().filter(|word| word.address != b'F').count();
+        let alone = found.into_iter().filter(|word| word.address == b'F' || lengths == 1);
+        let tell = |word: &Word| {
+            let written = self.quote(word);
+            let zero = written.find('0').unwrap_or_default();
+            let meant = format!("{}0.{}", &written[..zero], &written[zero + 1..]);
+            let fix = Fix::write(word.span, meant.clone());
+            let message = Message::LeadingZero { word: written, value: word.value, meant };
+            Diagnostic::new(message, word.span).with(fix)
+        };
+        alone.map(tell).collect()
+    }
+
+    /// A single number without a point in a program that writes points.
+    pub(super) fn missing_points(&self) -> Vec<Diagnostic> {
+        let lengths = |word: &&Word| {
+            (b"XZUWRIK".contains(&word.address)
+                && self.rows[word.block].role == Role::Place
+                && word.value != 0.0)
+                || word.address == b'F' && word.value != 0.0
+        };
+        let without = |word: &&Word| word.decimals.is_none();
+        let all: Vec<&Word> = self.words.iter().filter(lengths).filter(|word| word.address != b'F').collect();
+        let bare: Vec<&Word> = all.iter().copied().filter(without).collect();
+        // One or two among many.
+        if bare.is_empty() || all.len() < 6 || bare.len() * 6 > all.len() {
+            return Vec::new();
+        }
+        let tell = |word: &Word| {
+            let message = Message::PointMissing { word: self.quote(word), thousandths: word.value / 1000.0 };
+            let told = Diagnostic::new(message, word.span);
+            Diagnostic { fixes: self.with_point(word), ..told }
+        };
+        // A place far away is often a round number.
+        let cuts = |word: &&Word| self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+        bare.into_iter().filter(cuts).map(tell).collect()
+    }
+
+    /// The word with a point where its like have theirs, and with one at its end.
+    pub(super) fn with_point(&self, word: &Word) -> Vec<Fix> {
+        let written = self.quote(word);
+        let alike =
+            self.words.iter().filter(|other| other.address == word.address && other.decimals.is_some());
+        let mut counts: BTreeMap<u8, usize> = BTreeMap::new();
+        for other in alike {
+            *counts.entry(other.decimals.unwrap_or_default()).or_default() += 1;
+        }
+        let mut usual: Vec<(u8, usize)> = counts.into_iter().collect();
+        usual.sort_by_key(|&(decimals, count)| (std::cmp::Reverse(count), decimals));
+        let mut decimals: Vec<u8> = usual.into_iter().map(|(decimals, _)| decimals).collect();
+        decimals.extend([1, 2, 3]);
+        // Others have it at their end.
+        decimals.push(0);
+        let digits = written.bytes().filter(u8::is_ascii_digit).count();
+        let mut texts: Vec<String> = Vec::new();
+        for places in decimals.into_iter().filter(|&places| usize::from(places) < digits) {
+            let at = written.len() - usize::from(places);
+            let text = format!("{}.{}", &written[..at], &written[at..]);
+            if !texts.contains(&text) {
+                texts.push(text);
+            }
+        }
+        texts.truncate(3);
+        texts.into_iter().map(|text| Fix::write(word.span, text)).collect()
+    }
+
+    /// Where a word leads, mm as people write it.
+    pub(super) fn leads_to(&self, word: &Word) -> Option<f64> {
+        let value = word.value * self.unit;
+        let (from, to) = self.rows[word.block].motions?;
+        let start = self.motions.get(from).from;
+        let place = match word.address {
+            b'X' | b'Z' => Some(value),
+            b'U' => Some(2.0 * start.x + value),
+            b'W' => Some(start.z + value),
+            _ => None,
+        };
+        place.filter(|_| from < to)
+    }
+
+    /// A place far beyond all others.
+    pub(super) fn far_off(&self) -> Vec<Diagnostic> {
+        let start = if self.motions.is_empty() { Default::default() } else { self.motions.get(0).from };
+        let mut told = Vec::new();
+        for (axis, letters, begins) in [('X', b"XU", 2.0 * start.x.abs()), ('Z', b"ZW", start.z.abs())] {
+            let mut places: Vec<(f64, &Word, bool)> = Vec::new();
+            for word in self.places().filter(|word| letters.contains(&word.address)) {
+                let cuts = self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+                places.extend(self.leads_to(word).map(|place| (place, word, cuts)));
+            }
+            let top = places.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+            let Some(&(place, word, cuts)) = top else { continue };
+            let others = || places.iter().filter(|other| other.1.span != word.span);
+            let far = |found: &mut dyn Iterator<Item = f64>| found.fold(0.0, f64::max);
+            let cut = far(&mut others().filter(|other| other.2).map(|other| other.0.abs()));
+            let next = far(&mut others().map(|other| other.0.abs())).max(begins);
+            let cut_others = others().filter(|other| other.2).count();
+            // A retreat may go farther than all cuts; a cut hardly farther than the retreat.
+            let (limit, farthest) = match cuts && cut_others >= 2 {
+                true => (2.0 * cut + 50.0, cut),
+                false => (3.0 * next + 50.0, next),
+            };
+            if others().count() < 2 || place.abs() <= limit {
+                continue;
+            }
+            let (to, farthest) = (round(place), round(farthest));
+            let message = Message::FarOff { word: self.quote(word), axis, to, farthest };
+            let fixes = if word.decimals.is_none() { self.with_point(word) } else { Vec::new() };
+            told.push(Diagnostic { fixes, ..Diagnostic::new(message, word.span) });
+        }
+        told
+    }
+}
