@@ -792,7 +792,7 @@ impl Message {
             Self::TaperEdge { .. } => ("W-TAPER-EDGE", "taper-first-pass-deep", Info, None),
             Self::PassNotDeeper { .. } => ("W-PASS-NOT-DEEPER", "pass-not-deeper", Warning, None),
             Self::AirCut { .. } => ("W-AIR-CUT", "start-far-from-work", Info, None),
-            Self::StartBehindFace { .. } => ("W-START-BEHIND-FACE", "start-behind-face", Info, None),
+            Self::StartBehindFace { .. } => ("W-START-BEHIND-FACE", "start-behind-face", Warning, None),
             Self::StartInStock { .. } => ("W-START-IN-STOCK", "cycle-starts-in-stock", Warning, None),
             Self::ToolChangeNear { .. } => ("W-TOOLCHANGE-POS", "tool-change-near-work", Warning, None),
             Self::BoreRetract { .. } => ("W-BORE-RETRACT", "leaves-bore-sideways", Error, None),

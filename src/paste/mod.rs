@@ -116,7 +116,7 @@ impl Program {
 /// ```
 /// use gcode_playground::paste::find;
 ///
-/// let found = find("Example: O0001; G00 X32 Z2; G01 Z–30 F0.1; M30; See figure 4.");
+/// let found = find("Example: O0001; G00 X32 Z2; G01 Z–30 F0.1; M30;\nSee figure 4.");
 /// assert_eq!(found.programs[0].text(), "O0001;\nG00 X32 Z2;\nG01 Z-30 F0.1;\nM30;\n");
 /// ```
 pub fn find(text: &str) -> Found {

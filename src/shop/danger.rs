@@ -37,6 +37,11 @@ pub enum Danger {
     LeavesBore,
     /// A cycle comes back at rapid to a start within the material.
     CycleStart,
+    /// A facing cycle starts behind the face: what stands in front of it is cut at once.
+    BehindFace {
+        /// Z of the face of the blank, mm.
+        face: f64,
+    },
     /// The tool meets the jaws.
     IntoJaws,
     /// The tool meets the tailstock.
@@ -266,7 +271,8 @@ impl Watch {
         });
         let found = places.any(|place| now.holds(place));
         if found {
-            self.tell(index, start, Danger::CycleStart);
+            let face = self.stock.map_or(0.0, |stock| stock.face);
+            self.tell(index, start, if facing { Danger::BehindFace { face } } else { Danger::CycleStart });
         }
         found
     }

@@ -2,6 +2,7 @@
 //!
 //! In: the words of a block. Out: motions. Corner words and angles are answered here too.
 
+use super::singles;
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::modal::{Angle, Joint};
@@ -281,7 +282,9 @@ impl Interpreter {
             && radius < 0.0
             && self.dialect.negative_arc_r == NegativeArcR::Alarm
         {
-            self.tell(Diagnostic::new(Message::ArcRadiusNegative { radius }, words.span(b'R')));
+            let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
+            let fix = Fix::write(span, singles::with_other_sign(&word));
+            self.tell(Diagnostic::new(Message::ArcRadiusNegative { radius }, span).with(fix));
             request.drop = true;
             return;
         }

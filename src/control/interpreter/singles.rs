@@ -27,7 +27,11 @@ impl Interpreter {
             && self.state.told.first(Once::LetterIInG92)
         {
             let as_taper = self.dialect.i_in_g92 == IInG92::Taper;
-            self.tell(Diagnostic::new(Message::LetterIInG92 { as_taper }, words.span(b'I')));
+            let word = words.quote(text, b'I');
+            let fix =
+                as_taper.then(|| Fix::write(words.span(b'I'), format!("R{}", words::behind_letter(&word))));
+            let told = Diagnostic::new(Message::LetterIInG92 { as_taper }, words.span(b'I'));
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
         }
         if !words.has_any(AXES) {
             return;
@@ -48,7 +52,8 @@ impl Interpreter {
         let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.get(address).is_some());
         if let Some(address) = other {
             let message = Message::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
-            self.tell(Diagnostic::new(message, words.span(address)));
+            let fix = Fix::delete(text, words.span(address));
+            self.tell(Diagnostic::new(message, words.span(address)).with(fix));
             request.drop = true;
             return;
         }

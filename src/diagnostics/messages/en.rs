@@ -47,7 +47,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ProgramNumberZero => "O0 is not a program number.\n\
             Use a number from O1 to O9999.",
         DuplicateProgram => "O{number} stands here a second time.\n\
-            A control keeps only one program under a number.",
+            A control keeps only one program under a number. Give one of them another free number, or delete it.",
         NoEnd => "The program ends without M30 or M02.\n\
             Put M30 at the end: without it the control stops with an alarm, and spindle and coolant keep running.",
         MoreMessages => "Messages not shown: {hidden}.\n\
@@ -83,21 +83,25 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Write the number out. GOTO, P and Q may name it by a variable.",
         MacroOverflow => "This value is too large to be a number of a macro.",
         MacroDivisionByZero => "This divides by zero.\n\
-            A vacant variable counts as 0.",
+            A vacant variable counts as 0: was another variable meant, or is one never set?",
         MacroUnknownFunction => "There is no such function.\n\
             SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD, with their values in `[ ]`.",
         MacroExpression => "This expression cannot be read.\n\
             Write `#1+2`, `[#1-#2]*3`, `SIN[#4]`: square brackets, a sign between any two values. Comparisons are EQ NE GT GE LT LE, not `=` and `>`.",
-        MacroBracketOpen => "This `[` has no `]`.",
+        MacroBracketOpen => "This `[` has no `]`.\n\
+            Put `]` where what belongs together ends: `[#1-#2]/2` and `[#1-#2/2]` differ.",
         MacroNumberOrCondition => "A condition stands where a number belongs, or a number where a condition belongs.\n\
             A condition compares: `[#1 GT 10]`, with EQ NE GT GE LT LE.",
         MacroVariableNumber => "There is no such variable.\n\
             Local #1 to #33, common #100 to #199 and #500 to #999, system variables from #1000 on.",
-        MacroReadOnly => "This variable can only be read, not written.",
-        MacroBracketsTooDeep => "More than five brackets stand inside each other.",
+        MacroReadOnly => "This variable can only be read, not written.\n\
+            #0 is always vacant, and some system variables belong to the machine. Store in #1 to #33 or #100 to #199.",
+        MacroBracketsTooDeep => "More than five brackets stand inside each other.\n\
+            Take out a pair that changes nothing, or put a part into a variable first.",
         MacroFunctionArgument => "The function has no result for this value.\n\
             Such as the root or the logarithm of a negative number.",
-        MacroEndMissing => "This DO has no END of the same number.",
+        MacroEndMissing => "This DO has no END of the same number.\n\
+            Write END with that number behind the last block that is to be repeated.",
         MacroFormat => "This macro statement cannot be read.\n\
             Such as `#1=#2+1`, `IF[#1 GT 5]GOTO 10`, `IF[#1 EQ 0]THEN #2=1`, `WHILE[#1 LE 9]DO1` … `END1`.",
         MacroLoopNumber => "The number of a loop is 1, 2 or 3, and END belongs to a DO that runs.",
@@ -118,15 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same.",
         SystemGuessed => "Read as G-code system {system}: this word does not belong to system A.\n\
             In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure.",
-        ReferenceNumber => "`{word}` names no reference point: P2, P3 or P4 go with G30.",
+        ReferenceNumber => "`{word}` names no reference point of G30.\n\
+            P2, P3 and P4 are the second to fourth point; the first is reached by G28, without P.",
         NotAtReference => "G27 does not end at the reference point, X{x} Z{z} here.\n\
             G27 checks that the tool stands there, and raises an alarm where it does not.",
-        NoIntermediate => "G29 has no intermediate point: no G28 or G30 came before.",
+        NoIntermediate => "G29 has no intermediate point: no G28 or G30 came before.\n\
+            G29 comes back from G28 by the same point. Write G28 before it, or go there with G00.",
         MachineZero => "G53 counts from the machine's own zero; here the reference point X{x} Z{z} is taken for it.\n\
-            The machine knows where that is, the program does not. Set `refPoint` in the setup to where the slides stand at home.",
+            The program need not change. To draw the move in its place, set `refPoint` in the setup to where the slides stand at home.",
         OffsetNumber => "`{word}` names no entry of the offset table.",
         TipNumber => "`{word}` is no tip direction: 0 to 9.",
-        DataPassedOver => "What follows up to G11 is data for the control's tables; it is passed over.",
+        DataPassedOver => "What follows up to G11 is data for the control's tables; it is passed over.\n\
+            Nothing needs changing if that is meant; if G11 stands too late, move it up.",
         HoleInForce => "`{word}` may not stand while {hole} is in force.\n\
             Write G80 before it: until then every X, Z or C makes another hole.",
         PeckZero => "`{word}` is no depth of a peck.\n\
@@ -142,7 +149,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         NotSupported => "{what} is not supported here.\n\
             This is no fault of the program. Motions after it may be wrong and are drawn faint.",
         MakerG => "`{word}` depends on the machine; it is passed over.\n\
-            Makers use such numbers for codes of their own. What it does is not drawn.",
+            Keep it if the machine's manual lists it; otherwise it is a slip: correct or delete it. What it does is not drawn.",
         PointNotAllowed => "`{word}` must be a whole number, without a point.",
         MinusNotAllowed => "`{word}` cannot be negative.",
         DuplicateWord => "{address} stands twice in this block; `{used}` counts.\n\
@@ -168,7 +175,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         DwellWithPoint => "`{word}` has a point; it was read as seconds.\n\
             FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere.",
         DwellNoTime => "G04 has no time, so it does not wait.\n\
-            Write X or U in seconds, or P in milliseconds, greater than zero. F is no time.",
+            Write X or U in seconds, or P in milliseconds, greater than zero: `G04 X0.5` or `G04 P500` is half a second. F is no time.",
         AxisNotHere => "The Y axis of `{word}` is not supported here: only X, Z and C are drawn.\n\
             The moves of X and Z are drawn all the same, faint from here on. Said once.",
         PlaneNotHere => "Arcs in the plane of {word} are not supported here outside G12.1.\n\
@@ -227,7 +234,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ArcNoRadius => "I and K are zero: the centre is the start point, so the arc has no radius.\n\
             I is a radius value from the start point to the centre, K the same along Z; or give the radius with R.",
         ArcRadiusNegative => "This control does not take R{radius}.\n\
-            Give arcs of more than 180° with I and K.",
+            Write R without the minus for the short arc; give arcs of more than 180° with I and K.",
         ArcNowhere => "The arc ends where it begins, so with R nothing moves.\n\
             A full circle is written with I and K.",
         TaperBeyondHalf => "`R{taper}` is larger than half of `{axis}{limit}`: the cut would begin outside the start point.\n\
@@ -259,7 +266,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ContourBeyondStart => "The contour of {code} goes beyond the start point in {axis}.\n\
             Start the cycle outside the contour.",
         ContourNothingToCut => "Between the start point and this contour there is nothing for {code} to cut.\n\
-            The contour needs a depth below the start point and a way along it: more than its first and last block.",
+            Its first block must go to a diameter (G72: a length) below the start point, and more than one further move must follow.",
         ContourOpenEnd => "`{word}` in the last block of the contour has no next move.\n\
             A contour cannot end in a chamfer, a rounded corner or an open angle.",
         DepthMissing => "{code} has no depth of cut.\n\
@@ -269,14 +276,14 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AllowanceSign => "The allowance `{word}` points into the part.\n\
             Outside work has a positive U, bores a negative one; W points away from the direction of cut.",
         PatternNoPasses => "G73 has no number of passes.\n\
-            Give it as R in a first block, such as G73 U9 W2 R5.",
+            R of a first block is the number of passes, U (radius) and W the material to take off, such as G73 U9 W2 R5.",
         PatternPasses => "G73 cannot make {passes} passes.",
         TooManyPasses => "{code} would make more than {most} moves; it is not carried out.\n\
             Is the depth, the peck or the first cut far too small? Amounts without a point may be micrometres.",
         PeckNegative => "`{word}` cannot be negative.\n\
             Pecks and steps have no sign: the direction follows from the end point.",
         PeckMissing => "{code} moves this axis but has no {address}.\n\
-            P is the amount along X (radius), Q along Z.",
+            P is the amount along X (radius), Q along Z, in micrometres: P3000 is 3 mm.",
         ReliefNegative => "The relief or retract `{word}` cannot be negative here.\n\
             Its direction follows from the steps.",
         AmountInMillimetres => "`{word}` was read as mm (inches under G20).\n\
@@ -284,18 +291,19 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ThreadAngle => "{angle}° is no tool angle of G76.\n\
             FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P.",
         ThreadLeastDepth => "The least depth {least} mm is larger than the thread height {height} mm.\n\
-            Q of the first block and P of the second are micrometres.",
+            Q of the first block is the least depth of a pass in micrometres, usually 20 to 100; P of the second is the height.",
         ThreadNoHeight => "G76 needs a thread height P larger than zero.\n\
-            P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
+            P is the height of the thread, about 0.65 of the pitch (P1300 for 2 mm), Q the depth of the first cut, both as radius values in micrometres.",
         ThreadNoFirstDepth => "G76 needs a first depth Q larger than zero.\n\
             P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
         ThreadStartInside => "G76 starts at X{start}, at or inside the crest of the thread at X{crest}.\n\
             The tool returns to the start X after every pass: it must clear the work.",
         CornerNoMove => "`{word}` has no straight move behind it to form a corner with.\n\
             The next block must move by G01 (G02 and G03 for `,C` and `,R`).",
-        CornerTooLarge => "`{word}` is larger than the moves beside it.",
+        CornerTooLarge => "`{word}` is larger than the moves beside it.\n\
+            It takes that much of each move; X counts as a diameter, so X46 to X50 is a way of 2 mm. Write a smaller corner, or lengthen the move.",
         CornerNone => "`{word}`: these two moves form no corner.\n\
-            The path goes straight on or turns back on itself.",
+            The path goes straight on or turns back on itself. Put the word into the block where it turns, or delete it.",
         CornerNoLine => "`{word}`: there is no corner in this block.\n\
             A chamfer or a rounded corner needs a move by G01 (G02 and G03 for `,C` and `,R`); rapids and cycles have none.",
         CornerAxis => "`{word}` does not fit the next move.\n\
@@ -309,7 +317,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Write G18 before it.",
         CycleWord => "`{word}` may not stand in a block with {code}.\n\
             The end of the contour is in its blocks P to Q; the cycle takes P, Q, U, W and F, S, T.",
-        CycleAxis => "`{word}`: {code} moves only X and Z.",
+        CycleAxis => "`{word}`: {code} moves only X and Z.\n\
+            Move this axis in a block of its own before the cycle.",
         FinishStart => "G70 does not start where the contour was roughed from, X{roughed_x} Z{roughed_z}.\n\
             The first and the last move are rapids: from another point they may cross the part.",
         FinishWithoutRoughing => "The contour N{first} to N{last} is finished by G70, but no G71, G72 or G73 roughs it.\n\
@@ -319,10 +328,11 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         CompensationOnArc => "{code} may not begin or end on an arc.\n\
             Put G40, G41 and G42 on a straight move (G00 or G01).",
         CompensationOvercut => "A nose of R{radius} does not fit here: it would cut into the contour.\n\
-            A step is lower, a groove narrower or an inner arc smaller than the nose.",
-        CompensationNoIntersection => "With a nose of R{radius} these two moves do not meet.",
+            A step is lower, a groove narrower or an inner arc smaller than the nose. Take an insert with a smaller nose, or make that place at least as large as the nose.",
+        CompensationNoIntersection => "With a nose of R{radius} these two moves do not meet.\n\
+            Check the end point and the radius of both: shifted by the nose radius they must still cross.",
         CompensationPlane => "The plane may not change while G41 or G42 is on.\n\
-            Write G40 first.",
+            Write G40 first, on a move before the plane changes.",
         LeadRunsOut => "The lead of G34 would become {lead} mm.\n\
             K is the change of lead for each turn; it must leave the lead positive to the end.",
         CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
@@ -402,7 +412,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         CompensationShort => "The move of {length} mm that begins or ends compensation is shorter than the nose radius {radius} mm.\n\
             Give it at least the radius, better twice, outside the material.",
         CompensationTip => "The tool's tip number is {tip}, so the control takes the centre of the nose for its tip.\n\
-            Turning tools have 3, boring bars 2: the setup's `tip` says where the imaginary tip lies.",
+            Turning tools have 3, boring bars 2: `tip` of the setup, or TIP= in a TOOL comment, says where the imaginary tip lies.",
         ChuckOpen => "`{word}` opens the chuck on many machines, and the spindle still turns.\n\
             Stop it first with M05.",
         TapReverse => "The tap leaves the hole without the spindle turning back.\n\
@@ -414,7 +424,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ArcOverHalf => "`{word}` is negative: the arc goes the long way round, more than 180°.\n\
             A turned profile hardly ever does. Was a positive R meant?",
         NotCompared => "The program has more than {most} blocks, or ten times as many motions: its numbers are not compared with each other.\n\
-            A lost point, a lost minus or a U in place of an X is then not noticed. `limits.comparedBlocks` of the setup sets the bound.",
+            Nothing is wrong with it; only a lost point, a lost minus or a U in place of an X is then not noticed. `limits.comparedBlocks` of the setup sets the bound.",
         CoolantOff => "This cut is made without coolant.\n\
             Switch it on with M08 before the first cut and off with M09 at the end.",
         FeedModeNotNamed => "Neither G98 nor G99 stands before this cut.\n\

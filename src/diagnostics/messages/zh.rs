@@ -47,7 +47,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ProgramNumberZero => "O0 不能用作程序号。\n\
             程序号的范围是 O1～O9999。",
         DuplicateProgram => "程序号 O{number} 在这里重复出现。\n\
-            同一个程序号，系统只能存一个程序。",
+            同一个程序号，系统只能存一个程序。请给其中一个换一个未用的号，或删除它。",
         NoEnd => "程序结尾没有 M30 或 M02。\n\
             请在结尾写上 M30：否则系统报警停止时，主轴还在转，冷却液也没有关。",
         MoreMessages => "还有 {hidden} 条提示没有显示。\n\
@@ -83,21 +83,25 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             请直接写出号码。GOTO、P、Q 可以用变量指定。",
         MacroOverflow => "数值太大，超出宏程序的范围。",
         MacroDivisionByZero => "除数为零。\n\
-            空变量按 0 计算。",
+            空变量按 0 计算：是否应为另一个变量，或忘了赋值？",
         MacroUnknownFunction => "没有这个函数。\n\
             可用 SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW MOD，自变量写在 `[ ]` 内。",
         MacroExpression => "无法读取该表达式。\n\
             写法如 `#1+2`、`[#1-#2]*3`、`SIN[#4]`：用方括号，两个值之间要有运算符。比较用 EQ NE GT GE LT LE，不用 `=`、`>`。",
-        MacroBracketOpen => "该 `[` 没有对应的 `]`。",
+        MacroBracketOpen => "该 `[` 没有对应的 `]`。\n\
+            请在该部分结束处写 `]`：`[#1-#2]/2` 与 `[#1-#2/2]` 不同。",
         MacroNumberOrCondition => "应为数值处写了条件，或应为条件处写了数值。\n\
             条件用于比较：`[#1 GT 10]`，可用 EQ NE GT GE LT LE。",
         MacroVariableNumber => "没有这个变量。\n\
             局部变量 #1～#33，公共变量 #100～#199、#500～#999，系统变量从 #1000 起。",
-        MacroReadOnly => "该变量只能读，不能写。",
-        MacroBracketsTooDeep => "方括号嵌套超过五层。",
-        MacroFunctionArgument => "函数对该值无解。\n\
+        MacroReadOnly => "该变量只能读，不能写。\n\
+            #0 永远为空，有些系统变量属于机床。请存入 #1～#33 或 #100～#199。",
+        MacroBracketsTooDeep => "方括号嵌套超过五层。\n\
+            请去掉不起作用的一对方括号，或先把一部分存入变量。",
+        MacroFunctionArgument => "函数对该值没有定义。\n\
             例如负数的平方根或对数。",
-        MacroEndMissing => "该 DO 没有同号的 END。",
+        MacroEndMissing => "该 DO 没有同号的 END。\n\
+            请在要重复的最后一段之后写同号的 END。",
         MacroFormat => "无法读取该宏语句。\n\
             写法如 `#1=#2+1`、`IF[#1 GT 5]GOTO 10`、`IF[#1 EQ 0]THEN #2=1`、`WHILE[#1 LE 9]DO1` … `END1`。",
         MacroLoopNumber => "循环号为 1、2 或 3，且 END 要与正在执行的 DO 对应。",
@@ -118,15 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。",
         SystemGuessed => "按 G 代码体系 {system} 读取：该指令不属于体系 A。\n\
             体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。",
-        ReferenceNumber => "`{word}` 不是参考点号：G30 用 P2、P3 或 P4。",
+        ReferenceNumber => "`{word}` 不是 G30 的参考点号。\n\
+            P2、P3、P4 是第二到第四参考点；第一参考点用 G28，不写 P。",
         NotAtReference => "G27 的终点不是参考点，这里参考点为 X{x} Z{z}。\n\
             G27 检查刀具是否到达参考点，未到达则报警。",
-        NoIntermediate => "G29 没有中间点：之前没有 G28 或 G30。",
+        NoIntermediate => "G29 没有中间点：之前没有 G28 或 G30。\n\
+            G29 经同一中间点从 G28 返回。请在它之前写 G28，或用 G00 直接走到。",
         MachineZero => "G53 以机床零点计算；这里取参考点 X{x} Z{z} 为机床零点。\n\
-            机床零点的位置只有机床知道。请在设置的 `refPoint` 中填写回零后的位置。",
+            程序无需修改。要画出正确位置，请在设置的 `refPoint` 中填写回零后的位置。",
         OffsetNumber => "`{word}` 不是偏置表中的号码。",
         TipNumber => "`{word}` 不是刀尖方位号：应为 0 到 9。",
-        DataPassedOver => "从这里到 G11 是写入系统数据表的数据，被跳过。",
+        DataPassedOver => "从这里到 G11 是写入系统数据表的数据，被跳过。\n\
+            如确实如此则无需修改；若 G11 写得太晚，请把它提前。",
         HoleInForce => "{hole} 有效时不能写 `{word}`。\n\
             先写 G80：在此之前每个 X、Z 或 C 都会再加工一个孔。",
         PeckZero => "`{word}` 不是有效的每次切深。\n\
@@ -142,7 +149,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         NotSupported => "这里不支持 {what}。\n\
             这不是程序的错。此后的刀具轨迹可能不准确，用淡色画出。",
         MakerG => "`{word}` 因机床而异，被跳过。\n\
-            这类号码由机床厂自定，其动作没有画出。",
+            机床说明书中有此代码则保留；否则是笔误，请改正或删除。其动作没有画出。",
         PointNotAllowed => "`{word}` 必须是整数，不能带小数点。",
         MinusNotAllowed => "`{word}` 不能是负值。",
         DuplicateWord => "地址 {address} 在本程序段中出现了两次，以 `{used}` 为准。\n\
@@ -168,7 +175,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         DwellWithPoint => "`{word}` 带小数点，按秒读取。\n\
             FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。",
         DwellNoTime => "G04 没有写时间，不会暂停。\n\
-            请用 X 或 U 指定秒数，或用 P 指定毫秒数，都要大于零。F 不是时间。",
+            请用 X 或 U 指定秒数，或用 P 指定毫秒数，都要大于零：`G04 X0.5` 或 `G04 P500` 是半秒。F 不是时间。",
         AxisNotHere => "这里不支持 `{word}` 的 Y 轴：只画 X、Z 和 C。\n\
             X 和 Z 的运动照常画出，此后以淡色表示。只提示一次。",
         PlaneNotHere => "这里不支持 G12.1 以外 {word} 平面的圆弧。\n\
@@ -227,7 +234,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ArcNoRadius => "I 和 K 都是零：圆心就是起点，圆弧没有半径。\n\
             I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量；也可用 R 指定半径。",
         ArcRadiusNegative => "本系统不接受 R{radius}。\n\
-            大于 180° 的圆弧请用 I、K 编程。",
+            小于 180° 的圆弧请去掉 R 的负号；大于 180° 的圆弧请用 I、K 编程。",
         ArcNowhere => "圆弧的终点就是起点，用 R 编程时刀具不动。\n\
             整圆要用 I、K 编程。",
         TaperBeyondHalf => "`R{taper}` 超过 `{axis}{limit}` 的一半：切削起点会落到循环起点之外。\n\
@@ -259,7 +266,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ContourBeyondStart => "{code} 的精加工路线在 {axis} 向超出了循环起点。\n\
             循环起点要选在轮廓之外。",
         ContourNothingToCut => "循环起点与该轮廓之间没有可供 {code} 切削的余量。\n\
-            轮廓相对循环起点要有深度和长度：除首尾两段外还应有其他程序段。",
+            首段应走到比循环起点更深的直径（G72 为长度），其后还应有多段移动。",
         ContourOpenEnd => "`{word}` 写在精加工路线的最后一段，后面没有移动。\n\
             精加工路线不能以倒角、倒圆或终点未定的角度结束。",
         DepthMissing => "{code} 没有给出背吃刀量。\n\
@@ -269,33 +276,34 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AllowanceSign => "精加工余量 `{word}` 的方向指向零件内部。\n\
             车外圆时 U 为正，车内孔时 U 为负；W 的方向与切削方向相反。",
         PatternNoPasses => "G73 没有给出循环次数。\n\
-            请在第一个程序段中用 R 指定，如 G73 U9 W2 R5。",
+            第一段的 R 是刀数，U（半径值）和 W 是要切除的余量，如 G73 U9 W2 R5。",
         PatternPasses => "G73 的循环次数不能是 {passes}。",
         TooManyPasses => "{code} 的刀具运动会超过 {most} 段，循环不执行。\n\
-            是不是背吃刀量、啄式进给量或第一刀切深写得太小了？不带小数点的数值可能按 μm 计算。",
+            是不是背吃刀量、每次进刀量或第一刀切深写得太小了？不带小数点的数值可能按 μm 计算。",
         PeckNegative => "`{word}` 不能是负值。\n\
-            啄式进给量和移动量不带正负号，方向由终点坐标决定。",
+            每次进刀量和移动量不带正负号，方向由终点坐标决定。",
         PeckMissing => "{code} 在这个轴上有移动，却没有写 {address}。\n\
-            P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量。",
-        ReliefNegative => "这里的让刀量或退刀量 `{word}` 不能是负值。\n\
-            让刀方向由每次移动的方向决定。",
+            P 是 X 向每次的移动量（半径值），Q 是 Z 向每次的移动量，单位 μm：P3000 即 3 mm。",
+        ReliefNegative => "这里的退刀量 `{word}` 不能是负值。\n\
+            退刀方向由每次移动的方向决定。",
         AmountInMillimetres => "`{word}` 已按 mm（G20 时按英寸）读取。\n\
             FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
         ThreadAngle => "G76 的刀尖角度不能是 {angle}°。\n\
             FANUC 只接受 80、60、55、30、29 和 0 度，写在 P 的最后两位。",
         ThreadLeastDepth => "最小切深 {least} mm 大于牙型高度 {height} mm。\n\
-            第一个程序段的 Q 和第二个程序段的 P 都以 μm 为单位。",
+            第一段的 Q 是每刀最小切深，单位 μm，通常 20～100；第二段的 P 是牙型高度。",
         ThreadNoHeight => "G76 的牙型高度 P 必须大于零。\n\
-            P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。",
+            P 是牙型高度，约为螺距的 0.65 倍（螺距 2 mm 时 P1300），Q 是第一刀切深，都是半径值，单位 μm。",
         ThreadNoFirstDepth => "G76 的第一刀切深 Q 必须大于零。\n\
             P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。",
         ThreadStartInside => "G76 的循环起点 X{start} 没有让开螺纹牙顶 X{crest}。\n\
             每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。",
         CornerNoMove => "`{word}` 后面没有直线移动，无法形成拐角。\n\
             下一个程序段要用 G01 移动（`,C` 和 `,R` 也可以用 G02、G03）。",
-        CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。",
+        CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。\n\
+            它要从相邻每段中切去这么长；X 是直径值，X46 到 X50 只有 2 mm。请减小倒角或圆角，或加长移动。",
         CornerNone => "`{word}`：这两段移动之间没有拐角。\n\
-            轨迹是一直向前，或者原路折返。",
+            路径在此直行或原路折返。请把它写到有拐角的段里，或删除。",
         CornerNoLine => "`{word}`：这个程序段没有拐角。\n\
             倒角和倒圆角要写在 G01 的移动中（`,C`、`,R` 也可用于 G02、G03）；快速移动和循环没有拐角。",
         CornerAxis => "`{word}` 与下一段移动不符。\n\
@@ -309,20 +317,22 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             请先写 G18。",
         CycleWord => "`{word}` 不能写在 {code} 程序段中。\n\
             轮廓由 P 到 Q 的程序段给出；循环程序段只写 P、Q、U、W 和 F、S、T。",
-        CycleAxis => "`{word}`：{code} 只能使用 X、Z 轴。",
+        CycleAxis => "`{word}`：{code} 只能使用 X、Z 轴。\n\
+            请在循环之前用单独的程序段移动该轴。",
         FinishStart => "G70 的起点与粗车循环的起点 X{roughed_x} Z{roughed_z} 不同。\n\
             第一段和最后一段是快速移动，从别的点出发可能碰到工件。",
         FinishWithoutRoughing => "G70 精车 N{first} 到 N{last} 的轮廓，但没有 G71、G72 或 G73 粗车它。\n\
-            毛坯是否已接近成品尺寸？或者 P、Q 写错了程序段号？",
+            毛坯是否已接近成品尺寸？或者 P、Q 写错了顺序号？",
         AngleNoPoint => "由 `{word}` 求不出终点。\n\
             角度从 +Z 方向起按逆时针计算。两条直线必须相交；只有一条直线时，除角度外还要写 X 或 Z。",
         CompensationOnArc => "{code} 不能在圆弧上建立或取消补偿。\n\
             G40、G41、G42 要写在直线移动的程序段中（G00 或 G01）。",
         CompensationOvercut => "刀尖半径 R{radius} 在这里放不下，会产生过切。\n\
-            台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。",
-        CompensationNoIntersection => "刀尖半径为 R{radius} 时，这两段移动补偿后没有交点。",
+            台阶高度、槽宽或内圆弧半径太小，容不下刀尖圆弧。请换刀尖半径更小的刀片，或把该处加大到不小于刀尖半径。",
+        CompensationNoIntersection => "刀尖半径为 R{radius} 时，这两段移动补偿后没有交点。\n\
+            请检查这两段的终点和半径：偏移刀尖半径后它们仍须相交。",
         CompensationPlane => "G41 或 G42 有效时，不能切换平面。\n\
-            请先写 G40 取消补偿。",
+            请先在换平面之前的移动段中写 G40 取消补偿。",
         LeadRunsOut => "G34 的导程会变成 {lead} mm。\n\
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
         CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
@@ -344,18 +354,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ThreadTooFast => "螺距 {pitch} mm 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
             经验公式 n ≤ 1200/P − 80。超过时螺纹两端螺距不准。",
         ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
-            各刀将不在同一螺旋槽内（乱扣）。从第一刀到最后一刀请保持转速不变。",
+            各刀将不在同一螺旋槽内（乱牙）。从第一刀到最后一刀请保持转速不变。",
         ThreadStartMoved => "本刀起点为 Z{now}，上一刀为 Z{before}：两刀不在同一螺旋槽。\n\
             差值必须是导程 {lead} mm 的整数倍，或用 Q 指定另一线的起始角。",
-        ThreadRunIn => "引入段 {have} mm 对此转速和导程偏短，约需 {need} mm。\n\
+        ThreadRunIn => "升速进刀段 {have} mm 对此转速和导程偏短，约需 {need} mm。\n\
             拖板加速期间螺距不准。请把起点放远些，或降低转速。",
-        ThreadHeight => "螺距 {pitch} mm 的 60° 螺纹，牙高 {height} mm 不合适，一般约 {usual} mm。\n\
-            P 是单边牙高（半径值），单位 µm，约为螺距的 0.65 倍。是否写成了直径值或漏了一位？",
-        ThreadFirstDepth => "第一刀切深 {first} mm 大于整个牙高 {height} mm。\n\
-            P 是牙高，Q 是第一刀切深，都是半径值、单位 µm。是否写反了？",
+        ThreadHeight => "螺距 {pitch} mm 的 60° 螺纹，牙型高度 {height} mm 不合适，一般约 {usual} mm。\n\
+            P 是单边牙型高度（半径值），单位 μm，约为螺距的 0.65 倍。是否写成了直径值或漏了一位？",
+        ThreadFirstDepth => "第一刀切深 {first} mm 大于整个牙型高度 {height} mm。\n\
+            P 是牙型高度，Q 是第一刀切深，都是半径值，单位 μm。是否写反了？",
         ThreadLeastLarge => "`{word}` 使最小切深为 {least} mm。\n\
-            第一段的 Q 单位是 µm，通常 20～100。精车次数、倒角量、刀尖角是 P 的数字。",
-        ThreadPullOut => "倒角退尾量 {pull_out} mm 大于退回起点直径的距离 {way} mm。\n\
+            第一段的 Q 单位是 μm，通常 20～100。精加工次数、退尾量（螺纹倒角量）、刀尖角度由 P 的六位数字指定。",
+        ThreadPullOut => "退尾量（螺纹倒角量）{pull_out} mm 大于退回起点直径的距离 {way} mm。\n\
             45° 退尾会越过起点。请把起点放远，或减小第一段 P 中的 r。",
         FeedOfThread => "F{feed} 仍是前面螺纹的导程，现在成了本次切削的进给量。\n\
             螺纹之后车削请重新写 F：每转 {feed} mm 会崩刀。",
@@ -382,13 +392,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         GrooveStep => "`{word}` 即移动量 {step} mm，不小于刀宽 {width} mm，各刀之间会留下残料。\n\
             各刀必须重叠：Q 应小于刀宽。",
         EscapeTooLarge => "退刀量 R{escape} 大于背吃刀量 {depth}。\n\
-            每刀后刀具以 45° 抬起 R，通常 0.5 mm 左右。",
+            每刀后刀具沿 45° 退刀 R，通常 0.5 mm 左右。",
         ContourStartMoved => "轮廓从 {axis}{first} 开始，而 {code} 的起点是 {axis}{start}。\n\
-            ns 段只应移动另一轴：两点的 {axis} 应相同。",
+            第一段只应移动另一轴：两点的 {axis} 应相同。",
         ContourNotClosed => "轮廓终点 X{x} 在毛坯 Ø{diameter} 之内，那里会留下台阶。\n\
             最后一段应走到起点直径，使刀具离开工件。",
         PatternShallow => "G73 第一刀切深达 {depth} mm：退刀总量 {relief} mm 小于要切除的余量。\n\
-            第一段的 U 是总切除量（半径值）：毛坯直径减最小直径的一半。",
+            第一段的 U 是总切除量（半径值）：（毛坯直径 − 最小直径）÷ 2。",
         PatternAir => "G73 第一刀有 {share} % 在毛坯之外空走。\n\
             G73 用于铸锻件毛坯。棒料用 G71 更快。",
         CompensationInCycle => "`{word}` 写在 {code} 程序段里：循环进行中不能切换补偿。\n\
@@ -401,8 +411,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             系统只预读几个程序段；读不到下一移动时会在拐角过切或欠切。请把这些段放到别处。",
         CompensationShort => "建立或取消补偿的移动 {length} mm 小于刀尖半径 {radius} mm。\n\
             该移动至少为半径，最好两倍，并在材料之外。",
-        CompensationTip => "该刀的刀尖方位号为 {tip}，系统把圆心当作刀尖。\n\
-            外圆车刀一般为 3，镗刀为 2：在设置的 `tip` 中给出。",
+        CompensationTip => "该刀的刀尖方位号为 {tip}，系统把刀尖圆弧中心当作刀尖。\n\
+            外圆车刀一般为 3，镗刀为 2：在设置的 `tip` 或程序注释 TOOL 的 TIP= 中给出。",
         ChuckOpen => "`{word}` 在许多机床上是松开卡盘，而主轴仍在旋转。\n\
             请先用 M05 停主轴。",
         TapReverse => "丝锥退出时主轴没有反转。\n\
@@ -410,11 +420,11 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         TapSurface => "在轴线上攻丝需要恒转速：G97 S…。\n\
             G96 下 X0 处转速会升到上限。",
         DuplicateSequence => "N{sequence} 在第 {line} 行又出现一次；这里取本段之后的第一个。\n\
-            P、Q、GOTO、M99 P 按段号查找。被查找的段号应唯一。",
+            P、Q、GOTO、M99 P 按顺序号查找。被查找的顺序号应唯一。",
         ArcOverHalf => "`{word}` 为负：圆弧走大于 180° 的一侧。\n\
             车削轮廓几乎不会这样。是否应为正 R？",
         NotCompared => "程序超过 {most} 段，或动作超过其十倍：不再相互比较各数值。\n\
-            因此不会提示漏小数点、漏负号或把 X 写成 U。上限由设置中的 `limits.comparedBlocks` 决定。",
+            程序本身没有错，只是不会提示漏小数点、漏负号或把 X 写成 U。上限由设置中的 `limits.comparedBlocks` 决定。",
         CoolantOff => "切削时没有开冷却液。\n\
             第一次切削前用 M08 打开，结束时用 M09 关闭。",
         FeedModeNotNamed => "切削之前没有写 G98 或 G99。\n\
@@ -445,7 +455,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             图形中的刀具是推测的，不检查刀杆碰撞。请在设置中加上 {tool}。",
         RapidThroughStock => "快速移动在 X{x} Z{z} 处撞到工件。\n\
             快速移动时刀具不能碰到材料：先走到工件外面的点，或用 G01 切削。",
-        DoglegThroughStock => "两轴同时以快速速度起动时，这次快速移动会在 X{x} Z{z} 处撞到工件。\n\
+        DoglegThroughStock => "两轴同时以快移速度起动时，这次快速移动会在 X{x} Z{z} 处撞到工件。\n\
             许多机床的 G00 不走直线，行程短的轴先到。请让两轴先后移动。",
         RapidAlongStock => "快速移动贴着毛坯外圆 X{x} 滑过。\n\
             至少留出 1 毫米：棒料直径可能比公称尺寸略大。",
@@ -491,11 +501,11 @@ pub(super) const fn phrase(phrase: Phrase) -> &'static str {
         Approach => "趋近",
         Escape => "45° 退刀",
         Contour => "沿轮廓",
-        Relief => "让刀",
-        Stepover => "移到下一列",
+        Relief => "侧向退刀",
+        Stepover => "移位",
         AtRapid => "快速",
         WithSpindle => "随主轴同步",
-        AtFeed => "以进给",
+        AtFeed => "按进给速度",
         Pass => " 第 {pass} 刀",
         PassOf => " 第 {pass} 刀（共 {passes} 刀）",
         OfCycle => "{cycle}{pass}：{manner}{step}至 {to}",

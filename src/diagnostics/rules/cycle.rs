@@ -62,7 +62,7 @@ pub fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> D
     if kept { before } else { own }
 }
 
-/// Where a cycle starts, against the blank: too far, or behind the face.
+/// A cycle that starts too far from the blank.
 pub fn start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
     let radius = stock.diameter / 2.0;
     let outside = own.end.x < own.start.x;
@@ -74,7 +74,5 @@ pub fn start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message>
     if cycle != Single::Threading && far_z > FAR && own.end.z < stock.face {
         return Some(Message::AirCut { axis: 'Z', distance: far_z });
     }
-    let behind =
-        cycle == Single::Facing && outside && own.start.z < stock.face - NEAR && own.end.z < own.start.z;
-    (behind && own.start.x >= radius).then_some(Message::StartBehindFace { z: own.start.z, face: stock.face })
+    None
 }

@@ -38,6 +38,7 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
         Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
         Danger::RapidAlongStock => Message::RapidAlongStock { x },
         Danger::LeavesBore => Message::BoreRetract { x, z },
+        Danger::BehindFace { face } => Message::StartBehindFace { z, face },
         Danger::CycleStart => {
             let cycle = motions.get(finding.motion).cycle.map_or("", |tag| tag.cycle.code());
             Message::StartInStock { code: cycle, x }
