@@ -152,6 +152,8 @@ fn repairs() {
     check_fix("00006;\nG0 X1", "O0006;\nG0 X1");
     check_fix("G0 X2O0 Zl0", "G0 X200 Z10");
     check_fix("G0 X1..5 Z2.5.", "G0 X1.5 Z2.5");
+    check_fix("（外圆）\nG0 X5", "(外圆)\nG0 X5");
+    check_fix("G0 X5；Z1", "G0 X5;Z1");
     let start = "M3 S500\nG99 G0 X50 Z2 F.2\n";
     let both = |before: &str, after: &str| check_fix(&format!("{start}{before}"), &format!("{start}{after}"));
     // Roles of U and W, signs, and words of the multiple cycles.

@@ -179,9 +179,17 @@ impl<'a> Parser<'a> {
             }
             TokenKind::Semicolon => {
                 self.after_semicolon = true;
+                if token.span.len() > 1 {
+                    self.full_width(block, token.span);
+                }
                 return Some(token.span.start as usize);
             }
-            TokenKind::Comment => block.comment(token.span),
+            TokenKind::Comment => {
+                block.comment(token.span);
+                if !token.span.of(self.lexer.text())[0].is_ascii() {
+                    self.full_width(block, token.span);
+                }
+            }
             TokenKind::NestedComment => {
                 block.comment(token.span);
                 block.fault(Diagnostic::new(Message::CommentNested, token.span));
@@ -400,6 +408,31 @@ impl<'a> Parser<'a> {
         let message = Message::CommaForPoint { address: letter as char, word: span.quote(self.lexer.text()) };
         let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
         block.fault(Diagnostic::new(message, span).with(fix));
+    }
+
+    /// `；`, `（外圆）`: a sign that a control does not know, with its ASCII twin as the repair.
+    #[cold]
+    fn full_width(&self, block: &mut Block, span: Span) {
+        // One fault, one message; the repair of the first uncovers the next.
+        if block.faults.iter().any(|fault| matches!(fault.message, Message::FullWidth { .. })) {
+            return;
+        }
+        let text = self.lexer.text();
+        let word = span.quote(text);
+        let plain: String = word
+            .char_indices()
+            .map(|(at, letter)| match letter {
+                '（' if at == 0 => '(',
+                '）' if at + letter.len_utf8() == word.len() => ')',
+                '；' => ';',
+                letter => letter,
+            })
+            .collect();
+        let title = Repair::Write { text: plain.clone() };
+        let fix = Fix::replace(title, span, &plain);
+        let short = Span::new(0, plain.len());
+        let (word, plain) = (short_quote(text, span), short_quote(plain.as_bytes(), short));
+        block.fault(Diagnostic::new(Message::FullWidth { word, plain }, span).with(fix));
     }
 
     /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is read as it
