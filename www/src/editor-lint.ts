@@ -30,7 +30,7 @@ export function lintDiagnostics(
       markClass: `cm-problem-${diagnostic.kind}`,
       renderMessage: () => explain(diagnostic, strings),
       actions: diagnostic.fixes.map((fix) => ({
-        name: fix.title,
+        name: fix.title.replaceAll('`', ''),
         apply: (view: EditorView) => applyFix(view, fix.edits),
       })),
     }));

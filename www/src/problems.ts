@@ -92,7 +92,7 @@ export class Problems {
     );
     button.addEventListener('click', () => this.#events.chosen(diagnostic));
     const fixes = diagnostic.fixes.map((fix) => {
-      const repair = make('button', { type: 'button', className: 'fix' }, strings.fix(fix.title));
+      const repair = make('button', { type: 'button', className: 'fix' }, ...prose(strings.fix(fix.title)));
       repair.addEventListener('click', () => this.#events.fixed(fix.edits));
       return repair;
     });

@@ -151,7 +151,7 @@ impl Interpreter {
         }
         let surface = before
             .map(|before| before.end.x + before.taper)
-            .or(self.setup.stock.map(|stock| stock.diameter / 2.0));
+            .or(self.setup.stock.map(|stock| start.x.min(stock.diameter / 2.0)));
         if let Some(depth) = rules::cycle::edge_depth(cycle, &own, surface, before.is_none()) {
             self.tell(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
         }

@@ -48,7 +48,9 @@ pub fn pass_not_deeper(
 pub fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
     let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
     let depth = surface? - (own.end.x + own.taper);
-    (first && outside && depth > DEEPEST_PASS).then_some(depth)
+    // A thick bar takes a deeper cut.
+    let deepest = DEEPEST_PASS.max(0.14 * surface?);
+    (first && outside && depth > deepest).then_some(depth)
 }
 
 /// The deeper of two passes.
