@@ -1,5 +1,6 @@
 //! In: a folder of static files and a port. Out: the folder on http://localhost, to this machine only. It does what
-//! a page needs that any plain file host can serve, and nothing else.
+//! a page needs that any plain file host can serve, and nothing else. Text and wasm are sent compressed, as such a host
+//! sends them: what loads slowly here loads slowly there.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Ipv4Addr, Ipv6Addr, TcpListener, TcpStream};
@@ -8,8 +9,14 @@ use std::sync::Arc;
 use std::time::Duration;
 use std::{fs, thread};
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
+
 /// The longest line of a request that is read.
 const LINE_MAX: u64 = 16 * 1024;
+
+/// Answers up to this many bytes fit one packet as they are.
+const PLAIN_MAX: usize = 1024;
 
 /// A port of this machine, taken.
 pub struct Server {
@@ -59,7 +66,9 @@ fn answer(stream: &TcpStream, folder: &Path) -> io::Result<()> {
     reader.read_line(&mut request)?;
     // The rest of the head is read, lest the connection be reset before the answer arrives.
     let mut line = String::new();
+    let mut gzip = false;
     while reader.read_line(&mut line)? > 2 {
+        gzip |= takes_gzip(&line);
         line.clear();
         reader.set_limit(LINE_MAX);
     }
@@ -73,11 +82,18 @@ fn answer(stream: &TcpStream, folder: &Path) -> io::Result<()> {
         _ => Some(("405 Method Not Allowed", "text/plain; charset=utf-8", b"only GET and HEAD\n".to_vec())),
     };
     let missing = || ("404 Not Found", "text/plain; charset=utf-8", b"no such file\n".to_vec());
-    let (status, kind, body) = found.unwrap_or_else(missing);
+    let (status, kind, mut body) = found.unwrap_or_else(missing);
+    let mut encoding = "";
+    if gzip && body.len() > PLAIN_MAX && shrinks(kind) {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(&body)?;
+        body = encoder.finish()?;
+        encoding = "Content-Encoding: gzip\r\n";
+    }
     let mut stream = stream;
     write!(
         stream,
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n{encoding}Vary: Accept-Encoding\r\n\
          Cache-Control: no-cache\r\nConnection: close\r\n\r\n",
         body.len()
     )?;
@@ -85,6 +101,19 @@ fn answer(stream: &TcpStream, folder: &Path) -> io::Result<()> {
         stream.write_all(&body)?;
     }
     stream.flush()
+}
+
+/// Whether a line of a request's head says that the reader takes gzip.
+fn takes_gzip(line: &str) -> bool {
+    let Some((name, value)) = line.split_once(':') else { return false };
+    let coding = |part: &str| part.split(';').next().is_some_and(|coding| coding.trim() == "gzip");
+    name.eq_ignore_ascii_case("accept-encoding") && value.split(',').any(coding)
+}
+
+/// Whether gzip makes files of a content type smaller: pictures and fonts are compressed already.
+fn shrinks(content_type: &str) -> bool {
+    let kind = content_type.split(';').next().unwrap_or_default();
+    kind.starts_with("text/") || ["application/json", "application/wasm", "image/svg+xml"].contains(&kind)
 }
 
 /// The file that the target of a request names; never one outside the folder.
@@ -179,5 +208,54 @@ mod tests {
         assert!(ask("GET /none HTTP/1.1\r\n\r\n")?.starts_with("HTTP/1.1 404 "));
         assert!(ask("POST / HTTP/1.1\r\n\r\n")?.starts_with("HTTP/1.1 405 "));
         Ok(())
+    }
+
+    #[test]
+    fn text_is_compressed_for_those_who_take_it() -> io::Result<()> {
+        let folder = run_folder("compressed")?;
+        let text = "G01 X20 Z-30 F0.2\n".repeat(1000);
+        fs::write(folder.join("long.nc"), &text)?;
+        fs::write(folder.join("short.nc"), "M30\n")?;
+        fs::write(folder.join("picture.png"), &text)?;
+        let server = Server::bind(0)?;
+        let port = server.port;
+        thread::spawn(move || server.serve(&folder));
+        let ask = |file: &str, accept: &str| -> io::Result<(String, Vec<u8>)> {
+            let mut stream = TcpStream::connect((Ipv4Addr::LOCALHOST, port))?;
+            write!(stream, "GET /{file} HTTP/1.1\r\naccept-encoding: {accept}\r\n\r\n")?;
+            let mut answer = Vec::new();
+            io::Read::read_to_end(&mut stream, &mut answer)?;
+            let head = answer.windows(4).position(|bytes| bytes == b"\r\n\r\n").expect("a head") + 4;
+            let body = answer.split_off(head);
+            Ok((String::from_utf8_lossy(&answer).into_owned(), body))
+        };
+        let (head, body) = ask("long.nc", "br, gzip;q=0.9")?;
+        assert!(head.contains("\r\nContent-Encoding: gzip\r\n"), "{head}");
+        assert!(head.contains(&format!("\r\nContent-Length: {}\r\n", body.len())), "{head}");
+        assert!(body.len() < text.len() / 10);
+        assert_eq!(io::read_to_string(flate2::read::GzDecoder::new(&body[..]))?, text);
+        for (file, accept) in [("long.nc", "br"), ("short.nc", "gzip"), ("picture.png", "gzip")] {
+            let (head, body) = ask(file, accept)?;
+            assert!(!head.contains("Content-Encoding"), "{file}, {accept}: {head}");
+            assert!(head.contains(&format!("\r\nContent-Length: {}\r\n", body.len())), "{head}");
+        }
+        Ok(())
+    }
+
+    /// A new folder for one test.
+    fn run_folder(name: &str) -> io::Result<PathBuf> {
+        let folder = std::env::temp_dir().join(format!("gcode-playground-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder)?;
+        Ok(folder)
+    }
+
+    #[test]
+    fn only_an_accepted_coding_counts() {
+        assert!(takes_gzip("Accept-Encoding: gzip, deflate, br\r\n"));
+        assert!(takes_gzip("accept-encoding:gzip\r\n"));
+        assert!(!takes_gzip("Accept-Encoding: br\r\n"));
+        assert!(!takes_gzip("User-Agent: gzip\r\n"));
+        assert!(shrinks("text/html; charset=utf-8") && shrinks("application/wasm"));
+        assert!(!shrinks("image/png") && !shrinks("application/octet-stream"));
     }
 }

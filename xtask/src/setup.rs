@@ -1,7 +1,7 @@
 //! In: a machine with Rust and Node. Out: a machine on which everything can be built and tested ([`Setup`]).
 //! What is there already is only looked at; what is missing is installed, with a line saying so.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use std::process::Command;
 use std::thread::{self, ScopedJoinHandle};
@@ -24,19 +24,25 @@ pub struct Setup {
 impl Setup {
     /// Gets everything a build of the page needs.
     pub fn for_building() -> Result<Self> {
-        // Slow when cold, each on its own: two programs from source, the standard library, the npm packages.
-        let (wasm_pack, wasm_bindgen, packages, toolchain) = thread::scope(|scope| {
-            let wasm_pack = scope.spawn(tools::wasm_pack);
+        // Slow when cold, each on its own: a program from source, the standard library, the npm packages.
+        let (wasm_bindgen, packages, toolchain) = thread::scope(|scope| {
             let wasm_bindgen = scope.spawn(tools::wasm_bindgen);
             let packages = scope.spawn(npm_packages);
-            (joined(wasm_pack), joined(wasm_bindgen), joined(packages), wasm_std::ensure())
+            (joined(wasm_bindgen), joined(packages), wasm_std::ensure())
         });
-        let node_bin = packages?;
-        let mut folders: Vec<PathBuf> = [wasm_pack?, wasm_bindgen?].into_iter().flatten().collect();
-        folders.push(node_bin);
-        folders.extend(env::var_os("PATH").iter().flat_map(env::split_paths));
-        let path = env::join_paths(folders).map_err(|error| format!("cannot extend PATH: {error}"))?;
+        let folders = wasm_bindgen?.into_iter().chain([packages?]);
+        let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
         Ok(Setup { toolchain: toolchain?, path })
+    }
+
+    /// Gets what the tests need besides: wasm-pack, whose build takes longer than that of all the rest.
+    pub fn for_testing() -> Result<Self> {
+        let (wasm_pack, setup) = thread::scope(|scope| {
+            let wasm_pack = scope.spawn(tools::wasm_pack);
+            (joined(wasm_pack), Setup::for_building())
+        });
+        let Setup { toolchain, path } = setup?;
+        Ok(Setup { toolchain, path: before(wasm_pack?, &path)? })
     }
 
     /// A program that builds for wasm32 and finds all tools, started from the root of the repository.
@@ -55,9 +61,15 @@ impl Setup {
     }
 }
 
+/// The folders, then those of a PATH.
+fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<OsString> {
+    env::join_paths(folders.into_iter().chain(env::split_paths(path)))
+        .map_err(|error| format!("cannot extend PATH: {error}"))
+}
+
 /// `cargo xtask setup`: everything, the browser for the tests included.
 pub fn main() -> Result {
-    let setup = Setup::for_building()?;
+    let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
     run::say(format_args!("wasm32 is built by: {}", setup.toolchain));
     run::say(format_args!("the browser tests use: {}", browser.display()));

@@ -20,7 +20,7 @@ pub fn main() -> Result {
     done("lints", step("lints, native", &mut clippy)?);
 
     let setting_up = Instant::now();
-    let setup = Setup::for_building()?;
+    let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
     done("set-up", setting_up.elapsed());
 
