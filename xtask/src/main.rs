@@ -128,6 +128,46 @@ fn parse_bench(words: &[&str]) -> run::Result<bench::Options> {
 mod tests {
     use super::*;
 
+    /// The commands of the documents, from code spans and blocks; what explains them stands two blanks behind.
+    fn documented() -> Vec<String> {
+        let documents = [
+            "README.md",
+            "ARCHITECTURE.md",
+            "CHANGELOG.md",
+            "benches/README.md",
+            "tests/programs/README.md",
+            "src/diagnostics/pages/README.md",
+        ];
+        let mut found = Vec::new();
+        for document in documents {
+            let text = std::fs::read_to_string(run::root().join(document)).expect(document);
+            for rest in text.split("cargo xtask ").skip(1) {
+                found.extend(
+                    rest.split(['`', '\n'])
+                        .next()
+                        .and_then(|line| line.split("  ").next())
+                        .map(str::to_owned),
+                );
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn every_command_of_the_documents_is_understood() {
+        let documented = documented();
+        assert!(documented.len() > 10, "{documented:?}");
+        for line in &documented {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            assert!(parse(&words).is_ok(), "cargo xtask {line}");
+        }
+        for line in USAGE.lines().filter_map(|line| line.strip_prefix("cargo xtask ")) {
+            let name = line.split_whitespace().next().expect("a name");
+            let told = documented.iter().any(|line| line.split_whitespace().next() == Some(name));
+            assert!(told, "no document names `cargo xtask {name}`");
+        }
+    }
+
     #[test]
     fn command_lines() {
         let play = |port, browser| Ok(Task::Play(Options { port, browser }));

@@ -122,12 +122,22 @@ impl Module<'_> {
     }
 }
 
-/// Whether the module is as small as it should be; says how large it is.
+/// Whether the module is as small as it should be and as large as `benches/README.md` says; says how large it is.
 pub fn size() -> Result<Duration> {
+    let path = run::root().join("benches/README.md");
+    let text =
+        fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+    let told =
+        told_size(&text).ok_or("benches/README.md has no line of a table that begins `| shipped: `")?;
     let mut node = run::command("node");
     node.args(["-e", WEIGH]).arg(run::www().join("pkg/gcode_playground_bg.wasm"));
-    node.arg(MOST_COMPRESSED.to_string());
+    node.args([MOST_COMPRESSED.to_string(), (told * 1000).to_string()]);
     run::step("weighing the module", &mut node)
+}
+
+/// The size of the shipped module in the table of sizes, kB.
+fn told_size(table: &str) -> Option<u64> {
+    table.lines().find(|line| line.starts_with("| shipped: "))?.split('|').nth(2)?.trim().parse().ok()
 }
 
 /// Builds the page into www/dist, and the pages of the rules beside it.
@@ -138,13 +148,16 @@ pub fn page(setup: &Setup) -> Result<Duration> {
     Ok(page + run::step("writing the pages of the rules", &mut rules)?)
 }
 
-/// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed.
+/// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed or is not what the
+/// table says.
 const WEIGH: &str = "\
-    const [file, most] = process.argv.slice(1);\
+    const [file, most, told] = process.argv.slice(1);\
     const module = require('node:fs').readFileSync(file);\
     const small = require('node:zlib').gzipSync(module, { level: 9 }).length;\
     console.log(`wasm module: ${module.length} bytes, ${small} compressed (at most ${most})`);\
-    process.exitCode = small > most ? 1 : 0;";
+    const off = Math.abs(small / told - 1) > 0.05;\
+    if (off) console.log(`benches/README.md says ${told}: put the table right`);\
+    process.exitCode = small > most || off ? 1 : 0;";
 
 fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))

@@ -1,0 +1,530 @@
+//! The documents keep what they promise: every command is called, every snippet read, every file, key, attribute and
+//! figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "documentation/figures.rs"]
+mod figures;
+#[path = "documentation/markdown.rs"]
+mod markdown;
+#[path = "documentation/usage.rs"]
+mod usage;
+
+use std::collections::{BTreeSet, HashSet};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+use figures::{FIGURES, Held};
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use markdown::Document;
+use serde_json::Value;
+
+/// The documents. The change log tells of the past, and only its commands and files are looked at.
+const DOCUMENTS: [&str; 6] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CHANGELOG.md",
+    "benches/README.md",
+    "tests/programs/README.md",
+    "src/diagnostics/pages/README.md",
+];
+
+/// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
+/// documents.
+const NOT_RUN: [(&str, &str); 7] = [
+    (
+        "cargo install --path .",
+        "an optimised build of minutes; that the program builds is shown by every test of it",
+    ),
+    ("cargo bench", "it takes minutes and measures the machine; `cargo clippy --all-targets` compiles it"),
+    (
+        "cargo +nightly fuzz run program",
+        "it never ends, and needs another toolchain; xtask compiles the target",
+    ),
+    (
+        "cargo rustc --crate-type cdylib",
+        "part of every `cargo xtask test`, which builds the module of the page",
+    ),
+    ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
+    ("# rapid-through-stock", "a sketch of a page; `tests/rule_pages.rs` reads all pages"),
+    ("text ──►", "a drawing"),
+];
+
+/// What the documents name and only a build makes.
+const BUILT: [(&str, &str); 2] = [
+    ("dist/rules", "`cargo xtask play`; `tests/browser/rules.spec.ts` opens its pages"),
+    ("rules/en/index.html", "the same"),
+];
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn source(path: &str) -> String {
+    fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+fn analyze_codes(program: &str) -> Vec<&'static str> {
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    analysis.diagnostics.iter().map(|found| found.message.code()).collect()
+}
+
+fn documents() -> Vec<(&'static str, Document)> {
+    DOCUMENTS.iter().map(|&name| (name, Document::read(&source(name)))).collect()
+}
+
+fn not_run(text: &str) -> bool {
+    NOT_RUN.iter().any(|(start, _)| text.starts_with(start))
+}
+
+// ---- files ----------------------------------------------------------------------------------------
+
+/// All files of the project, with `/`, from its root. What builds leave behind is none of them.
+fn files() -> Vec<String> {
+    fn walk(folder: &Path, found: &mut Vec<String>) {
+        for entry in fs::read_dir(folder).expect("a folder").flatten() {
+            let path = entry.path();
+            let name = entry.file_name();
+            let name = name.to_string_lossy();
+            let left_out =
+                ["target", "node_modules", "dist", "pkg", "test-results", "corpus", "artifacts", ".git"];
+            if left_out.contains(&name.as_ref()) {
+                continue;
+            }
+            if path.is_dir() {
+                walk(&path, found);
+            } else {
+                let inside = path.strip_prefix(root()).expect("inside");
+                found.push(inside.to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&root(), &mut found);
+    found
+}
+
+/// Whether a name such as `messages/wording.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
+/// file or a folder. A name may begin at any folder, and leave out the ending of a module.
+fn is_there(name: &str, files: &[String]) -> bool {
+    let name = name.split('#').next().unwrap_or_default().trim_end_matches('/');
+    let wanted: Vec<&str> = name.split('/').collect();
+    let stem = |part: &str| part.split('.').next().unwrap_or_default().to_owned();
+    files.iter().any(|file| {
+        let parts: Vec<&str> = file.split('/').collect();
+        parts.windows(wanted.len()).any(|run| {
+            run.iter().zip(&wanted).all(|(part, wanted)| fits(part, wanted) || stem(part) == *wanted)
+        })
+    })
+}
+
+/// One part of a path against what is wanted of it, where `<slug>` stands for any characters.
+fn fits(part: &str, wanted: &str) -> bool {
+    match (wanted.find('<'), wanted.find('>')) {
+        (Some(open), Some(close)) if open < close => {
+            part.starts_with(&wanted[..open]) && part.ends_with(&wanted[close + 1..])
+        }
+        _ => part == wanted,
+    }
+}
+
+/// Whether a span names a file or a folder.
+fn is_path(span: &str) -> bool {
+    const ENDINGS: [&str; 10] =
+        [".rs", ".md", ".ts", ".js", ".mjs", ".json", ".jsonl", ".toml", ".html", ".css"];
+    let plain = span.split('#').next().unwrap_or_default();
+    let one_word = !plain.contains(char::is_whitespace) && plain.chars().any(char::is_alphabetic);
+    let slashes = plain.contains('/') && !plain.starts_with(['/', '<', '(']);
+    one_word && (slashes || ENDINGS.iter().any(|ending| plain.ends_with(ending)))
+}
+
+#[test]
+fn every_file_that_is_named_exists() {
+    let files = files();
+    let mut missing = Vec::new();
+    for (document, parts) in documents() {
+        for span in parts.spans.iter().filter(|span| is_path(span)) {
+            if !is_there(span, &files) && !BUILT.iter().any(|(built, _)| built == span) {
+                missing.push(format!("{document}: `{span}`"));
+            }
+        }
+        for line in source(document).lines() {
+            for link in line.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+                if !link.starts_with("https://") && !is_there(link, &files) {
+                    missing.push(format!("{document}: ({link})"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "no such file:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn a_missing_file_would_be_found() {
+    let files = files();
+    assert!(is_path("element.js") && !is_there("element.js", &files));
+    assert!(is_path("messages/wording.ts") && !is_there("messages/wording.ts", &files));
+    assert!(
+        is_there("diagnostics/messages", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
+    );
+}
+
+// ---- commands -------------------------------------------------------------------------------------
+
+/// A command as the documents write it, without what is set for it (`RULE_PAGES=slug,slug cargo …`).
+fn command(text: &str) -> Option<&str> {
+    let text = text.trim().trim_start_matches("$ ");
+    let mut rest = text;
+    while let Some((word, after)) = rest.split_once(' ').filter(|(word, _)| is_assignment(word)) {
+        let _ = word;
+        rest = after.trim_start();
+    }
+    let program = rest.split_whitespace().next()?;
+    ["cargo", "gcode-playground", "npm", "npx", "node", "gzip", "git"].contains(&program).then_some(rest)
+}
+
+fn is_assignment(word: &str) -> bool {
+    let capital = |letter: char| letter.is_ascii_uppercase() || letter == '_';
+    word.split_once('=').is_some_and(|(name, _)| !name.is_empty() && name.chars().all(capital))
+}
+
+/// The commands of all documents: code spans, and lines of blocks without what explains them.
+fn commands() -> BTreeSet<(&'static str, String)> {
+    let mut found = BTreeSet::new();
+    for (document, parts) in documents() {
+        let lines = parts.blocks.iter().flat_map(|block| block.lines());
+        let lines = lines.map(|line| line.split("  ").next().unwrap_or_default());
+        for text in parts.spans.iter().map(String::as_str).chain(lines) {
+            found.extend(command(text).map(|command| (document, command.trim_end().to_owned())));
+        }
+    }
+    found
+}
+
+#[test]
+fn every_command_is_held_by_something() {
+    let mut unknown = Vec::new();
+    for (document, command) in commands() {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let held = match words.as_slice() {
+            ["gcode-playground", ..] | ["cargo", "xtask", ..] => true,
+            ["cargo", "test", "--test", name, ..] => root().join(format!("tests/{name}.rs")).is_file(),
+            _ => not_run(&command),
+        };
+        if !held {
+            unknown.push(format!("{document}: `{command}`"));
+        }
+    }
+    assert!(unknown.is_empty(), "neither run nor listed as not run:\n{}", unknown.join("\n"));
+}
+
+#[test]
+fn what_is_not_run_is_still_in_the_documents() {
+    let all: String = DOCUMENTS.iter().map(|name| source(name)).collect();
+    for (start, reason) in NOT_RUN {
+        assert!(all.contains(start), "`{start}` is listed ({reason}), and no document names it");
+    }
+}
+
+/// A program without a fault, and one that mills the end face.
+const PROGRAM: &str = "O0001 (STOCK D=40 LENGTH=60)\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nX32\nG00 X100 Z100\nM30\n";
+const FACE: &str = "O0002 (STOCK D=80 LENGTH=60)\nT0101\nG98 G97 S800 M13\nM45\nG00 X100 Z2\nG12.1\nG01 X50 F100\nC20\nG13.1\nG00 X150 Z100\nM46\nM30\n";
+
+/// A call of the command line with files in place of `FILE` and the like.
+fn call(words: &[String], folder: &Path) -> Command {
+    let face = words.iter().any(|word| word == "face");
+    let program = if face { FACE } else { PROGRAM };
+    let write = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).expect(name);
+        path.to_string_lossy().into_owned()
+    };
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gcode-playground"));
+    for word in words {
+        match word.as_str() {
+            "FILE" | "A" | "part.nc" => command.arg(write("part.nc", program)),
+            "B" => command.arg(write("other.nc", &program.replace("X32", "X30"))),
+            "FILE…" => command.args([write("part.nc", program), write("second.nc", program)]),
+            "TEXT" => {
+                command.arg(write("page.txt", &format!("An example:\n\n{program}\nIt turns a step.\n")))
+            }
+            "S.json" => command.arg(write("setup.json", r#"{"stock": {"diameter": 40, "length": 60}}"#)),
+            "NAME" => command.arg("gsk"),
+            "L" => command.arg("ru"),
+            "N" => command.arg("1"),
+            out if out.starts_with("OUT") => command.arg(folder.join(out)),
+            word => command.arg(word),
+        };
+    }
+    command
+}
+
+#[test]
+fn every_call_of_the_command_line_works() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documentation");
+    fs::create_dir_all(&folder).expect("a folder");
+    let mut failed = Vec::new();
+    let usage: BTreeSet<String> = commands()
+        .iter()
+        .filter_map(|(_, line)| line.strip_prefix("gcode-playground ")?.split_once(' '))
+        .map(|(name, _)| name.to_owned())
+        .collect();
+    for (document, line) in commands() {
+        let Some(line) = line.strip_prefix("gcode-playground ") else { continue };
+        // A command that is only named, or one of its options.
+        let mut words = line.split(' ');
+        let named =
+            words.next().is_some_and(|name| usage.contains(name)) && words.all(|word| word.starts_with('-'));
+        let line = if named { format!("{line} --help") } else { line.to_owned() };
+        for words in usage::calls(&line) {
+            let output = call(&words, &folder).output().expect("the command line starts");
+            // 1 is for programs with errors, and these have none.
+            if output.status.code() != Some(0) {
+                let said = String::from_utf8_lossy(&output.stderr);
+                failed.push(format!("{document}: {} ({}): {said}", words.join(" "), output.status));
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn readme_lists_every_option_of_the_command_line() {
+    let lines: Vec<String> = commands()
+        .into_iter()
+        .filter_map(|(document, line)| {
+            (document == "README.md").then(|| line.strip_prefix("gcode-playground ").map(str::to_owned))?
+        })
+        .collect();
+    let help = |words: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
+            .args(words)
+            .arg("--help")
+            .output()
+            .expect("help");
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let names = |text: &str, after: &str| -> Vec<String> {
+        let rest = text.split(after).nth(1).unwrap_or_default();
+        let lines = rest.lines().skip(1).take_while(|line| line.starts_with(' '));
+        lines.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect()
+    };
+    let all = names(&help(&[]), "Commands:");
+    assert!(all.len() > 5, "{all:?}");
+    let mut lacking = Vec::new();
+    for name in all.iter().filter(|name| *name != "help") {
+        let told = help(&[name]);
+        let usage: String = lines.iter().filter(|line| line.starts_with(name.as_str())).cloned().collect();
+        assert!(!usage.is_empty(), "README does not show `{name}`");
+        let options = told.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
+        for option in options.filter(|line| !line.starts_with("-h")) {
+            // `-o, --output <FILE>`: one of its names is enough.
+            let mut names = option.split_whitespace().map(|word| word.trim_end_matches(','));
+            let shown = names.any(|name| name.starts_with('-') && usage.contains(name));
+            if !shown {
+                lacking.push(format!("{name}: {option}"));
+            }
+        }
+    }
+    assert!(lacking.is_empty(), "options that README does not show:\n{}", lacking.join("\n"));
+}
+
+// ---- snippets -------------------------------------------------------------------------------------
+
+#[test]
+fn every_snippet_is_what_it_seems() {
+    let mut unknown = Vec::new();
+    for (document, parts) in documents() {
+        for block in parts.blocks {
+            let is_commands = block.lines().all(|line| line.is_empty() || command(line).is_some());
+            if is_commands || not_run(&block) {
+            } else if block.starts_with('{') {
+                Setup::from_json(&block).unwrap_or_else(|error| panic!("{document}: {error}\n{block}"));
+            } else if block.starts_with('(') {
+                let analysis = analyze(format!("{block}\nM30\n").as_bytes(), &Setup::default());
+                assert!(analysis.diagnostics.is_empty(), "{document}: {:?}\n{block}", analysis.diagnostics);
+            } else if block.starts_with("<gcode-playground") {
+                holds_element(&block);
+            } else {
+                unknown.push(format!("{document}:\n{block}"));
+            }
+        }
+    }
+    assert!(unknown.is_empty(), "neither run nor listed as not run:\n{}", unknown.join("\n\n"));
+}
+
+/// The attributes that the element looks at.
+fn observed() -> Vec<String> {
+    let element = source("www/src/element.ts");
+    let list = element.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
+    list.expect("the element's attributes")
+        .split(',')
+        .map(|name| name.trim().trim_matches('\'').to_owned())
+        .collect()
+}
+
+fn holds_element(snippet: &str) {
+    let tag = snippet.split('>').next().unwrap_or_default();
+    for attribute in tag.split_whitespace().skip(1).filter_map(|word| word.split('=').next()) {
+        assert!(observed().iter().any(|known| known == attribute), "no attribute `{attribute}`");
+    }
+}
+
+/// The first cells of the table whose head begins so, as the spans in them.
+fn first_cells(document: &str, head: &str) -> Vec<Vec<String>> {
+    let text = source(document);
+    let rows = text.lines().skip_while(|line| !line.starts_with(head)).skip(2);
+    let rows = rows.take_while(|line| line.starts_with('|'));
+    rows.map(|row| row.split('|').map(|cell| cell.trim().replace('`', "")).collect()).collect()
+}
+
+#[test]
+fn readme_lists_the_attributes_of_the_element() {
+    let listed: BTreeSet<String> =
+        first_cells("README.md", "| attribute |").iter().map(|cells| cells[1].clone()).collect();
+    assert_eq!(listed, observed().into_iter().collect());
+}
+
+#[test]
+fn every_value_of_every_switch_is_taken() {
+    let rows = first_cells("README.md", "| switch |");
+    assert!(rows.len() > 10);
+    for row in rows {
+        let (name, values) = (&row[1], &row[2]);
+        let values: Vec<String> = if values.starts_with('{') {
+            vec![values.clone()]
+        } else if let Some((from, to)) = values.split_once(" … ") {
+            vec![from.to_owned(), to.to_owned()]
+        } else {
+            values
+                .split_whitespace()
+                .filter(|word| !word.starts_with('(') && !word.ends_with(')'))
+                .map(str::to_owned)
+                .collect()
+        };
+        assert!(!values.is_empty(), "{name}");
+        for value in values {
+            let json = serde_json::from_str::<Value>(&value).unwrap_or(Value::String(value));
+            let setup = serde_json::json!({"dialect": {name: json}}).to_string();
+            Setup::from_json(&setup).unwrap_or_else(|error| panic!("{setup}: {error}"));
+        }
+    }
+}
+
+// ---- words and figures ----------------------------------------------------------------------------
+
+/// A word as it is the same in Rust, TypeScript and JSON.
+fn folded(word: &str) -> String {
+    word.chars().filter(|letter| letter.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+/// All words of the sources: names, keys, values.
+fn words_of_the_sources() -> HashSet<String> {
+    let sources = ["src/", "www/", "xtask/", "examples/", "benches/", "fuzz/", "tests/"];
+    let mut words = HashSet::new();
+    for file in files() {
+        let code =
+            [".rs", ".ts", ".toml", ".json", ".mjs", ".html"].iter().any(|ending| file.ends_with(ending));
+        let named = Path::new(&file).iter().map(|part| part.to_string_lossy());
+        words.extend(named.map(|part| folded(part.split('.').next().unwrap_or_default())));
+        let inside = sources.iter().any(|folder| file.starts_with(folder)) || !file.contains('/');
+        // The documents' own test names what it looks for.
+        if !code || !inside || file.contains("documentation") {
+            continue;
+        }
+        let text = source(&file);
+        let part = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '-';
+        words.extend(text.split(|letter| !part(letter)).map(folded));
+        words.extend(text.split(|letter: char| !letter.is_alphanumeric() && letter != '_').map(folded));
+    }
+    words
+}
+
+#[test]
+fn every_name_in_the_documents_is_one_of_the_sources() {
+    let known = words_of_the_sources();
+    let files = files();
+    let mut unknown = BTreeSet::new();
+    for (document, parts) in documents() {
+        for span in &parts.spans {
+            if command(span).is_some() || is_path(span) && is_there(span, &files) || not_run(span) {
+                continue;
+            }
+            let part = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '-';
+            for word in
+                span.split(|letter| !part(letter)).filter(|word| word.chars().any(char::is_alphabetic))
+            {
+                if !known.contains(&folded(word)) {
+                    unknown.insert(format!("{document}: `{word}` in `{span}`"));
+                }
+            }
+        }
+    }
+    assert!(
+        unknown.is_empty(),
+        "no such name in the sources:\n{}",
+        unknown.into_iter().collect::<Vec<_>>().join("\n")
+    );
+}
+
+/// The figures of a line of prose: numbers that stand alone, not those of names (G12.1, UTF-16, GSK 980TD).
+fn figures_of(line: &str) -> Vec<&str> {
+    let line = line.trim_start();
+    // The number of a list's line.
+    let line = line
+        .split_once(". ")
+        .filter(|(number, _)| number.parse::<u32>().is_ok())
+        .map_or(line, |(_, rest)| rest);
+    let names = ["GSK", "GB", "seed", "Seed", "FANUC", "level", "are", "others"];
+    let mut before = "";
+    let mut found = Vec::new();
+    for word in line.split_whitespace() {
+        let bare = word.trim_start_matches(['(', '±', '⌀']).trim_end_matches([',', '.', ';', ':', ')']);
+        if bare.starts_with(|first: char| first.is_ascii_digit()) && !names.contains(&before) {
+            let number =
+                bare.chars().all(|letter| letter.is_ascii_digit() || ".,⁰¹²³⁴⁵⁶⁷⁸⁹×".contains(letter));
+            found.extend(number.then_some(bare));
+        }
+        before = word.trim_end_matches(',');
+    }
+    found
+}
+
+#[test]
+fn every_figure_is_held_by_something() {
+    let mut unheld = Vec::new();
+    for (document, parts) in documents() {
+        // Of the past; of measurements, whose table is made in the same run; of sources that are no files here.
+        if ["CHANGELOG.md", "tests/programs/README.md", "benches/README.md"].contains(&document) {
+            continue;
+        }
+        for line in parts.prose.iter().filter(|line| !line.starts_with(['|', '#'])) {
+            let mut rest = line.clone();
+            for figure in FIGURES.iter().filter(|figure| figure.document == document) {
+                rest = rest.replace(figure.words, "");
+            }
+            if !figures_of(&rest).is_empty() {
+                unheld.push(format!("{document}: {line}"));
+            }
+        }
+    }
+    assert!(unheld.is_empty(), "figures that nothing holds:\n{}", unheld.join("\n"));
+}
+
+#[test]
+fn every_held_figure_is_stated_and_true() {
+    for figure in FIGURES {
+        let stated =
+            Document::read(&source(figure.document)).prose.iter().any(|line| line.contains(figure.words));
+        assert!(stated, "{} does not state `{}` in one line", figure.document, figure.words);
+        match figure.held {
+            Held::By(file, test) => {
+                assert!(source(file).contains(&format!("fn {test}(")), "{file} has no test `{test}`");
+            }
+            Held::Stated(file, text) => assert!(source(file).contains(text), "{file} does not say `{text}`"),
+            Held::Shown(show) => show(),
+            Held::NotRun(reason) => assert!(!reason.is_empty()),
+        }
+    }
+}

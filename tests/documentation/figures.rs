@@ -1,0 +1,149 @@
+//! Every figure that stands in the documents' prose, with what holds it. A figure that is not listed fails the test, so
+//! does a listed one that the documents no longer state.
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::diagnostics::messages::describe_motion;
+use gcode_playground::limits;
+
+use super::{analyze_codes, source};
+
+/// What holds a figure.
+pub enum Held {
+    /// A test of this name, in this file.
+    By(&'static str, &'static str),
+    /// This text in this file.
+    Stated(&'static str, &'static str),
+    /// Shown here.
+    Shown(fn()),
+    /// Nothing can be run for it; the reason.
+    NotRun(&'static str),
+}
+
+/// A part of a sentence with its figures, as the document states it (a code span is `□`), and what holds it.
+pub struct Figure {
+    /// The document.
+    pub document: &'static str,
+    /// A part of one line of its prose.
+    pub words: &'static str,
+    /// What holds it.
+    pub held: Held,
+}
+
+const fn figure(document: &'static str, words: &'static str, held: Held) -> Figure {
+    Figure { document, words, held }
+}
+
+/// The list.
+pub const FIGURES: &[Figure] = &[
+    figure(
+        "README.md",
+        "all of it in 20 s",
+        Held::Stated("www/src/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
+    ),
+    figure("README.md", "(20 or newer)", Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;")),
+    figure(
+        "README.md",
+        "Exit status 0: no error; 1: errors found; 2: bad usage",
+        Held::By("tests/cli.rs", "exit_status_tells_errors_from_bad_usage"),
+    ),
+    figure("README.md", "(from 1,", Held::By("tests/cli.rs", "check_prints_one_object_a_line")),
+    figure(
+        "README.md",
+        "0.001 mm, and is written",
+        Held::By("tests/programs.rs", "expanded_programs_make_the_same_motions"),
+    ),
+    figure(
+        "README.md",
+        "to 0.005 mm",
+        Held::Stated("tests/parts/gallery.rs", "const TOLERANCE: f64 = 0.005;"),
+    ),
+    figure("README.md", "8 digits of a number", Held::Shown(digits)),
+    figure("README.md", "±10⁴⁷ in a variable", Held::Shown(variables)),
+    figure("README.md", "A block has 64", Held::Shown(words)),
+    figure(
+        "README.md",
+        "A program of a million lines (20 MB) is checked and interpreted in 0.3 s",
+        Held::Shown(million_lines),
+    ),
+    figure("README.md", "a sixty-line program in 0.07 ms", Held::Shown(sixty_lines)),
+    figure(
+        "README.md",
+        "runs 10,000 random programs",
+        Held::Stated("xtask/linuxcnc/src/main.rs", "programs: 10_000"),
+    ),
+    figure(
+        "ARCHITECTURE.md",
+        "8 ms (□)",
+        Held::Stated("src/scene/canvas/layer.rs", "const SLICE: f64 = 8.0;"),
+    ),
+    figure(
+        "ARCHITECTURE.md",
+        "chord (0.002 mm)",
+        Held::Stated("src/shop/sweep.rs", "const CHORD: f64 = 0.002;"),
+    ),
+    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/shop/danger.rs", "shrunk(0.01)")),
+    figure("README.md", "\"G90, pass 3: retract at feed to X40 Z-20\"", Held::Shown(stroke)),
+    figure("README.md", "(□ is 1)", Held::Shown(slash)),
+    figure(
+        "ARCHITECTURE.md",
+        "Level □ runs as fast as 3 there and is a fifth smaller",
+        Held::NotRun("measured with modules that are no longer built; `benches/README.md` has the table"),
+    ),
+];
+
+/// The figures of the line of a table of `benches/README.md` that begins with these words.
+fn measured(first_cell: &str) -> Vec<f64> {
+    let table = source("benches/README.md");
+    let line = table.lines().find(|line| line.starts_with(&format!("| {first_cell} |")));
+    let line = line.unwrap_or_else(|| panic!("no line `{first_cell}` in benches/README.md"));
+    line.split('|').filter_map(|cell| cell.trim().parse().ok()).collect()
+}
+
+fn million_lines() {
+    let in_a_browser = measured("interpreting, fresh")[0];
+    assert!((250.0..350.0).contains(&in_a_browser), "0.3 s, not {in_a_browser} ms");
+    let against_the_floor = measured("gcode-playground, wasm")[1];
+    assert!((2.0..=3.0).contains(&against_the_floor), "two to three times, not {against_the_floor}");
+}
+
+fn sixty_lines() {
+    let settled = measured("a shaft of sixty lines: G71 G70 G74 G75 G76")[0];
+    assert!((0.065..0.075).contains(&settled), "0.07 ms, not {settled}");
+}
+
+fn digits() {
+    assert_eq!(limits::DIGITS, 8);
+    assert!(!analyze_codes("G0 X12345.678\nM30").contains(&"PS0003"));
+    assert!(analyze_codes("G0 X123456.789\nM30").contains(&"PS0003"));
+}
+
+fn variables() {
+    let told = |value: &str| analyze_codes(&format!("#1={value}\n#2=#1*10.0\nM30")).contains(&"PS0111");
+    let power = |tens: usize| vec!["10"; tens].join("*");
+    assert!(!told(&power(46)));
+    assert!(told(&power(48)));
+}
+
+fn slash() {
+    let skipped = |setup: &str| {
+        let setup = Setup::from_json(setup).expect("a setup");
+        analyze(b"G0 X10\n/G0 X20\nM30", &setup).motions.len() == 1
+    };
+    assert!(skipped(r#"{"blockSkip": [1]}"#) && !skipped(r#"{"blockSkip": [2]}"#));
+}
+
+fn stroke() {
+    let analysis = analyze(b"G00 X40 Z2\nG90 X36 Z-20 F0.2\nX32\nX28\nM30", &Setup::default());
+    let motion = analysis.motions.get(11);
+    let words = describe_motion(&motion, None, Language::English);
+    assert_eq!(words, "G90, pass 3: retract at feed to X40 Z-20");
+}
+
+fn words() {
+    let block = |words: usize| format!("G0{}\nM30", " X1".repeat(words - 1));
+    let too_many = |words| analyze_codes(&block(words)).contains(&"E-BLOCK-TOO-LONG");
+    assert!(!too_many(64));
+    assert!(too_many(65));
+}
