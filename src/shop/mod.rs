@@ -15,6 +15,7 @@ pub mod region;
 pub mod steps;
 pub mod sweep;
 pub mod tally;
+pub mod thread_point;
 pub mod timing;
 pub mod tool;
 
