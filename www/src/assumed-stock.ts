@@ -15,7 +15,7 @@ export interface AssumedStockEvents {
 }
 
 export class AssumedStock {
-  readonly #text = make('span');
+  readonly #text = make('span', { className: 'said' });
   readonly #use = make('button', { type: 'button', className: 'quiet' });
   readonly element = make(
     'div', { className: 'assumed-stock', hidden: true },
