@@ -396,3 +396,41 @@ fn the_face_and_the_front_turret_are_drawn() {
             .stdout;
     assert_eq!(by_note, by_option);
 }
+
+#[test]
+fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
+    let program = b"O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
+    for command in ["check", "summary"] {
+        let text = String::from_utf8(run(&[command, "-"], program).stdout).expect("UTF-8");
+        assert!(
+            text.ends_with(
+                "<stdin>: stock assumed, collisions not checked. This stock in the program: (STOCK D=44 LENGTH=25)\n"
+            ),
+            "{text}"
+        );
+        let rows = rows(&run(&[command, "--format", "json", "-"], program));
+        let told = rows.last().expect("a row");
+        assert_eq!(
+            *told,
+            json!({
+                "file": "<stdin>", "note": "stock-assumed", "notChecked": ["collisions"], "message": told["message"],
+                "stock": {"diameter": 44.0, "bore": 0.0, "face": 0.0, "length": 25.0},
+            })
+        );
+    }
+    let said = |language: &str| {
+        String::from_utf8(run(&["check", "--lang", language, "-"], program).stdout).expect("UTF-8")
+    };
+    assert!(said("zh").contains("毛坯为假定，未检查碰撞"), "{}", said("zh"));
+    assert!(said("ru").contains("заготовка принята, столкновения не проверялись"), "{}", said("ru"));
+    // With the comment it is held against the work: nothing is left to tell.
+    let named = String::from_utf8_lossy(program).replace("T0101", "(STOCK D=44 LENGTH=25)\nT0101");
+    assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"");
+    let crash = named.replace("G0 X100 Z100", "G0 Z-22 X30\nG0 X100 Z100");
+    let rows = rows(&run(&["check", "--format", "json", "-"], crash.as_bytes()));
+    // In, and out again.
+    let slugs: Vec<_> = rows.iter().map(|row| &row["slug"]).collect();
+    assert_eq!(slugs, ["rapid-through-stock", "rapid-through-stock"]);
+    // Nothing is cut: nothing is assumed.
+    assert_eq!(run(&["check", "-"], b"G0 X1\nM30").stdout, b"");
+}

@@ -367,6 +367,15 @@ fn numbers_and_words_are_named_as_they_are_written() {
         "M3 S500 F100\nG0 X30 Z5\nG76 P010060 Q100 R0.05\nG76 X28 Z-20 P1000 Q300 F1.5",
         "G76 starts at X30, at or inside the crest of the thread at X30.",
     );
+    has(
+        "M3 S500\nG0 X30 Z6\nG34 Z-30 F4 K-0.3",
+        "With `K-0.3` the lead of G34 is zero after 26.67 mm, and the thread is 36 mm long.",
+    );
+    // At the end itself.
+    has(
+        "M3 S500\nG0 X30 Z6\nG34 Z-34 F4 K-.2",
+        "With `K-.2` the lead of G34 is zero after 40 mm, and the thread is 40 mm long.",
+    );
 }
 
 #[test]

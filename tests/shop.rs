@@ -3,6 +3,7 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::shop::Shop;
+use gcode_playground::shop::danger::Danger;
 use gcode_playground::shop::region::Region;
 
 fn shop(program: &str, setup: &str) -> Shop {
@@ -162,4 +163,85 @@ fn what_nobody_knows_is_no_danger() {
     assert_eq!(findings("G00 X64 Z-2\nG01 X28 F1\nG00 X64\nZ-5\nG01 X28\nG00 Z2"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X59.5\nG00 Z-5"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X57\nG00 Z-5"), 1);
+}
+
+/// M20×2.5 with a relief groove from Z-22 to Z-25 in front of a shoulder of ⌀42; thread core 20 − 1.2269 × 2.5.
+const TO_A_SHOULDER: &str = "O0020
+T0101
+G97 S800 M03
+G00 X44 Z2
+G90 X36 Z-25 F0.2
+X30
+X24
+X20
+G00 X200 Z200
+T0202
+G00 X44 Z-25
+G01 X16.4 F0.05
+G00 X44
+X200 Z200
+T0303
+G97 S400
+G00 X24 Z6
+G92 X19.2 Z-23.5 F2.5
+X18.4
+X17.7
+X17.2
+X16.93
+G00 X200 Z200
+M30
+";
+
+#[test]
+fn a_threading_tool_reaches_a_shoulder_behind_its_relief_groove() {
+    let tools = r#""T0101": {"type": "turning"}, "T0202": {"type": "grooving", "width": 3}"#;
+    for thread in [
+        "",
+        r#", "T0303": {"type": "threading"}"#,
+        r#", "T0303": {"type": "threading", "insert": "16ER"}"#,
+        r#", "T0303": {"type": "threading", "insert": "16ER2.5ISO", "reach": 14}"#,
+        r#", "T0303": {"type": "threading", "edgeLength": 2.9}"#,
+    ] {
+        let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
+        let shop = shop(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}{thread}}}}}"#));
+        let found: Vec<_> = shop.findings().iter().map(|found| (found.motion, found.danger)).collect();
+        assert!(
+            found.iter().all(|(_, danger)| matches!(danger, Danger::ToolNotListed { .. })),
+            "{thread}: {found:?}"
+        );
+        let part = shop.finished().expect("a blank");
+        check_diameters(&part, -25.01, &[(0.0, 42.0)]);
+        check_diameters(&part, -24.99, &[(0.0, 16.4)]);
+        // From Z6 on a notch each 2.5 mm, and a crest between two.
+        check_diameters(&part, -14.0, &[(0.0, 16.93)]);
+        check_diameters(&part, -15.25, &[(0.0, 20.0)]);
+    }
+}
+
+#[test]
+fn a_threading_tool_with_long_edges_cuts_a_shoulder_away() {
+    let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
+    let tools = r#""T0101": {"type": "turning"}, "T0202": {"type": "grooving", "width": 3}, "T0303": {"type": "threading", "edgeLength": 12}"#;
+    let shop = shop(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
+    assert!(shop.findings().iter().any(|found| found.danger == Danger::RapidThroughStock));
+    assert!(shop.finished().expect("a blank").radii(-25.01)[0].1 < 21.0);
+}
+
+/// The holder of a tool that stands out by 8 mm meets a shoulder that is 11 mm high.
+#[test]
+fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
+    let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
+    let deep = TO_A_SHOULDER.replace("Z-23.5 F2.5", "Z-23.6 F2.5");
+    let dangers = |program: &str, insert: &str, reach: u32| {
+        let tools = format!(
+            r#""T0101": {{"type": "turning"}}, "T0202": {{"type": "grooving", "width": 3}},
+            "T0303": {{"type": "threading", "insert": "{insert}", "reach": {reach}}}"#
+        );
+        let shop = shop(program, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
+        shop.findings().iter().map(|found| found.danger).collect::<Vec<_>>()
+    };
+    assert_eq!(dangers(TO_A_SHOULDER, "16ER", 8), []);
+    assert!(dangers(&deep, "16ER", 8).contains(&Danger::HolderInStock));
+    // The holder of a left-hand tool lies towards the chuck.
+    assert!(dangers(TO_A_SHOULDER, "16EL", 8).contains(&Danger::HolderInStock));
 }

@@ -2,6 +2,7 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
+mod assumed;
 mod clean;
 mod compare;
 mod encoding;
@@ -335,7 +336,10 @@ fn run(command: Command) -> Result<ExitCode, String> {
         }
         Command::Summary { file, with, format } => {
             let program = program(&file, &with)?;
-            print(|out| summary::write(out, &program.analysis, format))?;
+            print(|out| {
+                summary::write(out, &program.analysis, format)?;
+                assumed::write(out, &program, Language::English, format)
+            })?;
             Ok(status(&program.analysis))
         }
         Command::Export { format, file, with, lang, output } => {
@@ -391,7 +395,10 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
     for file in files {
         let program = program(file, with)?;
         any_error |= has_errors(&program.analysis);
-        print(|out| tell(out, &program, language, format))?;
+        print(|out| {
+            tell(out, &program, language, format)?;
+            assumed::write(out, &program, language, format)
+        })?;
     }
     Ok(ExitCode::from(u8::from(any_error)))
 }

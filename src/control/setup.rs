@@ -9,6 +9,7 @@ pub mod fields;
 pub mod machine;
 pub mod notes;
 pub mod stock;
+pub mod thread_insert;
 pub mod tool;
 pub mod written;
 

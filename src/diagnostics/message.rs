@@ -380,8 +380,8 @@ pub enum Message {
     CompensationNoIntersection { radius: f64 },
     /// The plane changes under compensation.
     CompensationPlane,
-    /// G34 whose lead becomes zero or negative.
-    LeadRunsOut { lead: f64 },
+    /// G34 whose lead is zero after `reached` mm of a thread of `length` mm.
+    LeadRunsOut { word: String, reached: f64, length: f64 },
 
     /// Nose compensation in force where it does nothing.
     CompensationIdle { code: &'static str },

@@ -396,8 +396,7 @@ fn blank(stock: &Stock, known: Known, w: &Words) -> String {
 /// Kind, nose radius and tip of a tool.
 fn about(fitted: &Fitted, w: &Words, language: Language) -> [String; 3] {
     let tool = &fitted.tool;
-    let mut kind =
-        tool.kind.map(|kind| tool_kind(kind, tool.side.unwrap_or_default(), language)).unwrap_or_default();
+    let mut kind = tool.kind.map(|kind| tool_kind(kind, tool.working_side(), language)).unwrap_or_default();
     let more = [
         tool.insert.clone().filter(|_| fitted.known == Known::Given),
         tool.width.map(|width| format!("{} mm", number(width))),

@@ -5,6 +5,7 @@
 
 use std::f64::consts::PI;
 
+use crate::geometry::bounds::Bounds;
 use crate::geometry::{Arc, Point, SAME, Turn};
 use crate::shop::region::Region;
 use crate::shop::sweep::CHORD;
@@ -34,6 +35,9 @@ const BALANCINGS: usize = 3;
 /// be an arc as well.
 const WIDEST: f64 = 1.5 * PI;
 
+/// A corner no further from the spindle axis than this, mm, is on it: as far as the grid of areas moves one.
+const ON_AXIS: f64 = 2e-5;
+
 /// Radii are rounded to as few of these steps as fit, mm.
 const ROUND: [f64; 4] = [0.5, 0.1, 0.01, 0.001];
 
@@ -46,15 +50,11 @@ pub enum Segment {
     Arc(Arc),
 }
 
-/// The closed outlines of an area, those of holes among them, the material on the left. What lies on the spindle axis is
-/// no edge of a turned part, and left out.
+/// The closed outlines of an area, those of holes among them, the material on the left. That of a solid part runs along the
+/// spindle axis; nothing is below it.
 pub fn outlines(region: &Region) -> Vec<Vec<Segment>> {
-    let chains = region.outlines().map(|outline| segments(&outline.collect::<Vec<_>>()));
-    chains.map(|chain| chain.into_iter().filter(|segment| !on_axis(segment)).collect()).collect()
-}
-
-fn on_axis(segment: &Segment) -> bool {
-    matches!(segment, Segment::Line(a, b) if a.x.abs() <= SAME && b.x.abs() <= SAME)
+    let above = |at: Point| Point::new(if at.x < ON_AXIS { 0.0 } else { at.x }, at.z);
+    region.outlines().map(|outline| segments(&outline.map(above).collect::<Vec<_>>())).collect()
 }
 
 /// A closed outline as lines and arcs.
@@ -149,9 +149,11 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
         let size = if half.abs() > PI / 2.0 { PI - quarter } else { quarter };
         arc_of(start, end, half.signum() * size)
     });
+    // A nose that ends at the axis touches it there: a larger circle through the same corners would lead below it.
+    let lowest = points.iter().fold(0.0, |lowest: f64, point| lowest.min(point.x));
     let fits = |arc: &Arc| {
         let (least, most) = deviations(arc, points);
-        least >= -FIT && most <= FIT
+        least >= -FIT && most <= FIT && Bounds::of_arc(arc).min.x >= lowest - SAME
     };
     rounded.chain(arc_of(start, end, half)).find(fits)
 }

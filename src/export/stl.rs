@@ -8,7 +8,8 @@ use std::f64::consts::{PI, TAU};
 use crate::geometry::Point;
 use crate::shop::region::Region;
 
-/// How far the flats of a turned surface may lie inside of it, mm.
+/// How far the middles of the flats of a turned surface may lie inside of their corners, mm. The surface itself is between
+/// them, so that the body has the volume of the part.
 pub const FLATNESS: f64 = 0.01;
 
 /// Flats around the axis, at least and at most.
@@ -48,9 +49,12 @@ pub fn stl(region: &Region) -> Option<Vec<u8>> {
 pub fn triangles(region: &Region) -> Vec<Triangle> {
     let outlines: Vec<Vec<Point>> = region.outlines().map(|outline| rounded(outline.collect())).collect();
     let flats = flats(&outlines);
+    // A regular polygon of this radius has the area of the circle of radius 1.
+    let flat = TAU / flats as f64;
+    let mean = (flat / flat.sin()).sqrt();
     let around: Vec<(f64, f64)> =
         (0..=flats).map(|flat| (TAU * (flat % flats) as f64 / flats as f64).sin_cos()).collect();
-    let place = |at: Point, (sin, cos): (f64, f64)| [at.x * cos, at.x * sin, at.z];
+    let place = |at: Point, (sin, cos): (f64, f64)| [mean * at.x * cos, mean * at.x * sin, at.z];
     let mut triangles = Vec::new();
     for outline in &outlines {
         let next = outline.iter().cycle().skip(1);

@@ -137,11 +137,12 @@ impl Drawing {
                 Plane::Section => hatch(&part, zero, camera.size()),
                 Plane::Face => Vec::new(),
             };
-            let edges = |outlines: &Outlines| match scene.plane() {
-                Plane::Section => edges(outlines),
-                Plane::Face => closed(outlines),
+            let blank_edges = match scene.plane() {
+                Plane::Section => edges(&work.blank),
+                Plane::Face => closed(&work.blank),
             };
-            let lines = |outlines: &Outlines| polylines(&seen(outlines, camera), "");
+            let [cut, left] = work.part_edges(scene.plane());
+            let lines = |lines: &Vec<Vec<Point>>| polylines(&seen(lines, camera), "");
             let shapes = [
                 ("blank", polylines(&seen(&work.blank, camera), "Z")),
                 ("part", polylines(&part, "Z")),
@@ -149,8 +150,9 @@ impl Drawing {
                 ("obstacle", polylines(&seen(&work.obstacles, camera), "Z")),
             ];
             let edges = [
-                (["blank-edge", guessed].concat(), lines(&edges(&work.blank))),
-                ("part-edge".to_owned(), lines(&edges(&work.part))),
+                (["blank-edge", guessed].concat(), lines(&blank_edges)),
+                (["part-edge", guessed].concat(), lines(&left)),
+                ("part-edge".to_owned(), lines(&cut)),
             ];
             for (class, d) in shapes.iter().filter(|(_, d)| !d.is_empty()) {
                 self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
@@ -324,7 +326,7 @@ const SHAPES: &str = "\
 .lathe .center { stroke-dasharray: 16 4 2 4 }
 .lathe .programmed { stroke-dasharray: 2 3 }
 .lathe .blank-edge, .lathe .part-edge, .lathe .hatch { fill: none }
-.lathe .blank-edge.guessed { stroke-dasharray: 7 4 }
+.lathe .blank-edge.guessed, .lathe .part-edge.guessed { stroke-dasharray: 7 4 }
 .lathe .part-edge { stroke-width: 1.5; stroke-linejoin: round }
 .lathe .hatch { opacity: 0.35 }
 .lathe .obstacle { fill-opacity: 0.25 }

@@ -5,6 +5,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use super::Plane;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME};
 use crate::motion::Motions;
@@ -12,6 +13,9 @@ use crate::shop::Shop;
 use crate::shop::compare::{Comparison, Side};
 use crate::shop::fitting::Known;
 use crate::shop::region::Region;
+
+/// A way over a point that is longer than the straight one by no more than this, mm, leads along it.
+const ON_EDGE: f64 = 1e-6;
 
 /// Closed outlines, those of holes among them: the material on the left.
 pub type Outlines = Vec<Vec<Point>>;
@@ -132,6 +136,18 @@ impl Work {
         Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
+    /// Lines along the edges of what is left: those that were cut, and those of a blank that is only guessed.
+    pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
+        let lines = match plane {
+            Plane::Section => edges(&self.part),
+            Plane::Face => closed(&self.part),
+        };
+        match self.known {
+            Known::Given => [lines, Vec::new()],
+            Known::Guessed => without(&lines, &closed(&self.blank)),
+        }
+    }
+
     /// A number that no other work has.
     pub fn id(&self) -> u64 {
         self.id
@@ -174,6 +190,66 @@ pub fn edges(outlines: &Outlines) -> Vec<Vec<Point>> {
     lines
 }
 
+/// What of some lines runs beside others, and what on them.
+fn without(lines: &[Vec<Point>], others: &[Vec<Point>]) -> [Vec<Vec<Point>>; 2] {
+    let is_on = |a: Point, b: Point| {
+        let mut edges = others.iter().flat_map(|line| line.windows(2));
+        edges.any(|edge| is_between(a, edge) && is_between(b, edge))
+    };
+    let mut split = [Vec::new(), Vec::new()];
+    for line in lines {
+        let mut before = None;
+        for ends in line.windows(2) {
+            let part = usize::from(is_on(ends[0], ends[1]));
+            match split[part].last_mut().filter(|_| before == Some(part)) {
+                Some(run) => Vec::push(run, ends[1]),
+                None => split[part].push(ends.to_vec()),
+            }
+            before = Some(part);
+        }
+    }
+    split
+}
+
+/// Whether a point lies on an edge.
+fn is_between(point: Point, edge: &[Point]) -> bool {
+    let (from, to) = (edge[0], edge[1]);
+    (from.distance(point) + point.distance(to) - from.distance(to)).abs() <= ON_EDGE
+}
+
 fn outlines(region: &Region) -> Outlines {
     region.outlines().map(Iterator::collect).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64, z: f64) -> Point {
+        Point::new(x, z)
+    }
+
+    /// A bar of radius 10 from Z-20 to Z0 with a groove of radius 6 between Z-10 and Z-5.
+    fn grooved(known: Known) -> Work {
+        let blank = Region::inside(&[at(0.0, -20.0), at(0.0, 0.0), at(10.0, 0.0), at(10.0, -20.0)]);
+        let mut part = blank.clone();
+        part.cut(&[[at(6.0, -10.0), at(6.0, -5.0), at(12.0, -5.0), at(12.0, -10.0)]]);
+        Work::on_face(&blank, &part, known, None, 10.0)
+    }
+
+    #[test]
+    fn edges_of_a_guessed_blank_are_told_from_those_that_were_cut() {
+        let length = |lines: &[Vec<Point>]| -> f64 {
+            lines.iter().flat_map(|line| line.windows(2)).map(|ends| ends[0].distance(ends[1])).sum()
+        };
+        let [cut, blank] = grooved(Known::Guessed).part_edges(Plane::Section);
+        assert_eq!(cut.len(), 1, "{cut:?}");
+        // Two flanks of 4 mm and a bottom of 5; both ends of the bar and what is left of its outside.
+        assert!(
+            (length(&cut) - 13.0).abs() < 1e-3 && (length(&blank) - 35.0).abs() < 1e-3,
+            "{cut:?} {blank:?}"
+        );
+        let [cut, blank] = grooved(Known::Given).part_edges(Plane::Section);
+        assert!((length(&cut) - 48.0).abs() < 1e-3 && blank.is_empty(), "{cut:?} {blank:?}");
+    }
 }

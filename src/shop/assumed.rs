@@ -3,7 +3,8 @@
 //! In: the motions, the setup. Out: a [`Setup`] of guesses; a tool with everything filled in, as its shape has it.
 
 use super::guess::Guesses;
-use super::tool::{BLADE, DRILL, DRILL_POINT, EDGE, ENTERING, POINT, THREAD};
+use super::thread_point::ThreadPoint;
+use super::tool::{BLADE, DRILL, DRILL_POINT, EDGE, ENTERING, POINT};
 use crate::control::setup::{Setup, Tool, ToolKind};
 use crate::motion::Motions;
 
@@ -54,10 +55,11 @@ pub fn usual(tool: &Tool) -> Tool {
             usual.width = tool.width.or(Some(BLADE));
         }
         ToolKind::Threading => {
-            usual.side = Some(tool.side.unwrap_or_default());
+            usual.side = Some(tool.working_side());
             usual.nose_radius = nose;
             usual.tip = Some(tool.tip_direction());
-            usual.angle = tool.angle.or(Some(THREAD));
+            // How long its flanks are depends on the pitch it cuts.
+            usual.angle = Some(ThreadPoint::of(tool).angle);
         }
         ToolKind::Drill => {
             usual.diameter = tool.diameter.or(Some(DRILL));

@@ -89,7 +89,7 @@ pub fn threads(motions: &Motions, fitting: &Fitting) -> Vec<Thread> {
             let Some(lead) = motion.lead.filter(|_| high - low > (motion.to.x - motion.from.x).abs()) else {
                 continue;
             };
-            let side = fitting.tool(&motion).tool.side.unwrap_or_default();
+            let side = fitting.tool(&motion).tool.working_side();
             let depth = match side {
                 Side::Inside => motion.from.x.max(motion.to.x),
                 Side::Outside | Side::Face => motion.from.x.min(motion.to.x),

@@ -4,6 +4,7 @@
 
 use super::guess::{Guesses, Use};
 use super::sweep::Outline;
+use super::thread_point::{for_pitch, leads};
 use super::tool::{LONG, Shape};
 use crate::control::setup::{Setup, Stock, Tool, ToolKind};
 use crate::geometry::Point;
@@ -53,18 +54,23 @@ impl Fitting {
     /// Fits out a program.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let guesses = Guesses::of(motions);
+        let leads = leads(motions);
+        let for_pitch = |station: u16, tool: &Tool| {
+            let lead = leads.iter().find(|own| own.0 == station);
+            for_pitch(tool, lead.map(|own| own.1))
+        };
         let given = setup.tools.iter().filter_map(|(name, tool)| {
             let (station, offset) = station_of(name)?;
-            Some((station, offset, Fitted::given(station, tool)))
+            Some((station, offset, Fitted::given(station, for_pitch(station, tool))))
         });
-        let guessed = guesses
-            .tools()
-            .map(|(station, purpose, tool)| (station, purpose, Fitted::guessed(station, tool)));
+        let guessed = guesses.tools().map(|(station, purpose, tool)| {
+            (station, purpose, Fitted::guessed(station, for_pitch(station, tool)))
+        });
         let stock = setup.stock.map(|stock| (stock, Known::Given));
         Self {
             given: given.collect(),
             guessed: guessed.collect(),
-            other: Fitted::guessed(0, &Tool::default()),
+            other: Fitted::guessed(0, Tool::default()),
             stock: stock.or_else(|| guesses.stock.map(|stock| (stock, Known::Guessed))),
         }
     }
@@ -102,13 +108,13 @@ impl Fitting {
 }
 
 impl Fitted {
-    fn given(station: u16, tool: &Tool) -> Self {
-        let shape = Shape::of(tool);
-        Self { station, takes: shape.edge.clone(), shape, tool: tool.clone(), known: Known::Given }
+    fn given(station: u16, tool: Tool) -> Self {
+        let shape = Shape::of(&tool);
+        Self { station, takes: shape.edge.clone(), shape, tool, known: Known::Given }
     }
 
-    fn guessed(station: u16, tool: &Tool) -> Self {
-        let mut shape = Shape::of(tool);
+    fn guessed(station: u16, tool: Tool) -> Self {
+        let mut shape = Shape::of(&tool);
         // Where in a threading tool its point is, is not known either.
         shape.core = match tool.kind {
             Some(ToolKind::Threading) => Outline::default(),
@@ -123,7 +129,7 @@ impl Fitted {
         };
         let edge = shape.edge.points().iter();
         let takes = Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]));
-        Self { station, shape, takes, tool: tool.clone(), known: Known::Guessed }
+        Self { station, shape, takes, tool, known: Known::Guessed }
     }
 }
 

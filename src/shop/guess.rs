@@ -1,30 +1,15 @@
 //! What a program lets one guess of the tools and the blank that nobody has named.
 //!
-//! In: the motions. Out: a [`Tool`] for each use a station is put to, and a [`Stock`]. A guess is sharp, and can follow every
-//! slope it is led along; it is shown as a guess, and no alarm is raised because of one. The finished face is taken to be at
-//! Z0 where anything is cut behind it.
+//! In: the motions. Out: a [`Tool`] for each use a station is put to, and a [`Stock`] (how large it is: `blank`). A guess is
+//! sharp, and can follow every slope it is led along; it is shown as a guess, and no alarm is raised because of one.
 
+use super::blank::{Cuts, Extents, clear_of_rapids};
 use crate::control::setup::{Side, Stock, Tool, ToolKind};
-use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
+use crate::geometry::SAME;
+use crate::motion::{Cycle, Motion, MotionKind, Motions};
 
 /// So many motions are looked at.
 const LOOKED_AT: usize = 200_000;
-
-/// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
-const WALL: (f64, f64) = (0.25, 5.0);
-
-/// The first pass of a thread is so much below the crest, as a part of its lead.
-const FIRST_PASS: f64 = 0.2;
-
-/// Radius of a blank that is only drilled, mm.
-const DRILLED: f64 = 15.0;
-
-/// Width of a blade of which nothing is said, mm.
-const BLADE: f64 = 3.0;
-
-/// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
-const LARGEST: f64 = 5000.0;
 
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,17 +109,15 @@ impl Guesses {
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
-        let turned = |own: &&Seen| own.purpose != Use::Live;
-        let (mut outside, mut inside) = (Extents::default(), Extents::default());
-        for own in seen.iter().filter(turned) {
-            if own.is_inside() { inside.join(&own.extents) } else { outside.join(&own.extents) }
-        }
         // What a drill leaves is where boring begins.
-        let bore = inside.least;
-        let drilled = seen.iter().any(|own| own.purpose == Use::Hole);
-        let tools = seen.iter().map(|own| (own.station, own.purpose, own.tool(bore))).collect();
-        let hollow = if bore.is_finite() && !drilled { 2.0 * bore } else { 0.0 };
-        Self { tools, stock: stock(outside, inside, hollow) }
+        let inside = seen.iter().filter(|own| own.is_inside());
+        let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
+        let tools: Vec<_> = seen.iter().map(|own| (own.station, own.purpose, own.tool(bore))).collect();
+        let mut cuts = Cuts::default();
+        for (own, (.., tool)) in seen.iter().zip(&tools) {
+            cuts.add(&own.extents, tool);
+        }
+        Self { tools, stock: cuts.blank().map(|stock| clear_of_rapids(stock, motions)) }
     }
 
     /// All tools: station, use and tool, in the order in which they are first put to use.
@@ -268,94 +251,4 @@ fn directions(motion: &Motion) -> Vec<(f64, f64)> {
             points.windows(2).map(|ends| (ends[1].x - ends[0].x, ends[1].z - ends[0].z)).collect()
         }
     }
-}
-
-/// How far cuts reach, mm.
-#[derive(Clone, Copy, Debug)]
-struct Extents {
-    /// Greatest radius behind Z0, and anywhere.
-    behind: f64,
-    radius: f64,
-    /// Least radius.
-    least: f64,
-    low: f64,
-    high: f64,
-    /// Greatest Z of a cut across the face.
-    faced: f64,
-}
-
-impl Default for Extents {
-    fn default() -> Self {
-        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        Self { behind: 0.0, radius: 0.0, least, low: least, high: greatest, faced: greatest }
-    }
-}
-
-impl Extents {
-    fn add(&mut self, motion: &Motion) {
-        let (from, to) = (motion.from, motion.to);
-        let step = motion.cycle.map(|step| (step.cycle, step.step));
-        self.low = self.low.min(from.z.min(to.z));
-        let grooves = matches!(step, Some((Cycle::Grooving, _)));
-        self.high = self.high.max(from.z.max(to.z) + if grooves { BLADE } else { 0.0 });
-        if (from.z - to.z).abs() <= SAME && from.x.min(to.x) <= 1.0 && (from.x - to.x).abs() > 1.0 {
-            self.faced = self.faced.max(to.z);
-        }
-        // On its way out of the thread the tool is in the air.
-        if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
-            return;
-        }
-        let crest = match motion.lead.filter(|_| motion.kind == MotionKind::Thread) {
-            Some(lead) => FIRST_PASS * lead,
-            None => 0.0,
-        };
-        self.least = self.least.min(from.x.min(to.x) - crest);
-        let greatest = |from: Point, to: Point| from.x.max(to.x) + crest;
-        self.radius = self.radius.max(greatest(from, to));
-        // What lies in front of the face says nothing of the blank.
-        let cross =
-            |from: Point, to: Point| Point::new(from.x + from.z / (from.z - to.z) * (to.x - from.x), 0.0);
-        self.behind = match (from.z <= SAME, to.z <= SAME) {
-            (true, true) => self.behind.max(greatest(from, to)),
-            (true, false) => self.behind.max(greatest(from, cross(from, to))),
-            (false, true) => self.behind.max(greatest(cross(from, to), to)),
-            (false, false) => self.behind,
-        };
-    }
-
-    fn join(&mut self, other: &Self) {
-        self.behind = self.behind.max(other.behind);
-        self.radius = self.radius.max(other.radius);
-        self.least = self.least.min(other.least);
-        self.low = self.low.min(other.low);
-        self.high = self.high.max(other.high);
-        self.faced = self.faced.max(other.faced);
-    }
-}
-
-/// A bar that all cuts are in, a fifth longer than they reach, and no thin slice; around what is bored it leaves a wall.
-fn stock(outside: Extents, inside: Extents, bore: f64) -> Option<Stock> {
-    let mut all = outside;
-    all.join(&inside);
-    if all.low > all.high {
-        return None;
-    }
-    let behind = all.low < -SAME;
-    let radius = |of: &Extents| if behind { of.behind } else { of.radius };
-    // Zero is the finished face, or the back of the part.
-    let face = if behind { 0.0 } else { all.high }.max(all.faced);
-    let (around, bored) = (radius(&outside), radius(&inside));
-    let walled = if bored > SAME { bored + (WALL.0 * bored).max(WALL.1) } else { 0.0 };
-    let radius = match around {
-        around if around > bored + 1.0 => around,
-        around if walled > around => (2.0 * walled / 5.0).ceil() * 2.5,
-        around if around > SAME => around,
-        _ => DRILLED,
-    };
-    let diameter = 2.0 * radius;
-    let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
-    let length = (1.2 * (face - all.low.min(0.0))).max(radius);
-    let length = (length / 5.0).ceil() * 5.0;
-    let fits = diameter <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
-    fits.then_some(Stock { diameter, bore, face, length, grip: None })
 }

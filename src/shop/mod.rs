@@ -4,6 +4,7 @@
 //! before the picture; must not know the text of the program.
 
 pub mod assumed;
+pub mod blank;
 pub mod clock;
 pub mod compare;
 pub mod danger;
@@ -15,6 +16,7 @@ pub mod region;
 pub mod steps;
 pub mod sweep;
 pub mod tally;
+pub mod thread_point;
 pub mod timing;
 pub mod tool;
 

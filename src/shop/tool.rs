@@ -6,7 +6,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::sweep::{CHORD, Outline};
+use super::thread_point::ThreadPoint;
 use crate::control::compensation::{Nose, Vector};
+use crate::control::setup::thread_insert::Hand;
 use crate::control::setup::{Side, Tool, ToolKind};
 use crate::geometry::Point;
 
@@ -27,9 +29,6 @@ pub(super) const BLADE: f64 = 3.0;
 
 /// Diameter of a drill of which nothing is said, mm.
 pub(super) const DRILL: f64 = 10.0;
-
-/// Thread angle of which nothing is said, degrees.
-pub(super) const THREAD: f64 = 60.0;
 
 /// Angle of a drill's point of which nothing is said, degrees.
 pub(super) const DRILL_POINT: f64 = 118.0;
@@ -95,7 +94,10 @@ impl Shape {
                 let (edge, body) = blade(tool);
                 (Action::Turning, edge, body)
             }
-            ToolKind::Threading => (Action::Threading, thread(tool), None),
+            ToolKind::Threading => {
+                let (edge, body) = thread(tool);
+                (Action::Threading, edge, body)
+            }
             ToolKind::Drill | ToolKind::Tap => {
                 let (edge, body) = drill(tool, kind);
                 (Action::Turning, edge, body)
@@ -222,13 +224,28 @@ fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
     (Outline::around(points.into_iter().map(turned)), body)
 }
 
-/// The point of a threading tool.
-fn thread(tool: &Tool) -> Outline {
-    let half = tool.angle.unwrap_or(THREAD).to_radians() / 2.0;
+/// A threading insert and its holder: the point, and as wide as its flanks end the insert above it.
+fn thread(tool: &Tool) -> (Outline, Option<Outline>) {
+    let ThreadPoint { angle, flank, height, hand } = ThreadPoint::of(tool);
+    let half = angle.to_radians() / 2.0;
     let nose = tool.nose();
-    let side = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
-    let points = wedge(FRAC_PI_2 - half, FRAC_PI_2 + half, Point::new(nose, 0.0), nose, EDGE, Corners::Three);
-    Outline::around(points.into_iter().map(|point| Point::new(side * point.x, point.z)))
+    let point = wedge(FRAC_PI_2 - half, FRAC_PI_2 + half, Point::new(nose, 0.0), nose, flank, Corners::Three);
+    let wide = point.iter().map(|point| point.z).fold(0.0, f64::max);
+    let inwards = match tool.working_side() {
+        Side::Outside | Side::Face => 1.0,
+        Side::Inside => -1.0,
+    };
+    let forward = match hand {
+        Hand::Right => 1.0,
+        Hand::Left => -1.0,
+    };
+    let placed = |point: Point| Point::new(inwards * point.x, forward * point.z);
+    let edge = point.into_iter().chain(rectangle((-wide, wide), (height, height))).map(placed);
+    let body = tool.reach.map(|reach| {
+        let holder = rectangle((-wide, SHANK - wide), (reach.max(height), LONG));
+        Outline::around(holder.into_iter().map(placed))
+    });
+    (Outline::around(edge), body)
 }
 
 /// A drill or a tap on the axis, and what holds it.
@@ -372,14 +389,29 @@ mod tests {
     #[test]
     fn drills_and_points() {
         check(r#"{"type": "drill", "diameter": 10, "reach": 50}"#, [0.0, 50.0, -5.0, 5.0]);
-        let half = 12.0 * 30f64.to_radians().sin();
-        check(r#"{"type": "threading"}"#, [-half, half, 0.0, 12.0 * 30f64.to_radians().cos()]);
-        check(
-            r#"{"type": "threading", "side": "inside"}"#,
-            [-half, half, -12.0 * 30f64.to_radians().cos(), 0.0],
-        );
         check(r#"{"type": "turning", "insert": "RCMT0803"}"#, [0.0, 8.0, 0.0, 8.0]);
         check(r#"{"type": "turning", "insert": "RCMT0803", "tip": 8}"#, [-4.0, 4.0, 0.0, 8.0]);
+    }
+
+    #[test]
+    fn a_threading_insert_is_little_wider_than_its_tooth() {
+        // A pitch of 3 mm: half a tooth is 1.5.
+        check(r#"{"type": "threading"}"#, [-1.75, 1.75, 0.0, 16.0]);
+        check(r#"{"type": "threading", "side": "inside"}"#, [-1.75, 1.75, -16.0, 0.0]);
+        check(r#"{"type": "threading", "insert": "16ER1.5ISO"}"#, [-0.925, 0.925, 0.0, 16.0]);
+        check(r#"{"type": "threading", "insert": "22IRN60"}"#, [-2.85, 2.85, -22.0, 0.0]);
+        check(r#"{"type": "threading", "insert": "16ER", "side": "inside"}"#, [-1.75, 1.75, -16.0, 0.0]);
+        // A tool that is ground to a point: its flanks are as long as they are.
+        let half = 12.0 * 30f64.to_radians().sin();
+        check(r#"{"type": "threading", "edgeLength": 12}"#, [-half, half, 0.0, 27.0]);
+        check(r#"{"type": "threading", "edgeLength": 3, "reach": 8}"#, [-1.5, 1.5, 0.0, 8.0]);
+        // Its holder lies on the other side of it than the shoulder.
+        for (insert, left) in [("16ERAG60", -1.75), ("16ELAG60", 1.75 - SHANK)] {
+            let json = format!(r#"{{"type": "threading", "insert": "{insert}", "reach": 10}}"#);
+            let body = shape(&json).body.expect("a holder");
+            let found = body.points().iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
+            assert!((found - left).abs() < 1e-9, "{insert}: {found}");
+        }
     }
 
     #[test]

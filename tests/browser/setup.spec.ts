@@ -30,7 +30,8 @@ async function begin(page: Page, text = PROGRAM): Promise<void> {
 
 test('what nobody has said is shown as assumed, and can be said by keyboard', async ({ page }) => {
   await begin(page);
-  await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+  await expect(page.getByText('Tools assumed')).toBeVisible();
+  await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
   await page.getByRole('button', { name: 'Setup', exact: true }).focus();
   await page.keyboard.press('Enter');
   await expect(field(page, 'Stock', 'Diameter')).toBeFocused();
@@ -44,7 +45,7 @@ test('what nobody has said is shown as assumed, and can be said by keyboard', as
   await page.keyboard.press('Enter');
   await expect(form(page)).toBeHidden();
   await expect(page.getByText('Tools assumed')).toBeVisible();
-  await expect(page.getByText('Stock and tools assumed')).toBeHidden();
+  await expect(page.getByText('Stock assumed: collisions not checked')).toBeHidden();
   expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 50, length: 25 } });
   expect(await value(page)).toBe(PROGRAM);
 
@@ -52,6 +53,32 @@ test('what nobody has said is shown as assumed, and can be said by keyboard', as
     await page.reload();
     await expect(page.getByText('Tools assumed')).toBeVisible();
     expect(JSON.parse((await attribute(page)) ?? '')).toMatchObject({ stock: { diameter: 50 } });
+  });
+});
+
+test('an assumed stock can be taken over, and collisions are looked for', async ({ page }) => {
+  const crash = PROGRAM.replace('G0 X100 Z100', 'G0 X30 Z-22\nG0 X100 Z100');
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(crash));
+  const told = page.getByText('Stock assumed: collisions not checked');
+  const use = page.getByRole('button', { name: 'use this stock' });
+  await expect(told).toBeVisible();
+  await expect(problems(page).getByText(/rapid/i)).toHaveCount(0);
+  await use.focus();
+  await page.keyboard.press('Enter');
+  await expect(told).toBeHidden();
+  await expect(problems(page).getByText(/rapid/i)).not.toHaveCount(0);
+  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toBeFocused();
+  await expect(page.getByText('The setup is kept on this page')).toBeVisible();
+  expect(JSON.parse((await attribute(page)) ?? '')).toEqual({ stock: { diameter: 44, length: 25 } });
+  expect(await value(page)).toBe(crash);
+
+  await test.step('in the program, where the setup stands there', async () => {
+    await openFile(page, 'other.nc', Buffer.from(`(MACHINE RAPIDX=8000)\n${PROGRAM}`));
+    await expect(told).toBeVisible();
+    await use.click();
+    await expect.poll(() => value(page)).toBe(`(STOCK D=44 LENGTH=25)\n(MACHINE RAPIDX=8000)\n${PROGRAM}`);
+    await expect(told).toBeHidden();
   });
 });
 
@@ -67,7 +94,7 @@ test('kept in the program it stands in comments, which one undo takes out', asyn
   expect(lines.slice(0, 3)).toEqual([
     'O0001', '(STOCK D=50 LENGTH=25)', '(TOOL T0101 TYPE=TURNING INSERT=C R=0.8 KR=95)',
   ]);
-  await expect(page.getByText(/^(Stock|Tools|Stock and tools) assumed$/)).toBeHidden();
+  await expect(page.getByText(/^(Stock|Tools) assumed/)).toBeHidden();
 
   await test.step('the form edits the comments', async () => {
     await openForm(page);
@@ -153,7 +180,7 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
   const before = await attribute(page);
   expect(before).toContain('stock');
   await openFile(page, 'own.nc', Buffer.from(PROGRAM));
-  await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+  await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
   expect((await attribute(page)) ?? '').not.toContain('stock');
 
   await test.step('undo brings the example back, and its setup', async () => {
@@ -169,7 +196,7 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
   await test.step('the control stays', async () => {
     await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
     await openFile(page, 'own.nc', Buffer.from(PROGRAM));
-    await expect(page.getByText('Stock and tools assumed')).toBeVisible();
+    await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
     await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
     await expect(page.locator('gcode-playground')).toHaveAttribute('control', 'gsk');
   });

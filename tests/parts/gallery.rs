@@ -28,7 +28,7 @@ fn gallery() -> Vec<Program> {
 }
 
 /// The tool that was concluded, with its outline from the values of a tool maker's table.
-fn as_fitted(tool: &Tool, known: Known) -> Reach {
+fn as_fitted(tool: &Tool, known: Known, pitch: f64) -> Reach {
     let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
     match tool.kind.expect("a kind") {
         ToolKind::Turning | ToolKind::Boring => {
@@ -51,7 +51,7 @@ fn as_fitted(tool: &Tool, known: Known) -> Reach {
         }
         ToolKind::Grooving if tool.side == Some(Side::Face) => Reach::face_blade(3.0),
         ToolKind::Grooving => Reach::blade(3.0, up),
-        ToolKind::Threading => Reach::thread(up),
+        ToolKind::Threading => Reach::thread(up, pitch),
         ToolKind::Drill => Reach::drill(tool.diameter.unwrap_or(10.0)),
         kind => panic!("{kind:?}"),
     }
@@ -135,10 +135,14 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
         }
     }
     let analysis = analyze(program.text.as_bytes(), &setup);
+    let pitch = analysis.motions.iter().filter_map(|motion| motion.lead).fold(0.0, f64::max);
     let full = compare(&program.id, &analysis.motions, &setup, &stock, |fitting, motion| {
         let given = given.iter().find(|given| given.0 == motion.process.tool.0);
         let fitted = fitting.tool(motion);
-        given.map_or_else(|| as_fitted(&fitted.tool, fitted.known), |(_, reach)| reach.clone())
+        match given {
+            Some((_, reach)) if !reach.threads => reach.clone(),
+            _ => as_fitted(&fitted.tool, fitted.known, pitch),
+        }
     });
     assert!(full > 0, "{}: only {full} stations have material", program.id);
 }
@@ -152,8 +156,9 @@ fn sharp_tools_as_concluded() {
     }
 }
 
+/// Its point is for the pitch of the program.
 fn threading() -> (Tool, Reach) {
-    (Tool { kind: Some(ToolKind::Threading), ..Tool::default() }, Reach::thread(1.0))
+    (Tool { kind: Some(ToolKind::Threading), ..Tool::default() }, Reach::thread(1.0, 0.0))
 }
 
 #[test]

@@ -47,10 +47,10 @@ hand-01-g71-taper-arc-chamfer: ⌀53.4, 0 to -55.0: T01 turning C 95
 hand-02-g71-one-block-away: ⌀44.6, 0 to -55.0: T03 turning C 95 tip 4
 hand-03-g71-boring: ⌀55.0 bore 19.6, 0 to -35.0: T04 boring C 95
 hand-04-g71-type2-pocket: ⌀56.4, 0 to -30.0: T01 turning V 93
-hand-05-g72-arc: ⌀62.4, 0 to -35.0: T01 turning C 95
+hand-05-g72-arc: ⌀60.4, 0 to -35.0: T01 turning C 95
 hand-06-g73-three-passes: ⌀58.6, 0 to -35.0: T01 turning C 95
-hand-07-g74-columns-drill: ⌀50.0, 0 to -30.0: T05 grooving face, T06 drill
-hand-08-g75-columns: ⌀52.0, 0 to -35.0: T02 grooving outside
+hand-07-g74-columns-drill: ⌀66.0, 0 to -35.0: T05 grooving face, T06 drill
+hand-08-g75-columns: ⌀50.0, 0 to -40.0: T02 grooving outside
 hand-09-g76-taper-pullout: ⌀30.6, 0 to -30.0: T03 threading outside
 hand-10-corners: ⌀96.0, 0 to -100.0: T01 turning C 95
 hand-11-g42-profile: ⌀55.2, 0 to -40.0: T01 unnamed tip 3
@@ -61,7 +61,7 @@ s001-frag-g90-cyl: ⌀55.0, 0 to -30.0: T00 turning C 95
 s001-frag-g90-i: ⌀65.0, 0 to -45.0: T00 turning C 95
 s001-frag-g90-i-asprinted: nothing:
 s001-frag-g90-taper: ⌀62.0, 0 to -35.0: T00 turning C 95
-s001-frag-g94: ⌀85.0, 0 to -45.0: T00 turning C 95
+s001-frag-g94: ⌀83.0, 0 to -45.0: T00 turning C 95
 s001-o0001: ⌀32.0, 0 to -40.0: T01 turning C 95
 s001-o0002: ⌀32.0, 0 to -40.0: T01 turning C 95
 s001-o0003a: ⌀50.0, 0 to -35.0: T01 turning C 95
@@ -69,16 +69,16 @@ s001-o0003b: ⌀32.0, 0 to -45.0: T01 turning C 95
 s001-o0006: ⌀52.0, 0 to -40.0: T01 turning C 95
 s001-o0006b: ⌀52.0, 0 to -40.0: T01 turning C 95
 s001-o6003: ⌀65.0 bore 18.0, 1 to -60.0: T01 turning C 95, T02 boring C 95, T04 grooving outside
-s001-o7234: ⌀85.0, 0 to -45.0: T00 turning C 95
-s001-o8234: ⌀85.0, 0 to -45.0: T00 turning C 95
+s001-o7234: ⌀83.0, 0 to -45.0: T00 turning C 95
+s001-o8234: ⌀83.0, 0 to -45.0: T00 turning C 95
 s002-g121-square: ⌀80.0, 0 to -40.0: T01 endmill
 s002-g121-square-asprinted: ⌀80.0, 0 to -40.0: T01 endmill
 s002-g50-g96: nothing:
 s003-g71: ⌀41.5, 0.2 to -74.8: T00 turning C 95
-s003-g72: ⌀41.1, 0 to -40.0: T00 turning C 95
+s003-g72: ⌀39.1, 0 to -40.0: T00 turning C 95
 s003-g73: ⌀70.5, 0 to -60.0: T00 turning C 95
-s003-g74: ⌀30.0, 0 to -15.0: T00 drill
-s003-g75: ⌀42.0, 25 to -5.0: T00 grooving outside
+s003-g74: ⌀30.0, 0 to -20.0: T00 drill
+s003-g75: ⌀40.0, 30 to -10.0: T00 grooving outside
 s003-g76: ⌀38.8, 0 to -75.0: T00 threading outside
 s004-g94-right: ⌀50.0, 0 to -60.0: T00 turning C 95
 s004-g94-wrong: ⌀50.0, 0 to -60.0: T00 turning C 95
@@ -122,12 +122,41 @@ fn drills() {
 
 #[test]
 fn blades() {
-    check("T0303\nG00 X42 Z-20\nG01 X30 F0.1\nG00 X42", "⌀42.0, 0 to -25.0: T03 grooving outside");
+    check("T0303\nG00 X42 Z-20\nG01 X30 F0.1\nG00 X42", "⌀42.0, 0 to -30.0: T03 grooving outside");
     check(
         "T0303\nG00 X42 Z-20\nG01 X30 F0.1\nG04 X1\nG01 X42\nG00 Z-30\nG01 X30\nX42",
-        "⌀42.0, 0 to -40.0: T03 grooving outside",
+        "⌀40.0, 0 to -40.0: T03 grooving outside",
     );
     check("T0303\nG00 X42 Z-40\nG01 X-1 F0.1\nG00 X42", "⌀42.0, 0 to -50.0: T03 grooving outside");
+}
+
+#[test]
+fn grooves_have_two_flanks_and_part_offs_a_bar() {
+    // The back of the part is zero: the groove is at its front end.
+    check("T0303\nG00 X42 Z22\nG01 X30 F0.1\nG00 X42", "⌀42.0, 30 to -10.0: T03 grooving outside");
+    // Turned as far as that: the face is known.
+    check(
+        "T0101\nG00 X40 Z30\nG01 Z8 F0.2\nX42\nT0303\nG00 X42 Z22\nG01 X30 F0.1\nG00 X42",
+        "⌀42.0, 30 to -10.0: T01 turning C 95, T03 grooving outside",
+    );
+    // Faced with the blade itself.
+    check(
+        "T0303\nG00 X42 Z0\nG01 X-1 F0.1\nG00 X42\nZ-20\nG01 X30\nG00 X42",
+        "⌀40.0, 0 to -30.0: T03 grooving outside",
+    );
+    check("T0303\nG00 X12 Z-9\nG01 X-1 F0.1\nG00 X12", "⌀12.0, 0 to -20.0: T03 grooving outside");
+    // In the face: an outer wall, unless somebody has turned the outside.
+    let face = "T0505\nG00 X40 Z2\nG74 R1\nG74 X30 Z-6 P2000 Q2000 F0.1\nG00 Z50\n";
+    check(face, "⌀56.0, 0 to -30.0: T05 grooving face");
+    check(
+        &format!("T0101\nG00 X60 Z2\nG01 Z-20 F0.2\nX62\nG00 Z2\n{face}"),
+        "⌀62.0, 0 to -35.0: T01 turning C 95, T05 grooving face",
+    );
+}
+
+#[test]
+fn drills_have_a_bottom() {
+    check("T0202\nG00 X0 Z2\nG01 Z-12 F0.2\nG00 Z2", "⌀30.0, 0 to -20.0: T02 drill");
 }
 
 #[test]

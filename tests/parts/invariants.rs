@@ -15,10 +15,10 @@ const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 12, "face": 1, "length
               "T0202": {"type": "grooving", "width": 3}, "T0303": {"type": "threading"},
               "T0404": {"type": "boring", "noseRadius": 0.4, "pointAngle": 35, "enteringAngle": 93}}}"#;
 
-fn reach(station: u16) -> Reach {
+fn reach(station: u16, pitch: f64) -> Reach {
     match station {
         2 => Reach::blade(3.0, 1.0),
-        3 => Reach::thread(1.0),
+        3 => Reach::thread(1.0, pitch),
         4 => Reach::rhombus(52.0, 35.0, 12.0, 0.4, (1.0, -1.0), false),
         _ => Reach::rhombus(32.0, 55.0, 12.0, 0.8, (1.0, 1.0), false),
     }
@@ -97,6 +97,9 @@ proptest! {
     fn only_what_tools_pass_over_goes(program in program(12)) {
         let (motions, setup) = run(&program);
         let stock = setup.stock.expect("a blank");
-        compare(&program, &motions, &setup, &stock, |_, motion| reach(motion.process.tool.0));
+        let threads = motions.iter().filter(|motion| motion.process.tool.0 == 3);
+        let pitch = threads.filter_map(|motion| motion.lead).fold(0.0, f64::max);
+        let pitch = if pitch > 0.0 { pitch } else { 3.0 };
+        compare(&program, &motions, &setup, &stock, |_, motion| reach(motion.process.tool.0, pitch));
     }
 }

@@ -69,10 +69,20 @@ impl Reach {
         Self::new(vec![(0.0, 0.0), (400.0, 0.0), (400.0, width), (0.0, width)])
     }
 
-    /// A thread point of 60° with edges of 12 mm.
-    pub fn thread(up: f64) -> Self {
-        let (half, high) = (6.0, 12.0 * 30f64.to_radians().cos());
-        Self { threads: true, ..Self::new(vec![(0.0, 0.0), (half, up * high), (-half, up * high)]) }
+    /// A thread point of 60° that is for a pitch: as wide as the insert stands beside it, and so on for the insert's height.
+    pub fn thread(up: f64, pitch: f64) -> Self {
+        let half = 0.55 * pitch + 0.1;
+        let shoulder = half * 3f64.sqrt();
+        let size = if pitch <= 3.0 {
+            16.0
+        } else if pitch <= 6.0 {
+            22.0
+        } else {
+            27.0
+        };
+        let top = f64::max(size, shoulder);
+        let corners = [(0.0, 0.0), (half, shoulder), (half, top), (-half, top), (-half, shoulder)];
+        Self { threads: true, ..Self::new(corners.map(|(z, x)| (z, up * x)).to_vec()) }
     }
 
     /// A drill with a point of 118°.

@@ -24,10 +24,11 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
 // the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// setup views playback play readout doing status notice written-out rewrite codes solid export-menu paste help.
+// setup views assumptions playback play readout doing status notice written-out rewrite codes solid export-menu paste help.
 //
 // Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
+import { AssumedStock } from './assumed-stock';
 import { CodesDialog } from './codes';
 import { CoreClient, Newest, type Loss } from './core-client';
 import { make } from './dom';
@@ -46,11 +47,11 @@ import { Notice } from './notice';
 import { Pasting } from './pasting';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
+import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupForm, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
 import type { CanvasCommand } from './protocol-views';
 import { RewriteDialog } from './rewrite';
 import { SetupBar } from './setup-bar';
-import { SetupDialog } from './setup-form';
+import { SetupDialog, type SetupEntries } from './setup-form';
 import { SolidDialog } from './solid';
 import { initialProgram, mergedSetup, neutralSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
@@ -104,6 +105,7 @@ export class GcodePlayground extends HTMLElement {
   #switches!: Switches;
   #setupBar!: SetupBar;
   #setupForm!: SetupDialog;
+  #assumedStock!: AssumedStock;
   /** How the program before this one was run, for undo. */
   #before: { readonly length: number; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null } | undefined;
   #help!: Help;
@@ -378,10 +380,21 @@ export class GcodePlayground extends HTMLElement {
       chosen: (program) => this.#turn(() => (this.program = String(program))),
     });
     this.#setupBar = new SetupBar(texts, () => void this.#openSetup());
+    const readSetup = async (entries: SetupEntries): Promise<SetupAnswer | undefined> =>
+      this.#line?.client.ask('read-setup', { ...entries, json: this.setup ?? '{}' });
     this.#setupForm = new SetupDialog(texts, {
-      read: async (entries) => this.#line?.client.ask('read-setup', { ...entries, json: this.setup ?? '{}' }),
+      read: readSetup,
       another: async (word) => this.#line?.client.ask('another-tool', { word }),
       kept: (answer, place) => this.#keepSetup(answer, place),
+    });
+    this.#assumedStock = new AssumedStock(texts, {
+      form: () => this.#askSetup(),
+      read: readSetup,
+      taken: (answer, place) => {
+        this.#keepSetup(answer, place);
+        // The button that was pressed goes.
+        this.#setupBar.button.focus();
+      },
     });
     this.#codes = new CodesDialog(texts);
     this.#help = new Help(texts, () => void this.#showCodes());
@@ -404,11 +417,12 @@ export class GcodePlayground extends HTMLElement {
     this.#views.element.prepend(this.#setupBar.element);
     this.#playback.element.append(this.#drawing.legend, this.#drawing.viewButtons);
     const bar = make('div', { className: 'bar', part: 'bar' }, this.#fileBar.element, this.#switches.element);
+    const assumed = make('div', { className: 'assumptions', part: 'assumptions' }, this.#assumedStock.element);
     const frame = make(
       'div',
       { className: 'frame', part: 'frame' },
       make('div', { className: 'written' }, make('slot', { name: 'intro' }), this.#notice.element, bar, editor.element, this.#problems.element),
-      make('div', { className: 'shown' }, this.#views.element, this.#pictures, this.#playback.element),
+      make('div', { className: 'shown' }, this.#views.element, assumed, this.#pictures, this.#playback.element),
       make('div', { className: 'foot' }, this.#status.element, this.#status.stop, this.#pasting.button, this.#solid.button, this.#exports.button, this.#rewrite.button, this.#writtenOut.button, this.#help.button),
       this.#help.element,
       this.#writtenOut.element,
@@ -709,13 +723,17 @@ export class GcodePlayground extends HTMLElement {
   // ---- the setup ----------------------------------------------------------------------------------
 
   async #openSetup(): Promise<void> {
+    const form = await this.#askSetup();
+    if (form !== undefined) this.#setupForm.show(form);
+  }
+
+  async #askSetup(): Promise<SetupForm | undefined> {
     // What was typed a moment ago counts too.
     if (this.#sending !== undefined) {
       this.#sendText();
       this.#changed();
     }
-    const form = await this.#line?.client.ask('setup-form', undefined);
-    if (form !== undefined) this.#setupForm.show(form);
+    return this.#line?.client.ask('setup-form', undefined);
   }
 
   #keepSetup({ setup, edits }: SetupAnswer, place: SetupPlace): void {
@@ -764,7 +782,7 @@ export class GcodePlayground extends HTMLElement {
     const { summary, diagnostics, fitted, stage } = report;
     this.#status.summary = summary;
     this.#drawing.summary = summary;
-    this.#setupBar.fitted = fitted;
+    this.#setupBar.fitted = this.#assumedStock.fitted = fitted;
     this.#writtenOut.available = this.#rewrite.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;
     this.#askSection();
     this.#problems.diagnostics = diagnostics;
@@ -804,7 +822,7 @@ export class GcodePlayground extends HTMLElement {
     const texts = (this.#strings = strings(language));
     for (const shown of [
       this.#drawing, this.#face, this.#views, this.#playback, this.#problems, this.#status, this.#notice, this.#fileBar, this.#switches, this.#help,
-      this.#writtenOut, this.#rewrite, this.#codes, this.#setupBar, this.#setupForm, this.#exports, this.#solid, this.#pasting,
+      this.#writtenOut, this.#rewrite, this.#codes, this.#setupBar, this.#setupForm, this.#assumedStock, this.#exports, this.#solid, this.#pasting,
     ]) {
       shown.strings = texts;
     }

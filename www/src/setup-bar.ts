@@ -1,4 +1,4 @@
-// The line in the drawing that says which of stock and tools are assumed, and the button that opens the setup form.
+// The button that opens the setup form, and beside it whether tools are assumed.
 //
 // In: what is given and what is assumed. Out: `wanted`. Must not know: how anything is assumed.
 
@@ -31,10 +31,7 @@ export class SetupBar {
   }
 
   #render(): void {
-    const stock = this.#fitted?.stock === 'guessed';
-    const tools = this.#fitted?.tools.some(({ known }) => known === 'guessed') ?? false;
-    const texts = this.#strings.setup.assumed;
-    this.#assumed.textContent = stock && tools ? texts.all : stock ? texts.stock : tools ? texts.tools : texts.none;
-    this.#assumed.hidden = this.#assumed.textContent === '';
+    this.#assumed.textContent = this.#strings.setup.toolsAssumed;
+    this.#assumed.hidden = !(this.#fitted?.tools.some(({ known }) => known === 'guessed') ?? false);
   }
 }

@@ -5,8 +5,11 @@
 export interface SetupTexts {
   readonly setup: string;
   readonly about: string;
-  /** The line in the drawing; empty when all is given. */
-  readonly assumed: { readonly all: string; readonly stock: string; readonly tools: string; readonly none: string };
+  /** Beside the button of the form, where no tools are given. */
+  readonly toolsAssumed: string;
+  /** The line above the drawing where no stock is given, and its button. */
+  readonly stockAssumed: string;
+  readonly useStock: string;
   /** In a field that is empty: what counts there. */
   readonly placeholder: (value: string) => string;
   readonly nothing: string;
@@ -33,9 +36,9 @@ export const setupTexts: { readonly en: SetupTexts; readonly zh: SetupTexts; rea
   en: {
     setup: 'Setup',
     about: 'Stock, tools and machine. What is left empty is assumed, as the grey values say.',
-    assumed: {
-      all: 'Stock and tools assumed', stock: 'Stock assumed', tools: 'Tools assumed', none: '',
-    },
+    toolsAssumed: 'Tools assumed',
+    stockAssumed: 'Stock assumed: collisions not checked',
+    useStock: 'use this stock',
     placeholder: (value) => `${value} (assumed)`,
     nothing: '—',
     source: { program: 'in the program', page: 'on this page', nobody: 'assumed' },
@@ -58,7 +61,9 @@ export const setupTexts: { readonly en: SetupTexts; readonly zh: SetupTexts; rea
   zh: {
     setup: '毛坯与刀具',
     about: '毛坯、刀具和机床。留空的项目按灰色的值假定。',
-    assumed: { all: '毛坯和刀具为假定', stock: '毛坯为假定', tools: '刀具为假定', none: '' },
+    toolsAssumed: '刀具为假定',
+    stockAssumed: '毛坯为假定：未检查碰撞',
+    useStock: '采用此毛坯',
     placeholder: (value) => `${value}（假定）`,
     nothing: '—',
     source: { program: '写在程序中', page: '保存在本页', nobody: '假定' },
@@ -81,9 +86,9 @@ export const setupTexts: { readonly en: SetupTexts; readonly zh: SetupTexts; rea
   ru: {
     setup: 'Наладка',
     about: 'Заготовка, инструменты и станок. Что не указано, принимается: это серые значения.',
-    assumed: {
-      all: 'Заготовка и инструменты приняты', stock: 'Заготовка принята', tools: 'Инструменты приняты', none: '',
-    },
+    toolsAssumed: 'Инструменты приняты',
+    stockAssumed: 'Заготовка принята: столкновения не проверены',
+    useStock: 'взять её',
     placeholder: (value) => `${value} (принято)`,
     nothing: '—',
     source: { program: 'в программе', page: 'на этой странице', nobody: 'принято' },

@@ -6,6 +6,7 @@ use super::singles;
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::modal::{Angle, Joint};
+use crate::geometry::SAME;
 use crate::geometry::virtual_plane::Surface;
 
 impl Interpreter {
@@ -343,7 +344,7 @@ impl Interpreter {
             return;
         };
         self.leave_compensation();
-        let tap = self.state.position.x.abs() <= crate::geometry::SAME && to.x.abs() <= crate::geometry::SAME;
+        let tap = self.state.position.x.abs() <= SAME && to.x.abs() <= SAME;
         if tap && self.state.spindle.surface {
             // Said of the tap.
             let _said = self.state.told.first(Once::ThreadAtSurfaceSpeed);
@@ -366,8 +367,12 @@ impl Interpreter {
             (MotionMode::Tapping, ..) => [Some(to), Some(from)],
             (MotionMode::VariableThread, _, change) => {
                 let length = (to.z - from.z).abs().max((to.x - from.x).abs());
-                if let Some(last) = last_lead(lead, change.unwrap_or(0.0), length).err() {
-                    self.tell(Diagnostic::new(Message::LeadRunsOut { lead: last }, words.span(b'K')));
+                let reached = lead_ends(lead, change.unwrap_or(0.0));
+                if let Some(reached) = reached.filter(|&reached| reached <= length + SAME) {
+                    // As people measure it.
+                    let reached = (100.0 * reached).round() / 100.0;
+                    let message = Message::LeadRunsOut { word: words.quote(text, b'K'), reached, length };
+                    self.tell(Diagnostic::new(message, words.span(b'K')));
                     request.drop = true;
                     return;
                 }
@@ -427,9 +432,8 @@ fn gsk_pull_out(from: Point, to: Point, out: f64, along: f64) -> [Option<Point>;
     [Some(leave), Some(end)]
 }
 
-/// The lead at the end of a G34, mm: n turns of F·n + K·n²/2 = L leave a lead of √(F² + 2·K·L). The error is the
-/// lead it would sink to, zero or below.
-fn last_lead(lead: f64, change: f64, length: f64) -> Result<f64, f64> {
-    let square = lead * lead + 2.0 * change * length;
-    if square > 0.0 { Ok(square.sqrt()) } else { Err(-(-square).sqrt()) }
+/// How far a G34 gets until its lead is zero, mm: n turns make a thread of F·n + K·n²/2, and the lead is zero after F/−K of
+/// them. Nothing where it does not fall.
+fn lead_ends(lead: f64, change: f64) -> Option<f64> {
+    (change < 0.0).then(|| lead * lead / (-2.0 * change))
 }

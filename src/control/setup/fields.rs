@@ -24,7 +24,7 @@ pub enum Entry {
     Number(Unit),
     /// A whole number from 0 to 255.
     Whole,
-    /// A designation: letters and digits.
+    /// A designation: letters, digits, points and dashes.
     Text,
     /// One of these.
     Choice(&'static [&'static str]),
@@ -190,7 +190,8 @@ const MM: Entry = Number(Unit::Millimetre);
 const DEGREES: Entry = Number(Unit::Degree);
 const MM_A_MINUTE: Entry = Number(Unit::MillimetrePerMinute);
 
-const INSERTS: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring];
+const ANGLED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring];
+const INSERTS: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Threading];
 const SIDED: &[ToolKind] = &[ToolKind::Grooving, ToolKind::Threading];
 const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Grooving, ToolKind::Threading];
 
@@ -246,8 +247,8 @@ pub const TOOL: &[Field<Tool>] = &[
         ),
     )
     .of(POINTED),
-    tool(Name::EnteringAngle, "enteringAngle", "KR", DEGREES, measure!(entering_angle)).of(INSERTS),
-    tool(Name::PointAngle, "pointAngle", "POINT", DEGREES, measure!(point_angle)).of(INSERTS),
+    tool(Name::EnteringAngle, "enteringAngle", "KR", DEGREES, measure!(entering_angle)).of(ANGLED),
+    tool(Name::PointAngle, "pointAngle", "POINT", DEGREES, measure!(point_angle)).of(ANGLED),
     tool(Name::EdgeLength, "edgeLength", "EDGE", MM, measure!(edge_length)).of(INSERTS),
     tool(Name::Width, "width", "WIDTH", MM, measure!(width)).of(&[ToolKind::Grooving]),
     tool(Name::ToolDiameter, "diameter", "D", MM, measure!(diameter)).of(&[
@@ -258,6 +259,7 @@ pub const TOOL: &[Field<Tool>] = &[
     tool(Name::Reach, "reach", "REACH", MM, measure!(reach)).of(&[
         ToolKind::Boring,
         ToolKind::Grooving,
+        ToolKind::Threading,
         ToolKind::Drill,
         ToolKind::Tap,
     ]),
@@ -336,7 +338,9 @@ impl Entry {
             Whole => text.parse::<u8>().map(|whole| Value::Number(whole.into())).or(Err(Unread::NotWhole)),
             Text => {
                 let designation: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-                let is_one = designation.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-');
+                let is_one = designation
+                    .bytes()
+                    .all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'.'));
                 if is_one && !designation.is_empty() {
                     Ok(Value::Text(designation))
                 } else {

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::thread_insert::ThreadInsert;
+
 /// A tool as a setup sheet names it. What is left out has the usual value of its kind.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
@@ -19,19 +21,20 @@ pub struct Tool {
     pub kind: Option<ToolKind>,
     /// Which side of the work a blade or a threading tool is for.
     pub side: Option<Side>,
-    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose.
+    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose. Of a threading
+    /// tool as makers write lay-down inserts: `16ER AG60`.
     pub insert: Option<String>,
     /// Angle between the two edges of a turning insert, degrees; the shape of the insert where nothing is said.
     pub point_angle: Option<f64>,
     /// Angle of the main edge to the direction of feed along Z, degrees (κr, 95 for a common turning tool).
     pub entering_angle: Option<f64>,
-    /// Length of the cutting edge, mm.
+    /// Length of the cutting edge, mm; of a threading tool that of each flank of its point.
     pub edge_length: Option<f64>,
     /// Width of a blade, mm.
     pub width: Option<f64>,
     /// Diameter of a drill, a tap or a cutter, mm.
     pub diameter: Option<f64>,
-    /// How far a blade or a drill reaches from its holder, or a boring bar into the work, mm.
+    /// How far a blade, a threading point or a drill reaches from its holder, or a boring bar into the work, mm.
     pub reach: Option<f64>,
     /// Diameter of a boring bar, mm.
     pub shank: Option<f64>,
@@ -152,9 +155,19 @@ impl Tool {
         Insert::read(self.insert.as_deref()?)
     }
 
+    /// What its insert's designation says of a threading insert.
+    pub fn thread_insert(&self) -> Option<ThreadInsert> {
+        ThreadInsert::read(self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?)
+    }
+
+    /// The side of the work it is for: as given, or as its threading insert says; the outside where nothing is known.
+    pub fn working_side(&self) -> Side {
+        self.side.or_else(|| self.thread_insert()?.side).unwrap_or_default()
+    }
+
     /// Tip direction: as given, or the usual one of its kind; 0 where nothing is known.
     pub fn tip_direction(&self) -> u8 {
-        self.tip.unwrap_or(match (self.kind, self.side.unwrap_or_default()) {
+        self.tip.unwrap_or(match (self.kind, self.working_side()) {
             (None | Some(ToolKind::Endmill), _) => 0,
             (Some(ToolKind::Drill | ToolKind::Tap), _) => 7,
             (Some(ToolKind::Turning), _) => 3,

@@ -3,9 +3,9 @@
 //! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in place of those that
 //! are there. Ways to write what is no note (dialect, limits) there are none.
 
-use super::Setup;
 use super::fields::{self, Field};
 use super::notes::Notes;
+use super::{Setup, Stock};
 use crate::text::source::Span;
 
 /// Text to put in place of a stretch of a program.
@@ -20,7 +20,7 @@ pub struct Change {
 /// The notes that say what a setup says of stock, tools, tailstock, machine, start and rules, a line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
-    lines.extend(setup.stock.and_then(|stock| line("STOCK", fields::STOCK, &stock)));
+    lines.extend(setup.stock.map(|own| stock(&own)));
     for (name, tool) in &setup.tools {
         lines.extend(line(&format!("TOOL {name}"), fields::TOOL, tool));
     }
@@ -30,6 +30,11 @@ pub fn lines(setup: &Setup) -> Vec<String> {
     let rules: String = setup.rules.iter().map(|(name, level)| format!(" {name}={}", level.name())).collect();
     lines.extend((!rules.is_empty()).then(|| format!("(RULES{})", rules.to_ascii_uppercase())));
     lines
+}
+
+/// The note of a stock: `(STOCK D=65 LENGTH=80)`.
+pub fn stock(stock: &Stock) -> String {
+    line("STOCK", fields::STOCK, stock).unwrap_or_default()
 }
 
 /// A note; nothing where there is nothing to say.

@@ -256,7 +256,9 @@ impl Message {
             Self::FinishWithoutRoughing { first, last } => {
                 vec![("first", Count(i64::from(*first))), ("last", Count(i64::from(*last)))]
             }
-            Self::LeadRunsOut { lead } => vec![("lead", Number(*lead))],
+            Self::LeadRunsOut { word, reached, length } => {
+                vec![("word", Text(word)), ("reached", Number(*reached)), ("length", Number(*length))]
+            }
             Self::LeadingZero { word, value, meant } => {
                 vec![("word", Text(word)), ("value", Number(*value)), ("meant", Text(meant))]
             }

@@ -333,7 +333,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Check the end point and the radius of both: shifted by the nose radius they must still cross.",
         CompensationPlane => "The plane may not change while G41 or G42 is on.\n\
             Write G40 first, on a move before the plane changes.",
-        LeadRunsOut => "The lead of G34 would become {lead} mm.\n\
+        LeadRunsOut => "With `{word}` the lead of G34 is zero after {reached} mm, and the thread is {length} mm long.\n\
             K is the change of lead for each turn; it must leave the lead positive to the end.",
         CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
             Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",

@@ -40,6 +40,16 @@ pub fn matter(kind: Kind, language: Language) -> &'static str {
     })
 }
 
+/// That a stock is assumed, and what was not checked because of it; `note` is the comment that names this stock.
+pub fn stock_assumed(note: &str, language: Language) -> String {
+    let said = language.among([
+        "stock assumed, collisions not checked. This stock in the program:",
+        "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",
+        "заготовка принята, столкновения не проверялись. Эта заготовка в программе:",
+    ]);
+    format!("{said} {note}")
+}
+
 /// What a field is called.
 pub fn field(name: Name, language: Language) -> &'static str {
     language.among(match name {

@@ -174,7 +174,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::CompensationOvercut { radius: 1.5, alarm: "PS0038" },
         Message::CompensationNoIntersection { radius: 1.5 },
         Message::CompensationPlane,
-        Message::LeadRunsOut { lead: 1.5 },
+        Message::LeadRunsOut { word: "X1".into(), reached: 1.5, length: 1.5 },
         Message::CompensationIdle { code: "G71" },
         Message::LeadingZero { word: "X1".into(), value: 1.5, meant: "X1".into() },
         Message::PointMissing { word: "X1".into(), thousandths: 1.5 },

@@ -333,7 +333,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             请检查这两段的终点和半径：偏移刀尖半径后它们仍须相交。",
         CompensationPlane => "G41 或 G42 有效时，不能切换平面。\n\
             请先在换平面之前的移动段中写 G40 取消补偿。",
-        LeadRunsOut => "G34 的导程会变成 {lead} mm。\n\
+        LeadRunsOut => "按 `{word}`，G34 的导程在 {reached} mm 后减小到零，而螺纹长 {length} mm。\n\
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
         CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
             车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",

@@ -80,13 +80,14 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
             outlines.iter().map(|outline| outline.iter().map(place).collect()).collect()
         };
         let (blank, part, obstacles) = (seen(&work.blank), seen(&work.part), seen(&work.obstacles));
-        let edges = [&work.blank, &work.part].map(|outlines| match scene.plane() {
-            Plane::Section => seen(&edges(outlines)),
-            Plane::Face => seen(&closed(outlines)),
-        });
+        let blank_edges = match scene.plane() {
+            Plane::Section => seen(&edges(&work.blank)),
+            Plane::Face => seen(&closed(&work.blank)),
+        };
+        let [cut, left] = work.part_edges(scene.plane());
         pen.opacity(1.0);
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
-        pen.polylines(&palette.stock_edge, &edges[0], 1.0, blank_dash(work.known))?;
+        pen.polylines(&palette.stock_edge, &blank_edges, 1.0, blank_dash(work.known))?;
         pen.fill(&palette.part, part.iter().map(Vec::as_slice));
         // What is looked at from outside is not cut through.
         if scene.plane() == Plane::Section {
@@ -97,7 +98,8 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         pen.opacity(1.0);
-        pen.polylines(&palette.part_edge, &edges[1], 1.5, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.known))?;
+        pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
         pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
         let [first, second] =
             work.compared.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);

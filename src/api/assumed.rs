@@ -1,0 +1,54 @@
+//! What leaves the crate of a stock that nobody has named.
+
+use serde::Serialize;
+
+use crate::control::setup::Stock;
+use crate::control::setup::written;
+use crate::diagnostics::messages::{Language, labels};
+use crate::run::Analysis;
+use crate::shop::guess::Guesses;
+
+/// A stock that is assumed, and what was not checked because of that.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct AssumedStock {
+    /// `stock-assumed`: what sets the row apart from those of messages.
+    pub note: &'static str,
+    /// What was not looked for.
+    pub not_checked: [&'static str; 1],
+    /// The same in words, with the comment that names this stock.
+    pub message: String,
+    /// The stock, as a setup has it.
+    pub stock: StockRow,
+}
+
+/// A bar or a tube, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StockRow {
+    /// Outside diameter.
+    pub diameter: f64,
+    /// Bore diameter; 0 for solid.
+    pub bore: f64,
+    /// Z of the front face.
+    pub face: f64,
+    /// From the face towards −Z.
+    pub length: f64,
+}
+
+impl AssumedStock {
+    /// That of a program; nothing where its setup names a stock, or nothing is cut.
+    pub fn of(analysis: &Analysis, language: Language) -> Option<Self> {
+        if analysis.setup.stock.is_some() {
+            return None;
+        }
+        let Stock { diameter, bore, face, length, .. } = Guesses::of(&analysis.motions).stock?;
+        let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);
+        let note = written::stock(&Stock { diameter, bore, face, length, grip: None });
+        Some(Self {
+            note: "stock-assumed",
+            not_checked: ["collisions"],
+            message: labels::stock_assumed(&note, language),
+            stock: StockRow { diameter, bore, face, length },
+        })
+    }
+}

@@ -1,0 +1,137 @@
+//! Lay-down threading inserts by their usual designation.
+//!
+//! In: a designation such as `16ER AG60`, `22IL 4.0ISO` or `16ERM 14W`: length of the insert's edge, outside or inside,
+//! hand, and for which threads. Out: [`ThreadInsert`]. Must not know how an insert is drawn.
+
+use super::Side;
+
+/// What the designation of a threading insert says: lengths in mm, angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThreadInsert {
+    /// Length of the insert's edge: 16 for `16ER`.
+    pub size: f64,
+    /// Side of the work; nothing for one that does for both.
+    pub side: Option<Side>,
+    /// Which hand it is.
+    pub hand: Hand,
+    /// The largest pitch it is made for.
+    pub pitch: Option<f64>,
+    /// Angle between the flanks.
+    pub angle: Option<f64>,
+}
+
+/// Which hand a tool is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hand {
+    /// Feeds towards the chuck.
+    #[default]
+    Right,
+    /// Feeds away from it.
+    Left,
+}
+
+/// Letters of inserts for a range of pitches, and the largest of it, mm.
+const RANGES: [(&str, f64); 6] = [("AG", 3.0), ("A", 1.5), ("G", 3.0), ("N", 5.0), ("Q", 6.0), ("U", 8.0)];
+
+/// Standards of threads, the angle of their flanks, and whether pitches are counted as threads per inch.
+const STANDARDS: [(&str, f64, Measure); 11] = [
+    ("ISO", 60.0, Measure::Millimetres),
+    ("TR", 30.0, Measure::Millimetres),
+    ("UNJ", 60.0, Measure::PerInch),
+    ("UN", 60.0, Measure::PerInch),
+    ("NPTF", 60.0, Measure::PerInch),
+    ("NPT", 60.0, Measure::PerInch),
+    ("BSPT", 55.0, Measure::PerInch),
+    ("BSW", 55.0, Measure::PerInch),
+    ("W", 55.0, Measure::PerInch),
+    ("STACME", 29.0, Measure::PerInch),
+    ("ACME", 29.0, Measure::PerInch),
+];
+
+#[derive(Clone, Copy)]
+enum Measure {
+    Millimetres,
+    PerInch,
+}
+
+impl ThreadInsert {
+    /// Reads a designation; nothing where it does not begin with size, side and hand.
+    pub fn read(designation: &str) -> Option<Self> {
+        let text: String = designation
+            .chars()
+            .filter(|c| !c.is_whitespace() && *c != '-')
+            .collect::<String>()
+            .to_ascii_uppercase();
+        let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+        let size = text[..digits].parse().ok().filter(|size| (6.0..=40.0).contains(size))?;
+        // `U` before the side: a pattern that shows its point in the middle of the edge.
+        let rest = text[digits..].strip_prefix('U').unwrap_or(&text[digits..]);
+        let (side, rest) = match () {
+            () if rest.starts_with("EI") => (None, &rest[2..]),
+            () if rest.starts_with('E') => (Some(Side::Outside), &rest[1..]),
+            // One maker writes N for inside.
+            () if rest.starts_with(['I', 'N']) => (Some(Side::Inside), &rest[1..]),
+            () => return None,
+        };
+        let (hand, rest) = match rest.as_bytes().first()? {
+            b'R' => (Hand::Right, &rest[1..]),
+            b'L' => (Hand::Left, &rest[1..]),
+            _ => return None,
+        };
+        // Made for either hand: `RL`. A chip breaker that is pressed in: `M`.
+        let rest = rest.strip_prefix('L').filter(|_| hand == Hand::Right).unwrap_or(rest);
+        let rest = rest.strip_prefix('M').unwrap_or(rest);
+        let (pitch, angle) = threads(rest);
+        Some(Self { size, side, hand, pitch, angle })
+    }
+}
+
+/// Largest pitch, mm, and angle, degrees, of the threads an insert is made for: `AG60`, `2.0ISO`, `14UN`.
+fn threads(text: &str) -> (Option<f64>, Option<f64>) {
+    if let Some((letters, pitch)) = RANGES.iter().find(|range| text.starts_with(range.0)) {
+        let angle = text[letters.len()..].get(..2).and_then(|digits| digits.parse().ok());
+        return (Some(*pitch), angle);
+    }
+    let length = text.bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
+    let Some(number) = text[..length].parse::<f64>().ok().filter(|&number| number > 0.0) else {
+        return (None, None);
+    };
+    let standard = STANDARDS.iter().find(|standard| text[length..].starts_with(standard.0));
+    let (angle, measure) = match standard {
+        Some((_, angle, measure)) => (Some(*angle), *measure),
+        // Threads per inch are whole numbers, and more of them than a pitch has millimetres.
+        None if number >= 9.0 => (None, Measure::PerInch),
+        None => (None, Measure::Millimetres),
+    };
+    let pitch = match measure {
+        Measure::Millimetres => number,
+        Measure::PerInch => 25.4 / number,
+    };
+    (Some(pitch), angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn designations() {
+        let read = |text| {
+            let insert = ThreadInsert::read(text)?;
+            Some((insert.size, insert.side, insert.hand, insert.pitch, insert.angle))
+        };
+        let (outside, inside) = (Some(Side::Outside), Some(Side::Inside));
+        assert_eq!(read("16ER"), Some((16.0, outside, Hand::Right, None, None)));
+        assert_eq!(read("16ER AG60"), Some((16.0, outside, Hand::Right, Some(3.0), Some(60.0))));
+        assert_eq!(read("16erm2.0iso"), Some((16.0, outside, Hand::Right, Some(2.0), Some(60.0))));
+        assert_eq!(read("22IL N55"), Some((22.0, inside, Hand::Left, Some(5.0), Some(55.0))));
+        assert_eq!(read("11NR A60"), Some((11.0, inside, Hand::Right, Some(1.5), Some(60.0))));
+        assert_eq!(read("16IR-14W"), Some((16.0, inside, Hand::Right, Some(25.4 / 14.0), Some(55.0))));
+        assert_eq!(read("16ER1.5"), Some((16.0, outside, Hand::Right, Some(1.5), None)));
+        assert_eq!(read("22UEIRL U60"), Some((22.0, None, Hand::Right, Some(8.0), Some(60.0))));
+        assert_eq!(read("16ER3TR"), Some((16.0, outside, Hand::Right, Some(3.0), Some(30.0))));
+        for none in ["CNMG120408", "16", "16E", "ER16", "", "1600ER", "16ÜR"] {
+            assert_eq!(read(none), None, "{none}");
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The blank that the cuts of a program let one guess.
+//!
+//! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what is cut: a wall around
+//! a bore, material on both sides of a groove, a bar behind what is parted off. Must not know how tools are guessed.
+
+use super::tool::BLADE;
+use crate::control::setup::{Side, Stock, Tool, ToolKind};
+use crate::geometry::{Point, SAME};
+use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
+
+/// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
+const WALL: (f64, f64) = (0.25, 5.0);
+
+/// Material beside a groove that nothing else cuts, mm: the flank that makes it a groove.
+const FLANK: f64 = 5.0;
+
+/// Material behind the deepest cut, mm: behind a part-off the bar, below a drill the bottom.
+const BEHIND: f64 = 5.0;
+
+/// The first pass of a thread is so much below the crest, as a part of its lead.
+const FIRST_PASS: f64 = 0.2;
+
+/// Radius of a blank that is only drilled, mm.
+const DRILLED: f64 = 15.0;
+
+/// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
+const LARGEST: f64 = 5000.0;
+
+/// Where rapids run along the outside of a blank, it is so much smaller all around, mm: a start point stands clear of the bar.
+const CLEAR: f64 = 1.0;
+
+/// So many motions are looked at.
+const LOOKED_AT: usize = 200_000;
+
+/// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go at the
+/// diameter of a start point.
+pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
+    let radius = stock.diameter / 2.0;
+    let on = |at: Point| (at.x - radius).abs() <= SAME;
+    // Down to here cuts along Z have gone below the outside.
+    let mut cut = stock.face;
+    for motion in motions.iter().take(LOOKED_AT) {
+        let (from, to) = (motion.from, motion.to);
+        let low = from.z.min(to.z).max(stock.back());
+        let along = (from.z - to.z).abs() > SAME;
+        if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
+            let diameter = stock.diameter - 2.0 * CLEAR;
+            return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };
+        }
+        if motion.kind.cuts() && along {
+            cut = cut.min(low);
+        }
+    }
+    stock
+}
+
+/// How far cuts reach, mm.
+#[derive(Clone, Copy, Debug)]
+pub struct Extents {
+    /// Greatest radius behind Z0, and anywhere.
+    behind: f64,
+    radius: f64,
+    /// Least radius.
+    least: f64,
+    low: f64,
+    high: f64,
+    /// Greatest Z of a cut across the face.
+    faced: f64,
+}
+
+impl Default for Extents {
+    fn default() -> Self {
+        let (least, greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        Self { behind: 0.0, radius: 0.0, least, low: least, high: greatest, faced: greatest }
+    }
+}
+
+impl Extents {
+    /// Takes a cut in.
+    pub fn add(&mut self, motion: &Motion) {
+        let (from, to) = (motion.from, motion.to);
+        let step = motion.cycle.map(|step| (step.cycle, step.step));
+        self.low = self.low.min(from.z.min(to.z));
+        self.high = self.high.max(from.z.max(to.z));
+        if (from.z - to.z).abs() <= SAME && from.x.min(to.x) <= 1.0 && (from.x - to.x).abs() > 1.0 {
+            self.faced = self.faced.max(to.z);
+        }
+        // On its way out of the thread the tool is in the air.
+        if let Some((Cycle::Threading | Cycle::MultiThreading, Step::PullOut)) = step {
+            return;
+        }
+        let crest = match motion.lead.filter(|_| motion.kind == MotionKind::Thread) {
+            Some(lead) => FIRST_PASS * lead,
+            None => 0.0,
+        };
+        self.least = self.least.min(from.x.min(to.x) - crest);
+        let greatest = |from: Point, to: Point| from.x.max(to.x) + crest;
+        self.radius = self.radius.max(greatest(from, to));
+        // What lies in front of the face says nothing of the blank.
+        let cross =
+            |from: Point, to: Point| Point::new(from.x + from.z / (from.z - to.z) * (to.x - from.x), 0.0);
+        self.behind = match (from.z <= SAME, to.z <= SAME) {
+            (true, true) => self.behind.max(greatest(from, to)),
+            (true, false) => self.behind.max(greatest(from, cross(from, to))),
+            (false, true) => self.behind.max(greatest(cross(from, to), to)),
+            (false, false) => self.behind,
+        };
+    }
+
+    /// Least radius, mm; infinite where nothing is cut.
+    pub fn least(&self) -> f64 {
+        self.least
+    }
+
+    fn is_empty(&self) -> bool {
+        self.low > self.high
+    }
+
+    fn join(&mut self, other: &Self) {
+        self.behind = self.behind.max(other.behind);
+        self.radius = self.radius.max(other.radius);
+        self.least = self.least.min(other.least);
+        self.low = self.low.min(other.low);
+        self.high = self.high.max(other.high);
+        self.faced = self.faced.max(other.faced);
+    }
+}
+
+/// What is cut with each kind of tool.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cuts {
+    /// Turned, threaded, faced.
+    outside: Extents,
+    /// Bored, grooved and threaded inside.
+    inside: Extents,
+    /// Grooves in the outside, and what is parted off: places of the tip, the left corner of the blade.
+    grooves: Extents,
+    /// Grooves in the end face: the tip is the inner corner.
+    face_grooves: Extents,
+    /// On the spindle axis.
+    holes: Extents,
+}
+
+impl Cuts {
+    /// Takes in what a tool cuts.
+    pub fn add(&mut self, extents: &Extents, tool: &Tool) {
+        let side = tool.working_side();
+        let cuts = match (tool.kind.unwrap_or(ToolKind::Turning), side) {
+            // It turns itself, and nothing of the profile.
+            (ToolKind::Endmill, _) => return,
+            (ToolKind::Drill | ToolKind::Tap, _) => &mut self.holes,
+            (ToolKind::Boring, _) | (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => {
+                &mut self.inside
+            }
+            (ToolKind::Grooving, Side::Face) => &mut self.face_grooves,
+            (ToolKind::Grooving, Side::Outside) => &mut self.grooves,
+            (ToolKind::Turning, _) | (ToolKind::Threading, _) => &mut self.outside,
+        };
+        cuts.join(extents);
+    }
+
+    /// A bar, or a tube for what is only bored, that shows what is cut; nothing where nothing is.
+    pub fn blank(&self) -> Option<Stock> {
+        let mut across = self.outside;
+        across.join(&self.grooves);
+        across.join(&self.holes);
+        let mut all = across;
+        all.join(&self.face_grooves);
+        all.join(&self.inside);
+        if all.is_empty() {
+            return None;
+        }
+        let behind = all.low < -SAME;
+        let face = self.face(&all, behind);
+        let reach = |of: &Extents| if behind { of.behind } else { of.radius };
+        let (around, bored) = (reach(&across), reach(&self.inside));
+        let walled = if bored > SAME { bored + (WALL.0 * bored).max(WALL.1) } else { 0.0 };
+        let radius = match around {
+            around if around > bored + 1.0 => around,
+            around if walled > around => (2.0 * walled / 5.0).ceil() * 2.5,
+            around if around > SAME => around,
+            _ if self.face_grooves.is_empty() => DRILLED,
+            _ => 0.0,
+        };
+        // The outermost groove in the face has an outer wall too.
+        let ringed = self.face_grooves.radius + BLADE;
+        let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };
+        let diameter = 2.0 * radius;
+        let is_tube = self.inside.least.is_finite() && self.holes.is_empty();
+        let bore = if is_tube { 2.0 * self.inside.least } else { 0.0 };
+        let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
+        // A fifth longer than the cuts reach, and no thin slice.
+        let depth = face - all.low.min(0.0);
+        let blade = if self.grooves.low <= all.low + SAME { BLADE } else { 0.0 };
+        let length = (1.2 * depth).max(depth + blade + BEHIND).max(radius);
+        let length = (length / 5.0).ceil() * 5.0;
+        let fits = diameter <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
+        fits.then_some(Stock { diameter, bore, face, length, grip: None })
+    }
+
+    /// Z of the front face. Zero is the finished face where anything is cut behind it, else the back of the part.
+    fn face(&self, all: &Extents, behind: bool) -> f64 {
+        let face = if behind { 0.0 } else { all.high }.max(all.faced);
+        let Extents { high, faced, .. } = self.grooves;
+        let right = high + BLADE;
+        // A blade that goes to the axis in front of all its grooves cuts the face.
+        let only_grooves = self.outside.is_empty() && self.holes.is_empty() && faced < high - SAME;
+        // A groove is open on the side where nothing stands beside it: it would look like a shoulder.
+        if only_grooves && right > face + SAME { (right + FLANK).ceil() } else { face }
+    }
+}

@@ -1,0 +1,84 @@
+//! How a threading tool looks near its point.
+//!
+//! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a usual lay-down insert: a
+//! tooth for one pitch, and little more beside it, so that it reaches a shoulder behind a relief groove.
+
+use crate::control::setup::thread_insert::Hand;
+use crate::control::setup::{Tool, ToolKind};
+use crate::motion::{MotionKind, Motions};
+
+/// Pitch of a tool of which nothing is said, mm: the largest that inserts of size 16 are made for.
+const PITCH: f64 = 3.0;
+
+/// Thread angle of which nothing is said, degrees.
+pub(super) const THREAD: f64 = 60.0;
+
+/// From the point to the end of the insert along Z: so many times the pitch, and so much more, mm. Tables of lay-down
+/// inserts have 0.7 mm for a pitch of 1 mm, 1.5 for 2.5 (size 16) and 2.3 for 4 (size 22).
+const BESIDE: (f64, f64) = (0.55, 0.1);
+
+/// Usual lengths of a lay-down insert's edge, and the largest pitch of each, mm.
+const SIZES: [(f64, f64); 3] = [(16.0, 3.0), (22.0, 6.0), (27.0, 12.0)];
+
+/// So many motions are looked at.
+const LOOKED_AT: usize = 200_000;
+
+/// The measures of a threading tool, mm and degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThreadPoint {
+    /// Angle between the flanks.
+    pub angle: f64,
+    /// Length of each flank, from the corner it would have without a nose.
+    pub flank: f64,
+    /// How far the insert reaches from its point across the axis.
+    pub height: f64,
+    /// Which hand it is.
+    pub hand: Hand,
+}
+
+impl ThreadPoint {
+    /// That of a tool.
+    pub fn of(tool: &Tool) -> Self {
+        let insert = tool.thread_insert();
+        let angle = tool.angle.or(insert.and_then(|insert| insert.angle)).unwrap_or(THREAD);
+        let half = angle.to_radians() / 2.0;
+        let pitch = insert.and_then(|insert| insert.pitch).unwrap_or(PITCH);
+        let flank = tool.edge_length.unwrap_or_else(|| beside(pitch) / half.sin());
+        // The pitch that such a flank is for.
+        let pitch = (flank * half.sin() - BESIDE.1) / BESIDE.0;
+        let usual = SIZES.iter().find(|size| pitch <= size.1 + 0.01).map_or(0.0, |size| size.0);
+        let size = insert.map_or(usual, |insert| insert.size);
+        let height = tool.reach.unwrap_or(size).max(flank * half.cos());
+        Self { angle, flank, height, hand: insert.map(|insert| insert.hand).unwrap_or_default() }
+    }
+}
+
+fn beside(pitch: f64) -> f64 {
+    BESIDE.0 * pitch + BESIDE.1
+}
+
+/// A threading tool for the pitch that it cuts, mm, where it does not say itself what it is for; any other as it is.
+pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
+    let says =
+        tool.edge_length.is_some() || tool.thread_insert().is_some_and(|insert| insert.pitch.is_some());
+    match pitch.filter(|_| tool.kind == Some(ToolKind::Threading) && !says) {
+        None => tool.clone(),
+        Some(pitch) => {
+            let half = ThreadPoint::of(tool).angle.to_radians() / 2.0;
+            Tool { edge_length: Some(beside(pitch) / half.sin()), ..tool.clone() }
+        }
+    }
+}
+
+/// The largest lead that each station cuts, mm. Of a thread with many starts it stands for the pitch.
+pub fn leads(motions: &Motions) -> Vec<(u16, f64)> {
+    let mut leads: Vec<(u16, f64)> = Vec::new();
+    let threads = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind == MotionKind::Thread);
+    for (station, lead) in threads.filter_map(|motion| Some((motion.process.tool.0, motion.lead?.abs()))) {
+        match leads.iter_mut().find(|own| own.0 == station) {
+            Some(own) => own.1 = own.1.max(lead),
+            None => leads.push((station, lead)),
+        }
+    }
+    leads
+}
