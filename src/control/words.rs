@@ -26,6 +26,11 @@ impl Unit {
         }
     }
 
+    /// Least input increment, in this unit.
+    pub fn increment(self) -> f64 {
+        10f64.powi(-i32::from(self.decimals()))
+    }
+
     /// Decimals of the least input increment: 0.001 mm, 0.0001 inch (IS-B).
     fn decimals(self) -> u8 {
         match self {

@@ -7,9 +7,9 @@
 
 use std::borrow::Cow;
 
-use crate::control::dialect::GSystem;
+use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
-use crate::control::origin::Origin;
+use crate::control::origin::{Measure, Origin};
 use crate::control::setup::faults::Need;
 
 /// How grave a message is.
@@ -164,6 +164,9 @@ pub enum Message {
     Foreign { origin: Origin },
     /// The G-code system was concluded from the program.
     SystemGuessed { system: GSystem },
+    /// What numbers without a point count was concluded from the program (least increments), or looks wrong (units). The word
+    /// is one of them, `value` what it counts in its measure.
+    DecimalRule { word: String, value: f64, measure: Measure, rule: DecimalRule },
 
     // Reference points, tables
     /// G30 with another P than 2, 3, 4.
@@ -627,6 +630,12 @@ impl Message {
             Self::SystemVariable { .. } => ("W-MACRO-SYSTEM", "unknown-system-variable", Info, None),
             Self::Foreign { .. } => ("N-FOREIGN", "program-for-another-control", Error, None),
             Self::SystemGuessed { .. } => ("I-G-SYSTEM", "g-code-system-concluded", Info, None),
+            Self::DecimalRule { rule: DecimalRule::LeastIncrement, .. } => {
+                ("I-DECIMAL", "least-increments-concluded", Info, None)
+            }
+            Self::DecimalRule { rule: DecimalRule::Calculator, .. } => {
+                ("W-DECIMAL", "too-large-without-point", Warning, None)
+            }
             Self::ReferenceNumber { .. } => ("PS0046", "reference-point-number", Error, Some("PS0046")),
             Self::NotAtReference { .. } => ("PS0092", "not-at-reference-point", Error, Some("PS0092")),
             Self::NoIntermediate => ("PS0305", "no-intermediate-point", Error, Some("PS0305")),

@@ -177,6 +177,7 @@ impl Message {
             Self::MacroAlarm { number, words } => vec![("number", Count(*number)), ("words", Text(words))],
             Self::SystemVariable { variable } => vec![("variable", Count(i64::from(*variable)))],
             Self::Foreign { origin } => vec![("origin", Text(origin.name()))],
+            Self::DecimalRule { word, value, .. } => vec![("word", Text(word)), ("value", Number(*value))],
             Self::SystemGuessed { system } => vec![("system", Text(system.name()))],
             Self::NotAtReference { x, z } | Self::MachineZero { x, z } => {
                 vec![("x", Number(*x)), ("z", Number(*z))]

@@ -122,6 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same.",
         SystemGuessed => "Read as G-code system {system}: this word does not belong to system A.\n\
             In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure.",
+        LeastMillimetres => "No point = 0.001 mm: `{word}` is {value} mm.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        LeastInches => "No point = 0.0001 in: `{word}` is {value} in.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        LeastSeconds => "No point = 0.001 s: `{word}` is {value} s.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        TooLargeMillimetres => "`{word}` counts as {value} mm here, too large to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
+        TooLargeInches => "`{word}` counts as {value} in here, too large to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
+        TooLargeSeconds => "`{word}` counts as {value} s here, too long to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
         ReferenceNumber => "`{word}` names no reference point of G30.\n\
             P2, P3 and P4 are the second to fourth point; the first is reached by G28, without P.",
         NotAtReference => "G27 does not end at the reference point, X{x} Z{z} here.\n\

@@ -2,9 +2,9 @@
 //!
 //! In: nothing. Out: messages of which each wording says one, and one for each alarm where several are raised.
 
-use crate::control::dialect::GSystem;
+use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
-use crate::control::origin::Origin;
+use crate::control::origin::{Measure, Origin};
 use crate::control::setup::faults::Need;
 use crate::diagnostics::Message;
 
@@ -52,6 +52,12 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::MacroAlarm { number: 3001, words: "X1".into() },
         Message::SystemVariable { variable: 7 },
         Message::SystemGuessed { system: GSystem::B },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Millimetre, rule: DecimalRule::LeastIncrement },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Inch, rule: DecimalRule::LeastIncrement },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Second, rule: DecimalRule::LeastIncrement },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Millimetre, rule: DecimalRule::Calculator },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Inch, rule: DecimalRule::Calculator },
+        Message::DecimalRule { word: "X1".into(), value: 1.5, measure: Measure::Second, rule: DecimalRule::Calculator },
         Message::ReferenceNumber { word: "X1".into() },
         Message::NotAtReference { x: 1.5, z: 1.5 },
         Message::NoIntermediate,

@@ -122,6 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。",
         SystemGuessed => "按 G 代码体系 {system} 读取：该指令不属于体系 A。\n\
             体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。",
+        LeastMillimetres => "无小数点 = 0.001 mm：`{word}` 是 {value} mm。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        LeastInches => "无小数点 = 0.0001 in：`{word}` 是 {value} in。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        LeastSeconds => "无小数点 = 0.001 s：`{word}` 是 {value} s。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        TooLargeMillimetres => "`{word}` 在这里等于 {value} mm，大得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
+        TooLargeInches => "`{word}` 在这里等于 {value} in，大得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
+        TooLargeSeconds => "`{word}` 在这里等于 {value} s，长得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
         ReferenceNumber => "`{word}` 不是 G30 的参考点号。\n\
             P2、P3、P4 是第二到第四参考点；第一参考点用 G28，不写 P。",
         NotAtReference => "G27 的终点不是参考点，这里参考点为 X{x} Z{z}。\n\
