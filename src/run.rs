@@ -209,6 +209,11 @@ impl Run {
         self.decided
     }
 
+    /// Begins a run of the same text under another setup. A decimal rule that was decided for the program stays.
+    pub fn set_setup(&mut self, given: Setup) {
+        *self = Self::begin(self.take_text(), given, self.decided);
+    }
+
     /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one. True: it has begun
     /// again.
     pub fn decide_again(&mut self) -> bool {
@@ -217,12 +222,20 @@ impl Run {
         if rule == before {
             return false;
         }
-        *self = Self::with_decimal_rule(self.take_text(), self.given.clone(), rule);
+        *self = Self::begin(self.take_text(), self.given.clone(), Some(rule));
         true
     }
 
+    /// What is to be told of numbers without a decimal point; nothing where nobody has to be told.
+    pub fn decimal_message(&self) -> Option<Diagnostic> {
+        let (bare, rule) = (self.bare_number()?, self.decimal_rule());
+        let word = words::quote(&self.text, bare.span);
+        let (value, measure) = (bare.counts(rule), bare.measure);
+        Some(Diagnostic::new(Message::DecimalRule { word, value, measure, rule }, bare.span))
+    }
+
     /// A number of the text that shows what numbers without a point count; nothing where none has to be told.
-    pub fn bare_number(&self) -> Option<Bare> {
+    fn bare_number(&self) -> Option<Bare> {
         let numbers = self.numbers.unwrap_or_else(|| origin::numbers(&self.text));
         match self.decimal_rule() {
             DecimalRule::LeastIncrement if self.decided.is_some() => numbers.example(),
@@ -488,16 +501,12 @@ impl Run {
 
     /// Tells what numbers without a point count, where that was concluded or looks wrong.
     fn tell_decimal_rule(&mut self) {
-        let Some(bare) = self.bare_number() else { return };
-        let rule = self.decimal_rule();
-        let is_known = self.sorted.iter().any(|old| old.is_about(bare.span));
+        let Some(told) = self.decimal_message() else { return };
+        let is_known = self.sorted.iter().any(|old| old.is_about(told.span));
         // Where the rule is wrong, what it leads to may have been told of the same word.
-        if is_known && rule == DecimalRule::Calculator {
+        if is_known && self.decimal_rule() == DecimalRule::Calculator {
             return;
         }
-        let word = words::quote(&self.text, bare.span);
-        let (value, measure) = (bare.counts(rule), bare.measure);
-        let told = Diagnostic::new(Message::DecimalRule { word, value, measure, rule }, bare.span);
         let room = self.sorted.len() < self.interpreter.setup().limits.messages;
         self.sorted.extend(self.interpreter.setup().rules.graded(told).filter(|_| room));
     }

@@ -12,11 +12,11 @@ mod signs;
 mod statement;
 mod system;
 
+pub use self::decimal::{Bare, Measure, Numbers};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
-pub use self::decimal::{Bare, Measure, Numbers};
 use super::dialect::GSystem;
 use crate::text::source::Span;
 

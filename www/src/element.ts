@@ -46,7 +46,7 @@ import { Notice } from './notice';
 import { Pasting } from './pasting';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
+import type { Came, FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupGroup, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
 import type { CanvasCommand } from './protocol-views';
 import { RewriteDialog } from './rewrite';
 import { SetupBar } from './setup-bar';
@@ -99,6 +99,8 @@ export class GcodePlayground extends HTMLElement {
   #playback!: Playback;
   #problems!: Problems;
   #status!: StatusLine;
+  /** How the newest change of the text came. */
+  #came: Came = 'typed';
   #notice!: Notice;
   #fileBar!: FileBar;
   #switches!: Switches;
@@ -321,7 +323,10 @@ export class GcodePlayground extends HTMLElement {
       },
       viewMoved: () => void this.#askTokens(),
       fileChanged: () => (this.#fileBar.file = this.#editor?.file),
-      pasted: (from, to) => this.#pasting.arrived(from, to),
+      pasted: (from, to) => {
+        this.#came = 'at-once';
+        this.#pasting.arrived(from, to);
+      },
     }));
     this.#drawing = new Drawing(texts, {
       resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
@@ -367,9 +372,12 @@ export class GcodePlayground extends HTMLElement {
         editor.focus();
       },
     });
-    this.#status = new StatusLine(texts, () => {
-      this.#line?.client.send({ kind: 'stop' });
-      editor.focus();
+    this.#status = new StatusLine(texts, {
+      stopped: () => {
+        this.#line?.client.send({ kind: 'stop' });
+        editor.focus();
+      },
+      change: () => void this.#openSetup('control'),
     });
     this.#notice = new Notice(texts);
     this.#fileBar = new FileBar(texts, { chosen: (encoding) => this.#chooseEncoding(encoding) });
@@ -399,6 +407,7 @@ export class GcodePlayground extends HTMLElement {
       client: () => this.#line?.client,
       editor: () => this.#editor,
       language: () => this.language,
+      taken: () => (this.#came = 'at-once'),
       notice: (text) => this.#notice.show(text, 'program'),
     });
     this.#views.element.prepend(this.#setupBar.element);
@@ -570,7 +579,8 @@ export class GcodePlayground extends HTMLElement {
     this.#playback.pause();
     const cursor = this.#cursorKnown ? editor.cursor : undefined;
     const unsent = editor.takeUnsent();
-    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor });
+    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor, came: this.#came });
+    this.#came = 'typed';
     this.#notice.hide('core');
     this.#notice.hide('program');
     void this.#askTokens();
@@ -708,14 +718,14 @@ export class GcodePlayground extends HTMLElement {
 
   // ---- the setup ----------------------------------------------------------------------------------
 
-  async #openSetup(): Promise<void> {
+  async #openSetup(opened?: SetupGroup['group']): Promise<void> {
     // What was typed a moment ago counts too.
     if (this.#sending !== undefined) {
       this.#sendText();
       this.#changed();
     }
     const form = await this.#line?.client.ask('setup-form', undefined);
-    if (form !== undefined) this.#setupForm.show(form);
+    if (form !== undefined) this.#setupForm.show(form, opened);
   }
 
   #keepSetup({ setup, edits }: SetupAnswer, place: SetupPlace): void {
@@ -761,8 +771,8 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, fitted, stage } = report;
-    this.#status.summary = summary;
+    const { summary, diagnostics, fitted, decimal, stage } = report;
+    this.#status.show(summary, decimal);
     this.#drawing.summary = summary;
     this.#setupBar.fitted = fitted;
     this.#writtenOut.available = this.#rewrite.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;

@@ -80,7 +80,13 @@ struct Program<'a> {
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
 /// read at its end. Of a program that is not
 /// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
-pub fn remarks(text: &[u8], motions: &Motions, reading: Reading, sound: bool, blocks: usize) -> Vec<Diagnostic> {
+pub fn remarks(
+    text: &[u8],
+    motions: &Motions,
+    reading: Reading,
+    sound: bool,
+    blocks: usize,
+) -> Vec<Diagnostic> {
     let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
     told.extend(program.missing_points());
