@@ -657,7 +657,7 @@ impl Places<'_> {
     pub fn diagnostic(&self, diagnostic: &diagnostics::Diagnostic, language: Language) -> Diagnostic {
         let (start, end) = self.corners(diagnostic.span);
         let (from, to) = self.offsets(diagnostic.span);
-        let sentence = diagnostic.message.sentence(language);
+        let sentence = diagnostic.sentence(language);
         Diagnostic {
             line: start.0,
             column: start.1,

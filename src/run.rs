@@ -14,7 +14,7 @@ use crate::control::origin::{self, Bare, Foreign, Numbers};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
-use crate::control::words;
+use crate::control::words::{self, Unit};
 use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
 use crate::shop::{Shop, danger};
@@ -36,8 +36,10 @@ pub struct Analysis {
     pub trace: Vec<Executed>,
     /// The G codes the program was read with.
     pub codes: CodeList,
-    /// The setup it was run under: the one handed in, with what the text adds.
+    /// The setup it was run under: the one handed in, with what the text adds, and the decimal rule decided.
     pub setup: Setup,
+    /// The unit of length at the end of the program.
+    pub unit: Unit,
 }
 
 impl Analysis {
@@ -45,7 +47,8 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules));
+            let told = rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules);
+            self.diagnostics.extend(told.into_iter().map(|told| told.in_unit(self.unit)));
             sort_by_place(&mut self.diagnostics);
         }
     }
@@ -381,8 +384,9 @@ impl Run {
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
         let setup = interpreter.setup().clone();
+        let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup }
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit }
     }
 
     /// Begins with another program than the first of the text.
@@ -525,11 +529,11 @@ impl Run {
             let reading = self.interpreter.reading();
             let sound = !self.sorted.iter().any(Diagnostic::is_error);
             let told = rules::plausible::remarks(&self.text, motions, reading, sound, most);
+            let told = told.into_iter().map(|told| told.in_unit(reading.unit));
             // One fault, one message.
             let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
             let levels = &self.interpreter.setup().rules;
-            let told: Vec<_> =
-                told.into_iter().filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
+            let told: Vec<_> = told.filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
             let turned = |told: &Diagnostic| {
                 matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
             };

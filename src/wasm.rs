@@ -229,6 +229,8 @@ impl Playground {
         let levels = &self.run.setup().rules;
         let findings =
             self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels));
+        let unit = self.run.state().unit;
+        let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, self.language));

@@ -9,9 +9,10 @@ use crate::text::block::{Block, Value, Word};
 use crate::text::source::Span;
 
 /// Unit of length of the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// G21.
+    #[default]
     Millimetre,
     /// G20.
     Inch,

@@ -268,7 +268,7 @@ pub enum Message {
     /// A thread without its lead.
     LeadMissing { code: &'static str },
     /// F looks like the other unit.
-    FeedUnit { feed: f64, per_turn: bool },
+    FeedUnit { word: String, feed: f64, per_turn: bool },
     /// The feed unit changed, F did not.
     FeedNotRepeated { feed: f64, per_turn: bool },
     /// A cut with the spindle stopped.
@@ -284,17 +284,17 @@ pub enum Message {
     /// Neither R nor I, K.
     ArcNoCenter { code: &'static str },
     /// R is too small for the distance.
-    ArcRadiusTooSmall { radius: f64, distance: f64 },
+    ArcRadiusTooSmall { word: String, distance: f64 },
     /// The end does not lie on the circle.
     ArcEndOffCircle { start_radius: f64, end_radius: f64 },
     /// R is negative and the control does not take it.
-    ArcRadiusNegative { radius: f64 },
+    ArcRadiusNegative { word: String },
     /// R with an end that is the start.
     ArcNowhere,
 
     // Cycles
     /// The start of the cut lies beyond the start point of the cycle.
-    TaperBeyondStart { taper: f64, limit: f64, axis: char },
+    TaperBeyondStart { word: String, limit: f64, axis: char },
     /// R fits the drawing but not the real start point.
     TaperNotExtended { taper: f64, needed: f64, crossing: f64, wanted: f64, axis: char },
     /// P or Q is missing in G70 to G73.
@@ -443,7 +443,7 @@ pub enum Message {
     /// The step of a groove is as wide as the blade.
     GrooveStep { word: String, step: f64, width: f64 },
     /// The retract of a roughing pass is larger than the pass.
-    EscapeTooLarge { escape: f64, depth: f64 },
+    EscapeTooLarge { word: String, depth: f64 },
     /// The contour does not begin where the cycle starts.
     ContourStartMoved { code: &'static str, axis: char, start: f64, first: f64 },
     /// The contour ends within the blank.

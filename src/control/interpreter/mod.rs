@@ -347,7 +347,7 @@ impl Interpreter {
             return;
         }
         // What is off takes no room from the rest.
-        let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
+        let Some(diagnostic) = self.setup.rules.graded(diagnostic.in_unit(self.state.unit)) else { return };
         if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);

@@ -8,6 +8,7 @@ use crate::control::setup::ToolKind;
 use crate::control::setup::draft::Slip;
 use crate::control::setup::faults::Need;
 use crate::control::setup::fields::{Name, Unit, Unread};
+use crate::control::words;
 use crate::diagnostics::{Kind, Severity};
 
 impl Language {
@@ -110,6 +111,14 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
         Unit::Degree => ["°", "°", "°"],
         Unit::MillimetrePerMinute => ["mm/min", "mm/min", "мм/мин"],
         Unit::TurnsPerMinute => ["1/min", "r/min", "об/мин"],
+    })
+}
+
+/// What a unit of length is written as behind a number.
+pub fn length(unit: words::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        words::Unit::Millimetre => ["mm", "mm", "мм"],
+        words::Unit::Inch => ["in", "in", "дюйма"],
     })
 }
 

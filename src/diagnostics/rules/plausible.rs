@@ -75,6 +75,8 @@ struct Program<'a> {
     unit: f64,
     /// What numbers without a point count.
     decimal: DecimalRule,
+    /// A least increment, mm.
+    increment: f64,
 }
 
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
@@ -192,7 +194,8 @@ impl<'a> Program<'a> {
             });
         }
         let (unit, decimal) = (reading.unit.millimetres(), reading.decimal);
-        let mut program = Self { text, rows, words, motions, unit, decimal };
+        let increment = reading.unit.increment() * unit;
+        let mut program = Self { text, rows, words, motions, unit, decimal, increment };
         program.match_motions();
         program.find_contours();
         Some(program)

@@ -49,7 +49,8 @@ impl Program<'_> {
             return Vec::new();
         }
         let tell = |word: &Word| {
-            let message = Message::PointMissing { word: self.quote(word), thousandths: word.value / 1000.0 };
+            let message =
+                Message::PointMissing { word: self.quote(word), thousandths: word.value * self.increment };
             let told = Diagnostic::new(message, word.span);
             Diagnostic { fixes: self.with_point(word), ..told }
         };
