@@ -23,6 +23,7 @@ use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions, StopKind};
+use crate::run::Run;
 use crate::shop::compare;
 use crate::shop::feature::{Feature, Shape};
 use crate::shop::region::{Piece, Region};
@@ -658,7 +659,7 @@ impl Places<'_> {
     pub fn diagnostic(&self, diagnostic: &diagnostics::Diagnostic, language: Language) -> Diagnostic {
         let (start, end) = self.corners(diagnostic.span);
         let (from, to) = self.offsets(diagnostic.span);
-        let sentence = diagnostic.message.sentence(language);
+        let sentence = diagnostic.sentence(language);
         Diagnostic {
             line: start.0,
             column: start.1,
@@ -825,4 +826,11 @@ fn place(point: Point) -> Place {
 fn rounded(value: f64) -> f64 {
     let rounded = (value * 1e6).round() / 1e6;
     if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+/// One line on what numbers without a decimal point count in a run, where that was concluded or looks wrong: the message
+/// of it as plain text.
+pub fn decimal_notice(run: &Run, language: Language) -> Option<String> {
+    let sentence = run.decimal_message()?.message.sentence(language).message;
+    Some(sentence.trim_end_matches(['.', '。']).replace('`', ""))
 }

@@ -7,13 +7,14 @@ mod edit;
 
 use std::collections::BTreeMap;
 
-use crate::control::dialect::{CodeList, DialectChoice, GSystem};
+use crate::control::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
-use crate::control::origin::{self, Foreign};
+use crate::control::origin::{self, Bare, Foreign, Numbers};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
+use crate::control::words::{self, Unit};
 use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
 use crate::shop::{Shop, danger};
@@ -35,8 +36,10 @@ pub struct Analysis {
     pub trace: Vec<Executed>,
     /// The G codes the program was read with.
     pub codes: CodeList,
-    /// The setup it was run under: the one handed in, with what the text adds.
+    /// The setup it was run under: the one handed in, with what the text adds, and the decimal rule decided.
     pub setup: Setup,
+    /// The unit of length at the end of the program.
+    pub unit: Unit,
 }
 
 impl Analysis {
@@ -44,7 +47,8 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules));
+            let told = rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules);
+            self.diagnostics.extend(told.into_iter().map(|told| told.in_unit(self.unit)));
             sort_by_place(&mut self.diagnostics);
         }
     }
@@ -76,6 +80,11 @@ pub struct Run {
     given: Setup,
     /// What the text adds.
     notes: Notes,
+    /// What numbers without a point count, where the setup leaves it to the program. It is decided once, for a text that
+    /// is handed in; what is typed after that does not change it.
+    decided: Option<DecimalRule>,
+    /// What the numbers of the text show, once they are looked at.
+    numbers: Option<Numbers>,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -111,11 +120,27 @@ impl Origin {
 }
 
 impl Run {
-    /// Begins a run.
+    /// Begins a run. Where the setup leaves the decimal rule to the program, it is decided here, for all edits to come.
     pub fn new(text: Vec<u8>, given: Setup) -> Self {
+        Self::begin(text, given, None)
+    }
+
+    /// Begins a run of a text whose decimal rule has been decided before: it holds where the setup leaves the rule to the
+    /// program.
+    pub fn with_decimal_rule(text: Vec<u8>, given: Setup, rule: DecimalRule) -> Self {
+        Self::begin(text, given, Some(rule))
+    }
+
+    fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
         let notes = Notes::read(&text);
-        let (setup, faults) = notes.applied_to(given.clone()).without_faults();
+        let (mut setup, faults) = notes.applied_to(given.clone()).without_faults();
         let limits = setup.limits;
+        let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
+        let numbers = (is_open && before.is_none()).then(|| origin::numbers(&text));
+        let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
+        if let Some(rule) = decided {
+            setup.dialect.decimal = Some(rule.into());
+        }
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
             interpreter: Interpreter::new(setup),
@@ -126,6 +151,8 @@ impl Run {
             origin: Origin::default(),
             given,
             notes,
+            decided,
+            numbers,
             begun: false,
             ended: false,
             finished: false,
@@ -173,6 +200,51 @@ impl Run {
     /// The setup as it was given, with what comments of the program say; what is wrong in it is still there.
     pub fn as_given(&self) -> Setup {
         self.notes.applied_to(self.given.clone())
+    }
+
+    /// What numbers without a decimal point count in this run.
+    pub fn decimal_rule(&self) -> DecimalRule {
+        self.interpreter.dialect().decimal
+    }
+
+    /// The rule that was decided for the program; nothing where the setup says which one holds.
+    pub fn decided_rule(&self) -> Option<DecimalRule> {
+        self.decided
+    }
+
+    /// Begins a run of the same text under another setup. A decimal rule that was decided for the program stays.
+    pub fn set_setup(&mut self, given: Setup) {
+        *self = Self::begin(self.take_text(), given, self.decided);
+    }
+
+    /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one. True: it has begun
+    /// again.
+    pub fn decide_again(&mut self) -> bool {
+        let Some(before) = self.decided else { return false };
+        let rule = origin::numbers(&self.text).rule();
+        if rule == before {
+            return false;
+        }
+        *self = Self::begin(self.take_text(), self.given.clone(), Some(rule));
+        true
+    }
+
+    /// What is to be told of numbers without a decimal point; nothing where nobody has to be told.
+    pub fn decimal_message(&self) -> Option<Diagnostic> {
+        let (bare, rule) = (self.bare_number()?, self.decimal_rule());
+        let word = words::quote(&self.text, bare.span);
+        let (value, measure) = (bare.counts(rule), bare.measure);
+        Some(Diagnostic::new(Message::DecimalRule { word, value, measure, rule }, bare.span))
+    }
+
+    /// A number of the text that shows what numbers without a point count; nothing where none has to be told.
+    fn bare_number(&self) -> Option<Bare> {
+        let numbers = self.numbers.unwrap_or_else(|| origin::numbers(&self.text));
+        match self.decimal_rule() {
+            DecimalRule::LeastIncrement if self.decided.is_some() => numbers.example(),
+            DecimalRule::LeastIncrement => None,
+            DecimalRule::Calculator => numbers.evidence(),
+        }
     }
 
     /// What comments of the program say of the setup.
@@ -312,8 +384,9 @@ impl Run {
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
         let setup = interpreter.setup().clone();
+        let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup }
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit }
     }
 
     /// Begins with another program than the first of the text.
@@ -430,6 +503,18 @@ impl Run {
         self.finish();
     }
 
+    /// Tells what numbers without a point count, where that was concluded or looks wrong.
+    fn tell_decimal_rule(&mut self) {
+        let Some(told) = self.decimal_message() else { return };
+        let is_known = self.sorted.iter().any(|old| old.is_about(told.span));
+        // Where the rule is wrong, what it leads to may have been told of the same word.
+        if is_known && self.decimal_rule() == DecimalRule::Calculator {
+            return;
+        }
+        let room = self.sorted.len() < self.interpreter.setup().limits.messages;
+        self.sorted.extend(self.interpreter.setup().rules.graded(told).filter(|_| room));
+    }
+
     fn finish(&mut self) {
         self.interpreter.close();
         self.sorted = self.interpreter.diagnostics().to_vec();
@@ -441,14 +526,14 @@ impl Run {
             let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
             self.sorted.extend(self.interpreter.setup().rules.graded(told));
         } else {
-            let unit = self.interpreter.state.unit.millimetres();
+            let reading = self.interpreter.reading();
             let sound = !self.sorted.iter().any(Diagnostic::is_error);
-            let told = rules::plausible::remarks(&self.text, motions, unit, sound, most);
+            let told = rules::plausible::remarks(&self.text, motions, reading, sound, most);
+            let told = told.into_iter().map(|told| told.in_unit(reading.unit));
             // One fault, one message.
             let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
             let levels = &self.interpreter.setup().rules;
-            let told: Vec<_> =
-                told.into_iter().filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
+            let told: Vec<_> = told.filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
             let turned = |told: &Diagnostic| {
                 matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
             };
@@ -466,6 +551,9 @@ impl Run {
             }
             let room = self.interpreter.setup().limits.messages.saturating_sub(self.sorted.len());
             self.sorted.extend(told.into_iter().take(room));
+        }
+        if self.begun {
+            self.tell_decimal_rule();
         }
         for told in &mut self.sorted {
             offer(told, &self.text);

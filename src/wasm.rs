@@ -4,6 +4,7 @@
 //! plain objects for everything small, and a drawn canvas. Offsets are UTF-16 offsets into the document with
 //! every line end counted as one unit, as editors count. Knows no G-code.
 
+mod decimal;
 mod files;
 mod paste;
 mod playback;
@@ -164,7 +165,7 @@ impl Playground {
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
-        self.run = Run::new(self.run.take_text(), self.setup.clone());
+        self.run.set_setup(self.setup.clone());
         self.forget();
         Ok(())
     }
@@ -228,6 +229,8 @@ impl Playground {
         let levels = &self.run.setup().rules;
         let findings =
             self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels));
+        let unit = self.run.state().unit;
+        let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, self.language));

@@ -9,6 +9,7 @@ mod workload;
 
 use std::sync::LazyLock;
 
+use gcode_playground::control::dialect::DecimalRule;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Severity;
 use gcode_playground::limits::Limits;
@@ -29,10 +30,14 @@ fn finish(run: &mut Run) {
     while !run.advance(1_000) {}
 }
 
-/// Checks that a changed run gives what a new one gives.
+/// Checks that a changed run gives what a new one gives under the decimal rule that was decided for it.
 #[track_caller]
 fn check(changed: &Run, setup: &Setup) {
-    let mut whole = Run::new(changed.text().to_vec(), setup.clone());
+    let (text, setup) = (changed.text().to_vec(), setup.clone());
+    let mut whole = match changed.decided_rule() {
+        Some(rule) => Run::with_decimal_rule(text, setup, rule),
+        None => Run::new(text, setup),
+    };
     finish(&mut whole);
     let (own, wanted) = (outcome(changed), outcome(&whole));
     if own != wanted {
@@ -64,6 +69,7 @@ enum Change {
 fn change() -> impl Strategy<Value = Change> {
     let typed = prop_oneof![
         4 => "[0-9]",
+        1 => "[XZ]-?[1-9]000\n|G71U800R500\n",
         2 => "[A-Z./\\- ]",
         2 => "(G1 X[1-9]0\\. Z-[1-9]\\.5|G0|G2 U2 W-1 R5|F0\\.[1-9]|S[1-9]00|X[1-9]|N10|M3|M00|M01|T0101|G4 P100|,R1|,C2|A30)\n?",
         1 => "(\n|\r\n|\r|;|\\(|\\)|%|O2\n|M30\n|/|#1=2\n|G41 |G42 |G40 |G90 |M99\n|M98 P2\n|外)",
@@ -205,6 +211,13 @@ proptest! {
     }
 
     #[test]
+    fn changed_programs_in_least_increments(changes in changes(30), stride in 1usize..30) {
+        let text: String = (0..60).map(|at| format!("G1 X{}. Z-{at}500\nU-1000\nX2.\n", 20 + at)).collect();
+        let text = format!("G21 M3 S500 F.2\nG0 X90. Z2.\n{text}M30\n");
+        change_again_and_again(text.into_bytes(), &Setup::default(), stride, &changes);
+    }
+
+    #[test]
     fn changed_plain_programs(lines in 50usize..600, changes in changes(20), stride in 1usize..300) {
         change_again_and_again(workload::plain(lines).into_bytes(), &Setup::default(), stride, &changes);
     }
@@ -239,6 +252,42 @@ fn a_changed_comment_of_rules_counts_for_the_whole_program() {
         assert_eq!(told(&run), expected, "{next}");
         rules = next.to_owned();
     }
+}
+
+/// What numbers without a point count is decided for a text that is handed in, and stays while somebody types.
+#[test]
+fn the_decimal_rule_is_not_decided_anew_while_typing() {
+    let program = "G20 M3 S500 F.01\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\n";
+    let last = |run: &Run| run.motions().get(run.motions().len() - 1).to.z;
+    let typed = |text: &str| TextEdit { start: program.len(), end: program.len(), insert: text.into() };
+    let out = |length: usize| TextEdit { start: program.len(), end: program.len() + length, insert: vec![] };
+
+    let mut run = Run::new(program.into(), Setup::default());
+    finish(&mut run);
+    run.edit(typed("Z-8000\n"));
+    finish(&mut run);
+    check(&run, &Setup::default());
+    assert_eq!((run.decided_rule(), last(&run)), (Some(DecimalRule::Calculator), -8000.0 * 25.4));
+    let told = |run: &Run, slug: &str| run.diagnostics().iter().any(|found| found.message.slug() == slug);
+    assert!(!told(&run, "least-increments-concluded"));
+    // A click.
+    assert!(run.decide_again());
+    finish(&mut run);
+    assert_eq!((run.decided_rule(), last(&run)), (Some(DecimalRule::LeastIncrement), -0.8 * 25.4));
+    assert!(told(&run, "least-increments-concluded"));
+    assert!(!run.decide_again());
+    // What showed it goes again.
+    run.edit(out("Z-8000\n".len()));
+    run.edit(typed("Z-9\n"));
+    finish(&mut run);
+    check(&run, &Setup::default());
+    assert_eq!(last(&run), -0.0009 * 25.4);
+
+    let fixed = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
+    let mut run = Run::new(format!("{program}Z-8000\n").into_bytes(), fixed);
+    assert_eq!((run.decided_rule(), run.decide_again()), (None, false));
+    finish(&mut run);
+    assert_eq!(last(&run), -8000.0 * 25.4);
 }
 
 /// A keystroke in a long program runs two stretches of it at most, wherever it is, and even if it makes an error.

@@ -5,6 +5,7 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Severity;
+use gcode_playground::diagnostics::messages::Language;
 
 /// The one door: a program gives these messages (hints left out), and ends at this X (diameter) and Z.
 #[track_caller]
@@ -31,6 +32,69 @@ fn integers_in_inch_programs_count_ten_thousandths() {
     check_with(least, text, &[], (50.8, 2.54));
     // A number without a point beside numbers with one.
     check_with(least, "G20 M3 S500\nG0 X1. Z0\nG75 R10\nG75 X.5 P250 F.004\nG0 X2. Z1.", &[], (50.8, 25.4));
+}
+
+/// What is said of a program under the usual setup, without the hints.
+fn said(program: &str) -> Vec<String> {
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    let told = analysis.diagnostics.iter().filter(|found| found.message.code() != "W-NO-END");
+    told.map(|found| format!("{}: {}", found.message.slug(), found.sentence(Language::English).message))
+        .collect()
+}
+
+#[test]
+fn programs_show_by_themselves_that_their_integers_are_least_increments() {
+    let inches = "G20 G99 M3 S500\nG0 X2. Z.1\nG71 U800 R500\nG71 P1 Q2 U150 W20 F.016\n\
+                  N1 G0 X1.\nG1 Z-1.\nN2 X2.\nG0 X2.5 Z1.\n";
+    check(inches, &[], (63.5, 25.4));
+    assert_eq!(said(inches), ["least-increments-concluded: No point = 0.0001 in: `U800` is 0.08 in."]);
+    // The deepest pass leaves 0.015 in on the diameter and 0.002 in at the shoulder.
+    let analysis = analyze(inches.as_bytes(), &Setup::default());
+    let cuts = analysis.motions.iter().filter(|motion| motion.kind.cuts());
+    let least = cuts.map(|motion| 2.0 * motion.to.x / 25.4).fold(f64::INFINITY, f64::min);
+    assert!((least - 1.015).abs() < 1e-9, "{least}");
+    let metric = "G21 G99 M3 S500 F.2\nG0 X50000 Z2000\nG1 Z-30000\nX52000\nG0 X60000 Z5000\n";
+    check(metric, &[], (60.0, 5.0));
+    assert_eq!(said(metric), ["least-increments-concluded: No point = 0.001 mm: `X50000` is 50 mm."]);
+    // Who says nothing of it writes units.
+    assert_eq!(said("G21 G99 M3 S500 F.2\nG0 X50 Z2\nG71 U2 R1\n"), [""; 0]);
+}
+
+#[test]
+fn a_setup_that_says_otherwise_is_followed_and_the_number_told() {
+    let setup = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
+    let text = "G21 G99 M3 S500 F.2\nG0 X50. Z2.\nG1 Z-30.\nX60.\nG04 X2000\nG0 Z2.\n";
+    let analysis = analyze(text.as_bytes(), &setup);
+    let told = analysis.diagnostics.iter().find(|found| found.message.slug() == "too-large-without-point");
+    let said = told.expect("told").sentence(Language::English).message;
+    assert_eq!(said, "`X2000` counts as 2000 s here, too long to be meant.");
+    let note = format!("(DIALECT DECIMAL=LEASTINCREMENT)\n{text}");
+    let analysis = analyze(note.as_bytes(), &setup);
+    assert!(analysis.diagnostics.iter().all(|found| found.message.code() == "W-NO-END"));
+}
+
+/// Words stand in messages as they are written, and lengths in the unit of the program.
+#[test]
+fn inch_programs_are_told_of_in_inches() {
+    let head = "G20 G99 M3 S500\nG0 X2. Z.1\n";
+    for (rest, message) in [
+        ("G1 X1. F.5\n", "`F.5` under G99 is 0.5 in per turn of the spindle."),
+        (
+            "G1 X1. F.01\nG2 X2. Z-1. R.1\n",
+            "`R.1` is too small: start and end of the arc are 1.2083 in apart.",
+        ),
+        ("G90 X1.5 Z-1. R.5 F.01\n", "`R.5` is larger than half of `U-0.5`"),
+        ("G71 U.1 R.25\n", "The retract `R.25` is larger than the depth of cut, 0.1 in."),
+        (
+            "G1 X1. F.01\nZ-1.\nX1.2\nX1.3\nG1 Z-90.\n",
+            "`Z-90.` leads to Z-90, far beyond the rest of the program",
+        ),
+        ("G98 G1 X1. F5.\nG99 X.9\n", "After G99 the old feed of 5 now counts as in per turn."),
+    ] {
+        let found = said(&format!("{head}{rest}"));
+        assert!(found.iter().any(|found| found.contains(message)), "{message}\nis not in\n{found:#?}");
+        assert!(found.iter().all(|found| !found.contains(" mm")), "{found:#?}");
+    }
 }
 
 #[test]

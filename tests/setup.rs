@@ -4,7 +4,7 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::draft::put_into_json;
 use gcode_playground::control::setup::fields::{self, Entry, Field, Unit};
-use gcode_playground::control::setup::notes::{MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
+use gcode_playground::control::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
 use gcode_playground::control::setup::written::{changes, lines};
 use gcode_playground::control::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
@@ -198,6 +198,7 @@ fn readme_lists_all_that_can_be_said() {
         rows("initial.", "START", fields::START),
         rows("tailstock.", "TAILSTOCK", fields::TAILSTOCK),
         rows("machine.", "MACHINE", fields::MACHINE),
+        rows("dialect.", "DIALECT", fields::DIALECT),
         rows("rules.", "RULES", fields::RULES),
     ]
     .concat();
@@ -226,6 +227,8 @@ fn messages_offer_every_word() {
     let machine: Vec<_> = fields::MACHINE.iter().map(|field| field.word).collect();
     assert_eq!(missing(&tool, TOOL_WORDS), [""; 0]);
     assert_eq!(missing(&machine, MACHINE_WORDS), [""; 0]);
+    let switches: Vec<_> = fields::DIALECT.iter().map(|field| field.word).collect();
+    assert_eq!(missing(&switches, DIALECT_WORDS), [""; 0]);
     let groups: Vec<_> = fields::RULES.iter().map(|field| field.word).collect();
     assert_eq!(missing(&groups, RULE_WORDS), [""; 0]);
 }

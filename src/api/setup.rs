@@ -10,6 +10,7 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Edit, Places};
+use crate::control::dialect::{DecimalChoice, DecimalRule, DialectChoice};
 use crate::control::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::control::setup::fields::{self, Entry, Field, Value};
 use crate::control::setup::notes::{Notes, tool_name};
@@ -63,7 +64,9 @@ pub struct SetupGroup {
     /// Which.
     #[cfg_attr(
         target_arch = "wasm32",
-        tsify(type = "\"stock\" | \"tool\" | \"start\" | \"machine\" | \"tailstock\" | \"rules\"")
+        tsify(
+            type = "\"stock\" | \"tool\" | \"start\" | \"machine\" | \"tailstock\" | \"control\" | \"rules\""
+        )
     )]
     pub group: &'static str,
     /// What it is called.
@@ -167,6 +170,8 @@ pub struct Subject<'a> {
     pub notes: &'a Notes,
     /// The guesses for the program.
     pub guessed: &'a Setup,
+    /// What numbers without a point count in the run.
+    pub decimal: DecimalRule,
     /// The language of labels.
     pub language: Language,
 }
@@ -205,6 +210,9 @@ impl Subject<'_> {
         groups.push(self.group("machine", "machine.", fields::MACHINE, Some(&given.machine), is_said));
         let tailstock = given.tailstock.as_ref();
         groups.push(self.group("tailstock", "tailstock.", fields::TAILSTOCK, tailstock, tailstock.is_some()));
+        let dialect = &given.dialect;
+        let is_said = dialect.decimal.is_some();
+        groups.push(self.group("control", "dialect.", fields::DIALECT, Some(dialect), is_said));
         let rules = &given.rules;
         groups.push(self.group("rules", "rules.", fields::RULES, Some(rules), !rules.is_empty()));
         let place = if self.notes.spans().next().is_some() { SetupPlace::Program } else { SetupPlace::Page };
@@ -317,6 +325,10 @@ impl Subject<'_> {
             initial: written.initial.and(page.initial),
             machine,
             tools,
+            dialect: DialectChoice {
+                decimal: written.dialect.decimal.and(page.dialect.decimal),
+                ..DialectChoice::default()
+            },
             rules: if written.rules.is_empty() { Levels::default() } else { page.rules.clone() },
             ..Setup::default()
         }
@@ -337,6 +349,9 @@ impl Subject<'_> {
         }
         let rear = labels::choice(fields::Name::Turret, "rear", language);
         all.insert("machine.turret".into(), Some(rear.into()));
+        put(&mut all, "dialect.", fields::DIALECT, &DialectChoice::default(), language);
+        let holds = labels::choice(fields::Name::Decimal, DecimalChoice::from(self.decimal).name(), language);
+        all.insert("dialect.decimal".into(), Some(holds.into()));
         put(&mut all, "rules.", fields::RULES, &Levels::default(), language);
         all.insert("rules.classroom".into(), Some(labels::severity(Severity::Off, language).into()));
         let mut last = "";

@@ -29,7 +29,7 @@ fn render_one(
     language: Language,
     renderer: &Renderer,
 ) -> String {
-    let sentence = diagnostic.message.sentence(language);
+    let sentence = diagnostic.sentence(language);
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,

@@ -2,7 +2,6 @@
 //!
 //! In: start, end and the words of the block, in mm. Out: the centre, or what is wrong (semantics §3.3).
 
-use crate::diagnostics::Message;
 use crate::geometry::{Point, SAME, Turn};
 
 /// Largest difference between the distances of start and end from the centre, mm (parameter 3410).
@@ -22,8 +21,25 @@ pub enum CenterWords {
     },
 }
 
+/// Why there is no such arc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    /// R does not reach from start to end, which are so far apart, mm.
+    RadiusTooSmall {
+        /// From start to end.
+        distance: f64,
+    },
+    /// Start and end are not equally far from the centre, mm.
+    EndOffCircle {
+        /// From the centre to the start.
+        start_radius: f64,
+        /// From the centre to the end.
+        end_radius: f64,
+    },
+}
+
 /// The centre of an arc, or `None` when R leads nowhere (start and end are one place).
-pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Result<Option<Point>, Message> {
+pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Result<Option<Point>, Fault> {
     match words {
         CenterWords::Radius(_) if start.is_same(end) => Ok(None),
         CenterWords::Radius(radius) => by_radius(start, end, turn, radius).map(Some),
@@ -31,7 +47,7 @@ pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Resul
             let center = Point::new(start.x + i, start.z + k);
             let (start_radius, end_radius) = (start.distance(center), end.distance(center));
             if (start_radius - end_radius).abs() > RADIUS_TOLERANCE || start_radius <= SAME {
-                return Err(Message::ArcEndOffCircle { start_radius, end_radius });
+                return Err(Fault::EndOffCircle { start_radius, end_radius });
             }
             Ok(Some(center))
         }
@@ -40,11 +56,11 @@ pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Resul
 
 /// The centre lies on the perpendicular through the middle of the chord: for a short arc to the right of the
 /// way with G02, to the left with G03; on the other side when R is negative.
-fn by_radius(start: Point, end: Point, turn: Turn, radius: f64) -> Result<Point, Message> {
+fn by_radius(start: Point, end: Point, turn: Turn, radius: f64) -> Result<Point, Fault> {
     let chord = start.distance(end);
     let half = chord / 2.0;
     if half - radius.abs() > RADIUS_TOLERANCE {
-        return Err(Message::ArcRadiusTooSmall { radius, distance: chord });
+        return Err(Fault::RadiusTooSmall { distance: chord });
     }
     let height = (radius * radius - half * half).max(0.0).sqrt();
     let left = match turn {
@@ -83,6 +99,6 @@ mod tests {
         let offset = CenterWords::Offset { i: 0.0, k: -5.0 };
         let end = Point::new(10.0, -10.5);
         let wrong = center(Point::new(10.0, 0.0), end, Turn::Clockwise, offset);
-        assert!(matches!(wrong, Err(Message::ArcEndOffCircle { .. })));
+        assert!(matches!(wrong, Err(Fault::EndOffCircle { .. })));
     }
 }

@@ -106,14 +106,59 @@ impl CodeList {
     }
 }
 
-/// What a number without a decimal point counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+/// What a setup says of numbers without a decimal point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
+pub enum DecimalChoice {
+    /// What the program shows: [`super::origin::numbers`].
+    #[default]
+    Auto,
+    /// Units.
+    Calculator,
+    /// Least input increments.
+    LeastIncrement,
+}
+
+impl DecimalChoice {
+    /// All choices, in the order they are offered.
+    pub const ALL: [DecimalChoice; 3] = [Self::Auto, Self::Calculator, Self::LeastIncrement];
+
+    /// The name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Calculator => "calculator",
+            Self::LeastIncrement => "leastIncrement",
+        }
+    }
+
+    /// The rule, where one is chosen.
+    pub fn rule(self) -> Option<DecimalRule> {
+        match self {
+            Self::Auto => None,
+            Self::Calculator => Some(DecimalRule::Calculator),
+            Self::LeastIncrement => Some(DecimalRule::LeastIncrement),
+        }
+    }
+}
+
+/// What a number without a decimal point counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DecimalRule {
     /// `X10` is 10 mm (FANUC parameter 3401#0 set).
+    #[default]
     Calculator,
     /// `X10` is 0.010 mm (0.0010 inch).
     LeastIncrement,
+}
+
+impl From<DecimalRule> for DecimalChoice {
+    fn from(rule: DecimalRule) -> Self {
+        match rule {
+            DecimalRule::Calculator => Self::Calculator,
+            DecimalRule::LeastIncrement => Self::LeastIncrement,
+        }
+    }
 }
 
 /// Unit of P and Q in G74, G75 and G76.
@@ -208,7 +253,7 @@ pub struct DialectChoice {
     /// G-code system.
     pub g_system: Option<GSystem>,
     /// Numbers without a point.
-    pub decimal: Option<DecimalRule>,
+    pub decimal: Option<DecimalChoice>,
     /// Unit of P and Q.
     pub pq_unit: Option<PqUnit>,
     /// Feed unit after power-on.
@@ -293,7 +338,8 @@ impl Dialect {
         CodeList::new(self.control, self.g_system)
     }
 
-    /// The switches of a choice, those not said taken from its control (semantics §0.4).
+    /// The switches of a choice, those not said taken from its control (semantics §0.4). Numbers without a point are units
+    /// where the choice leaves that to the program: a run puts what it has decided into the choice.
     pub fn new(choice: &DialectChoice) -> Self {
         let gsk = choice.control == Control::Gsk;
         let power_on = match choice.control {
@@ -303,7 +349,7 @@ impl Dialect {
         Self {
             control: choice.control,
             g_system: choice.g_system.unwrap_or(GSystem::A),
-            decimal: choice.decimal.unwrap_or(DecimalRule::Calculator),
+            decimal: choice.decimal.unwrap_or_default().rule().unwrap_or_default(),
             pq_unit: choice.pq_unit.unwrap_or(PqUnit::Auto),
             feed_mode: choice.feed_mode.or(choice.power_on_feed).unwrap_or(power_on),
             xu_conflict: choice.xu_conflict.unwrap_or(if gsk {

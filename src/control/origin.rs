@@ -1,15 +1,18 @@
-//! Where a program text comes from: another control or machine, or another G-code system of FANUC's lathes.
+//! Where a program text comes from: another control or machine, another G-code system of FANUC's lathes, a control that
+//! counts least increments.
 //!
 //! In: the text; only its head is looked at. Out: the origin and the place that shows it, or nothing. A program for
 //! a FANUC, GSK or Haas lathe must never be called foreign, so one doubtful sign decides nothing: signs add up, each
 //! counting once, and what only such a lathe writes counts against. Ask [`foreign`] first: [`g_system`] takes the
 //! text for a FANUC lathe's.
 
+mod decimal;
 mod finder;
 mod signs;
 mod statement;
 mod system;
 
+pub use self::decimal::{Bare, Measure, Numbers};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
@@ -19,6 +22,9 @@ use crate::text::source::Span;
 
 /// Most bytes of a text that are looked at.
 pub const HEAD: usize = 64 << 10;
+
+/// Most bytes of a text whose numbers are looked at. Habits show early, but the first cycle may come late.
+pub const NUMBERS: usize = 256 << 10;
 
 /// A control or machine whose programs are not read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,6 +118,17 @@ pub fn g_system(text: &[u8]) -> Option<(GSystem, Span)> {
         scales.take(&statement);
     }
     scales.verdict()
+}
+
+/// What the numbers of a text show of the decimal rule.
+pub fn numbers(text: &[u8]) -> Numbers {
+    let mut numbers = Numbers::default();
+    let mut statement = Statement::default();
+    let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
+    while statements.read(&mut statement) {
+        numbers.take(&statement);
+    }
+    numbers
 }
 
 fn head(text: &[u8]) -> &[u8] {

@@ -9,9 +9,10 @@ use crate::text::block::{Block, Value, Word};
 use crate::text::source::Span;
 
 /// Unit of length of the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// G21.
+    #[default]
     Millimetre,
     /// G20.
     Inch,
@@ -24,6 +25,11 @@ impl Unit {
             Self::Millimetre => 1.0,
             Self::Inch => 25.4,
         }
+    }
+
+    /// Least input increment, in this unit.
+    pub fn increment(self) -> f64 {
+        10f64.powi(-i32::from(self.decimals()))
     }
 
     /// Decimals of the least input increment: 0.001 mm, 0.0001 inch (IS-B).

@@ -4,6 +4,8 @@
 //! language: the sentences are in `messages/`.
 
 use super::message::{Message, Severity};
+use super::messages::{Language, Sentence};
+use crate::control::words::Unit;
 use crate::text::shift::Shift;
 use crate::text::source::Span;
 
@@ -14,6 +16,8 @@ pub struct Diagnostic {
     pub message: Message,
     /// The word or block it is about.
     pub span: Span,
+    /// The unit its lengths are shown in: that of the program at its place.
+    pub unit: Unit,
     /// How grave it is; mostly the message's own, but a control can turn an error into a warning.
     pub severity: Severity,
     /// Repairs whose result is known exactly.
@@ -24,13 +28,24 @@ impl Diagnostic {
     /// A message at a place, as grave as it usually is.
     #[inline(never)]
     pub fn new(message: Message, span: Span) -> Self {
-        Self { severity: message.severity(), message, span, fixes: Vec::new() }
+        Self { severity: message.severity(), message, span, unit: Unit::Millimetre, fixes: Vec::new() }
     }
 
     /// The same with another severity.
     pub fn graded(mut self, severity: Severity) -> Self {
         self.severity = severity;
         self
+    }
+
+    /// The same with its lengths in a unit.
+    pub fn in_unit(mut self, unit: Unit) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// What is said of it in a language, lengths in its unit.
+    pub fn sentence(&self, language: Language) -> Sentence {
+        self.message.sentence_in(language, self.unit)
     }
 
     /// The same with one more repair.

@@ -7,9 +7,9 @@
 
 use std::borrow::Cow;
 
-use crate::control::dialect::GSystem;
+use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
-use crate::control::origin::Origin;
+use crate::control::origin::{Measure, Origin};
 use crate::control::setup::faults::Need;
 
 /// How grave a message is.
@@ -164,6 +164,9 @@ pub enum Message {
     Foreign { origin: Origin },
     /// The G-code system was concluded from the program.
     SystemGuessed { system: GSystem },
+    /// What numbers without a point count was concluded from the program (least increments), or looks wrong (units). The word
+    /// is one of them, `value` what it counts in its measure.
+    DecimalRule { word: String, value: f64, measure: Measure, rule: DecimalRule },
 
     // Reference points, tables
     /// G30 with another P than 2, 3, 4.
@@ -265,7 +268,7 @@ pub enum Message {
     /// A thread without its lead.
     LeadMissing { code: &'static str },
     /// F looks like the other unit.
-    FeedUnit { feed: f64, per_turn: bool },
+    FeedUnit { word: String, feed: f64, per_turn: bool },
     /// The feed unit changed, F did not.
     FeedNotRepeated { feed: f64, per_turn: bool },
     /// A cut with the spindle stopped.
@@ -281,17 +284,17 @@ pub enum Message {
     /// Neither R nor I, K.
     ArcNoCenter { code: &'static str },
     /// R is too small for the distance.
-    ArcRadiusTooSmall { radius: f64, distance: f64 },
+    ArcRadiusTooSmall { word: String, distance: f64 },
     /// The end does not lie on the circle.
     ArcEndOffCircle { start_radius: f64, end_radius: f64 },
     /// R is negative and the control does not take it.
-    ArcRadiusNegative { radius: f64 },
+    ArcRadiusNegative { word: String },
     /// R with an end that is the start.
     ArcNowhere,
 
     // Cycles
     /// The start of the cut lies beyond the start point of the cycle.
-    TaperBeyondStart { taper: f64, limit: f64, axis: char },
+    TaperBeyondStart { word: String, limit: f64, axis: char },
     /// R fits the drawing but not the real start point.
     TaperNotExtended { taper: f64, needed: f64, crossing: f64, wanted: f64, axis: char },
     /// P or Q is missing in G70 to G73.
@@ -440,7 +443,7 @@ pub enum Message {
     /// The step of a groove is as wide as the blade.
     GrooveStep { word: String, step: f64, width: f64 },
     /// The retract of a roughing pass is larger than the pass.
-    EscapeTooLarge { escape: f64, depth: f64 },
+    EscapeTooLarge { word: String, depth: f64 },
     /// The contour does not begin where the cycle starts.
     ContourStartMoved { code: &'static str, axis: char, start: f64, first: f64 },
     /// The contour ends within the blank.
@@ -627,6 +630,12 @@ impl Message {
             Self::SystemVariable { .. } => ("W-MACRO-SYSTEM", "unknown-system-variable", Info, None),
             Self::Foreign { .. } => ("N-FOREIGN", "program-for-another-control", Error, None),
             Self::SystemGuessed { .. } => ("I-G-SYSTEM", "g-code-system-concluded", Info, None),
+            Self::DecimalRule { rule: DecimalRule::LeastIncrement, .. } => {
+                ("I-DECIMAL", "least-increments-concluded", Info, None)
+            }
+            Self::DecimalRule { rule: DecimalRule::Calculator, .. } => {
+                ("W-DECIMAL", "too-large-without-point", Warning, None)
+            }
             Self::ReferenceNumber { .. } => ("PS0046", "reference-point-number", Error, Some("PS0046")),
             Self::NotAtReference { .. } => ("PS0092", "not-at-reference-point", Error, Some("PS0092")),
             Self::NoIntermediate => ("PS0305", "no-intermediate-point", Error, Some("PS0305")),

@@ -82,6 +82,7 @@ impl Run {
         let before = self.before_edit(end as u32, bytes);
         let keep = self.marks.partition_point(|mark| (mark.byte() as usize) < start);
         self.marks.truncate(keep);
+        self.numbers = None;
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
         let mark = self.marks.last().filter(|_| {
@@ -101,7 +102,7 @@ impl Run {
             }
             None => {
                 let (origin, setup) = (self.origin, self.setup().clone());
-                *self = Self::new(text, self.given.clone());
+                *self = Self::begin(text, self.given.clone(), self.decided);
                 !self.finished && self.origin == origin && *self.setup() == setup
             }
         };

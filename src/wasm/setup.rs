@@ -78,6 +78,7 @@ impl Playground {
             page: &self.setup,
             notes: self.run.notes(),
             guessed: &guessed,
+            decimal: self.run.decimal_rule(),
             language: self.language,
         })
     }

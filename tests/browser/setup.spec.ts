@@ -226,3 +226,27 @@ test('taking off the material of a long program shows how far it is, and can be 
   await expect(problems(page).getByText(/The part was stopped after \d+ of 15001 motions/)).toBeVisible();
   await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
 });
+
+test('how numbers without a point are read stands in the status line, and can be changed', async ({ page }) => {
+  const inches = 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\nG0 W2000\nM30\n';
+  await open(page);
+  await openFile(page, 'inch.nc', Buffer.from(inches.replace('W2000', 'W.2')));
+  await expect(status(page)).toContainText('motions');
+  await expect(status(page)).not.toContainText('No point');
+  await openFile(page, 'inch.nc', Buffer.from(inches));
+  await expect(status(page)).toContainText('No point = 0.0001 in: W2000 is 0.2 in');
+  await page.getByRole('button', { name: 'Change how numbers without a point are read' }).click();
+  const choice = form(page).getByLabel('Number without a point');
+  await expect(choice).toBeFocused();
+  await choice.selectOption('calculator');
+  await form(page).getByRole('button', { name: 'Apply' }).click();
+  await expect(status(page)).toContainText('W2000 counts as 2000 in here');
+});
+
+test('the reading of numbers is decided for what is pasted, not for what is typed', async ({ page }) => {
+  await begin(page, 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z2.\nG1 Z-1. F.01\nX3.\nG0 X4. Z3.\nM30\n');
+  await editor(page).press('Control+Home');
+  await editor(page).press('End');
+  await page.keyboard.type('\nG04 X2000');
+  await expect(status(page)).toContainText('X2000 counts as 2000 s here');
+});

@@ -59,6 +59,49 @@ pub const FIGURES: &[Figure] = &[
         "to 0.005 mm",
         Held::Stated("tests/parts/gallery.rs", "const TOLERANCE: f64 = 0.005;"),
     ),
+    figure(
+        "README.md",
+        "least input increments: 0.001 mm, 0.0001 in, 0.001 s",
+        Held::Stated(
+            "src/control/origin/decimal.rs",
+            "Least input increment: 0.001 mm, 0.0001 inch, 0.001 s",
+        ),
+    ),
+    figure(
+        "README.md",
+        "X and U from 1000 mm or 40 in",
+        Held::Stated("src/control/origin/decimal.rs", "Self::Diameter => (1000.0, 40.0),"),
+    ),
+    figure(
+        "README.md",
+        "Z and W from 2000 mm or 80 in",
+        Held::Stated("src/control/origin/decimal.rs", "Self::Length => (2000.0, 80.0),"),
+    ),
+    figure(
+        "README.md",
+        "an allowance from 50 mm or 10 in",
+        Held::Stated("src/control/origin/decimal.rs", "Self::Cut => (50.0, 10.0),"),
+    ),
+    figure(
+        "README.md",
+        "100 mm or 10 in; R",
+        Held::Stated("src/control/origin/decimal.rs", "Self::Relief => (100.0, 10.0),"),
+    ),
+    figure(
+        "README.md",
+        "from 10 mm or 2 in",
+        Held::Stated("src/control/origin/decimal.rs", "Self::ThreadAllowance => (10.0, 2.0),"),
+    ),
+    figure(
+        "README.md",
+        "a dwell from 500 s",
+        Held::Stated("src/control/origin/decimal.rs", "Self::Time => return 500.0,"),
+    ),
+    figure(
+        "README.md",
+        "by its first 256 kB",
+        Held::Stated("src/control/origin.rs", "pub const NUMBERS: usize = 256 << 10;"),
+    ),
     figure("README.md", "8 digits of a number", Held::Shown(digits)),
     figure("README.md", "±10⁴⁷ in a variable", Held::Shown(variables)),
     figure("README.md", "A block has 64", Held::Shown(words)),

@@ -47,7 +47,7 @@ import { Notice } from './notice';
 import { Pasting } from './pasting';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupForm, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
+import type { Came, FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
 import type { CanvasCommand } from './protocol-views';
 import { RewriteDialog } from './rewrite';
 import { SetupBar } from './setup-bar';
@@ -100,6 +100,8 @@ export class GcodePlayground extends HTMLElement {
   #playback!: Playback;
   #problems!: Problems;
   #status!: StatusLine;
+  /** How the newest change of the text came. */
+  #came: Came = 'typed';
   #notice!: Notice;
   #fileBar!: FileBar;
   #switches!: Switches;
@@ -323,7 +325,10 @@ export class GcodePlayground extends HTMLElement {
       },
       viewMoved: () => void this.#askTokens(),
       fileChanged: () => (this.#fileBar.file = this.#editor?.file),
-      pasted: (from, to) => this.#pasting.arrived(from, to),
+      pasted: (from, to) => {
+        this.#came = 'at-once';
+        this.#pasting.arrived(from, to);
+      },
     }));
     this.#drawing = new Drawing(texts, {
       resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
@@ -369,9 +374,12 @@ export class GcodePlayground extends HTMLElement {
         editor.focus();
       },
     });
-    this.#status = new StatusLine(texts, () => {
-      this.#line?.client.send({ kind: 'stop' });
-      editor.focus();
+    this.#status = new StatusLine(texts, {
+      stopped: () => {
+        this.#line?.client.send({ kind: 'stop' });
+        editor.focus();
+      },
+      change: () => void this.#openSetup('control'),
     });
     this.#notice = new Notice(texts);
     this.#fileBar = new FileBar(texts, { chosen: (encoding) => this.#chooseEncoding(encoding) });
@@ -412,6 +420,7 @@ export class GcodePlayground extends HTMLElement {
       client: () => this.#line?.client,
       editor: () => this.#editor,
       language: () => this.language,
+      taken: () => (this.#came = 'at-once'),
       notice: (text) => this.#notice.show(text, 'program'),
     });
     this.#views.element.prepend(this.#setupBar.element);
@@ -584,7 +593,8 @@ export class GcodePlayground extends HTMLElement {
     this.#playback.pause();
     const cursor = this.#cursorKnown ? editor.cursor : undefined;
     const unsent = editor.takeUnsent();
-    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor });
+    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor, came: this.#came });
+    this.#came = 'typed';
     this.#notice.hide('core');
     this.#notice.hide('program');
     void this.#askTokens();
@@ -722,9 +732,9 @@ export class GcodePlayground extends HTMLElement {
 
   // ---- the setup ----------------------------------------------------------------------------------
 
-  async #openSetup(): Promise<void> {
+  async #openSetup(opened?: SetupGroup['group']): Promise<void> {
     const form = await this.#askSetup();
-    if (form !== undefined) this.#setupForm.show(form);
+    if (form !== undefined) this.#setupForm.show(form, opened);
   }
 
   async #askSetup(): Promise<SetupForm | undefined> {
@@ -779,8 +789,8 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, fitted, stage } = report;
-    this.#status.summary = summary;
+    const { summary, diagnostics, fitted, decimal, stage } = report;
+    this.#status.show(summary, decimal);
     this.#drawing.summary = summary;
     this.#setupBar.fitted = this.#assumedStock.fitted = fitted;
     this.#writtenOut.available = this.#rewrite.available = this.#exports.available = this.#solid.available = summary.finished && summary.motions > 0;

@@ -39,6 +39,8 @@ export interface Strings {
   readonly lines: (n: number) => string;
   readonly running: (percent: number) => string;
   readonly stopRun: string;
+  readonly change: string;
+  readonly changeDecimal: string;
   readonly loading: string;
   // the drawing
   readonly drawing: (motions: number) => string;
@@ -166,6 +168,8 @@ const en: Strings = {
   lines: counter('en', { one: 'line', other: 'lines' }),
   running: (percent) => `Running … ${percent} %`,
   stopRun: 'Stop',
+  change: 'change',
+  changeDecimal: 'Change how numbers without a point are read',
   loading: 'Loading …',
   drawing: (n) =>
     `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
@@ -301,6 +305,8 @@ const zh: Strings = {
   lines: counter('zh', { other: '行' }),
   running: (percent) => `正在运行…… ${percent} %`,
   stopRun: '停止',
+  change: '更改',
+  changeDecimal: '更改无小数点的数的读法',
   loading: '正在加载……',
   drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
   nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
@@ -435,6 +441,8 @@ const ru: Strings = {
   lines: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
   running: (percent) => `Выполняется … ${percent} %`,
   stopRun: 'Остановить',
+  change: 'изменить',
+  changeDecimal: 'Изменить чтение чисел без точки',
   loading: 'Загрузка …',
   drawing: (n) =>
     `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,

@@ -18,6 +18,8 @@ export interface PastingEvents {
   client(): CoreClient | undefined;
   editor(): Editor | undefined;
   language(): string;
+  /** A program has been taken out of the text. */
+  taken(): void;
   notice(text: string): void;
 }
 
@@ -86,6 +88,7 @@ export class Pasting {
     const editor = this.#events.editor();
     if (editor === undefined || this.#range === undefined) return;
     const { from, to } = this.#range;
+    this.#events.taken();
     editor.change([{ from, to, text }]);
     this.#events.notice(this.#strings.paste.taken);
     editor.focus();

@@ -29,7 +29,7 @@ export type Command =
   | { readonly kind: 'language'; readonly tag: string }
   | { readonly kind: 'setup'; readonly json: string }
   /** `revision` comes back with the report, so that a report on older text can be told apart. */
-  | (TextCommand & { readonly revision: number; readonly cursor: number | undefined })
+  | (TextCommand & { readonly revision: number; readonly cursor: number | undefined; readonly came: Came })
   /** Ends the run under way. */
   | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
@@ -39,6 +39,9 @@ export type Command =
   /** CSS pixels. */
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
+
+/** How a change came: of what was put in at once the interpreter concludes anew how its numbers are meant. */
+export type Came = 'typed' | 'at-once';
 
 /** Offsets are those of the text before; of several changes the last in the text comes first. */
 export interface TextChange {
@@ -124,6 +127,8 @@ export interface Report {
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
   readonly fitted: Fitted;
+  /** How numbers without a point are read, where the reader has to know. */
+  readonly decimal: string | undefined;
   /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before. */
   readonly stage: 'whole' | 'path' | 'part';
 }

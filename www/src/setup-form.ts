@@ -26,7 +26,7 @@ export interface SetupFormEvents {
 }
 
 /** Groups that are seldom filled in are folded. */
-const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'rules']);
+const FOLDED: ReadonlySet<SetupGroup['group']> = new Set(['start', 'machine', 'tailstock', 'control', 'rules']);
 
 export class SetupDialog {
   readonly #events: SetupFormEvents;
@@ -42,6 +42,8 @@ export class SetupDialog {
   readonly #dialog: Dialog;
   #strings: Strings;
   #inputs: SetupInput[] = [];
+  /** The first field of each group. */
+  readonly #first = new Map<SetupGroup['group'] | undefined, SetupInput>();
   #wasIn: SetupPlace = 'page';
   #keep: SetupPlace = 'page';
   #asking: ReturnType<typeof setTimeout> | undefined;
@@ -84,9 +86,11 @@ export class SetupDialog {
     return this.#dialog.open;
   }
 
-  show({ groups, place }: SetupForm): void {
+  /** `opened`: the group the reader comes for. */
+  show({ groups, place }: SetupForm, opened?: SetupGroup['group']): void {
     this.#wasIn = this.#keep = place;
     this.#inputs = [];
+    this.#first.clear();
     this.#word.value = '';
     this.#noTool.hidden = true;
     const texts = this.#strings.setup;
@@ -94,7 +98,7 @@ export class SetupDialog {
       'div', { className: 'another' },
       make('label', { htmlFor: 'another-tool' }, texts.another), this.#word, this.#add, this.#noTool,
     );
-    const elements = groups.map((group) => this.#group(group));
+    const elements = groups.map((group) => this.#group(group, opened));
     // Behind the last tool, or the stock.
     const last = groups.findLastIndex(({ group }) => group === 'tool' || group === 'stock');
     elements.splice(last + 1, 0, another);
@@ -103,16 +107,17 @@ export class SetupDialog {
     this.#news.textContent = '';
     this.#dialog.show();
     this.#form.scrollTop = 0;
-    this.#inputs[0]?.focus();
+    (this.#first.get(opened) ?? this.#inputs[0])?.focus();
     void this.#ask();
   }
 
   // ---- building -----------------------------------------------------------------------------------
 
-  #group({ group, title, source, fields }: SetupGroup): HTMLElement {
+  #group({ group, title, source, fields }: SetupGroup, opened?: SetupGroup['group']): HTMLElement {
     const texts = this.#strings.setup;
     const inputs = fields.map((field) => new SetupInput(field, texts, () => this.#changed()));
     this.#inputs.push(...inputs);
+    if (inputs[0] !== undefined) this.#first.set(group, inputs[0]);
     const clear = make('button', { type: 'button', className: 'quiet clear', 'aria-label': texts.clear(title) }, texts.clearShort);
     clear.addEventListener('click', () => {
       for (const input of inputs) input.text = '';
@@ -123,7 +128,7 @@ export class SetupDialog {
     const from = make('span', { className: `source ${source}` }, texts.source[source]);
     if (FOLDED.has(group)) {
       const summary = make('summary', {}, make('span', { className: 'group-title' }, title), from);
-      return make('details', { className: 'group', open: source !== 'nobody' }, summary, grid, clear);
+      return make('details', { className: 'group', open: source !== 'nobody' || group === opened }, summary, grid, clear);
     }
     const legend = make('div', { className: 'group-head' }, make('h3', { className: 'group-title' }, title), from, clear);
     const section = make('section', { className: 'group', 'aria-label': title }, legend, grid);

@@ -1,6 +1,7 @@
-// The slim line at the foot: "42 motions · 14 lines · no problems".
+// The slim line at the foot: "42 motions · 14 lines · no problems", and how numbers without a point are read.
 //
-// In: the summary of the newest run, or how far a long one is. Out: `stopped` (the reader has seen enough of that).
+// In: the summary of the newest run, or how far a long one is. Out: `stopped` (the reader has seen enough of that),
+// `change` (they are to be read otherwise).
 // Must not know: how a program is run.
 
 import { make } from './dom';
@@ -11,18 +12,20 @@ type Shown =
   | { readonly kind: 'loading' }
   | { readonly kind: 'running'; readonly work: Work; readonly done: number }
   | { readonly kind: 'failed' }
-  | { readonly kind: 'summary'; readonly summary: Summary };
+  | { readonly kind: 'summary'; readonly summary: Summary; readonly decimal: string | undefined };
 
 export class StatusLine {
   readonly element = make('p', { className: 'status', part: 'status', role: 'status' });
   /** There while a run takes a noticeable time. */
   readonly stop = make('button', { type: 'button', className: 'framed', hidden: true });
+  readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #strings: Strings;
   #shown: Shown = { kind: 'loading' };
 
-  constructor(strings: Strings, stopped: () => void) {
+  constructor(strings: Strings, events: { stopped(): void; change(): void }) {
     this.#strings = strings;
-    this.stop.addEventListener('click', stopped);
+    this.stop.addEventListener('click', () => events.stopped());
+    this.#change.addEventListener('click', () => events.change());
     this.#render();
   }
 
@@ -31,8 +34,9 @@ export class StatusLine {
     this.#render();
   }
 
-  set summary(summary: Summary) {
-    this.#show({ kind: 'summary', summary });
+  /** `decimal`: how numbers without a point are read, where the reader has to know. */
+  show(summary: Summary, decimal: string | undefined): void {
+    this.#show({ kind: 'summary', summary, decimal });
   }
 
   /** How far a long work is, from 0 to 1. */
@@ -56,6 +60,11 @@ export class StatusLine {
     // On a narrow page the line breaks between facts, not inside them.
     const facts = this.#facts().flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]);
     this.element.replaceChildren(...facts);
+    const decimal = this.#shown.kind === 'summary' ? this.#shown.decimal : undefined;
+    if (decimal === undefined) return;
+    this.#change.textContent = this.#strings.change;
+    this.#change.setAttribute('aria-label', this.#strings.changeDecimal);
+    this.element.append(' · ', make('span', { className: 'decimal' }, decimal), ' · ', this.#change);
   }
 
   #facts(): readonly string[] {

@@ -112,6 +112,7 @@ function receive(message: Command | Question): void {
       break;
     case 'edit':
       for (const change of message.changes) edit(core, change);
+      if (message.came === 'at-once') core.decideDecimalRule();
       changed(core, message);
       break;
     case 'stop':
@@ -349,6 +350,7 @@ function report(playground: Playground): void {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       fitted: playground.fitting(),
+      decimal: playground.decimalNotice(),
       stage,
     },
   });

@@ -167,7 +167,8 @@ impl Interpreter {
         let most = self.setup.limits.moves_per_cycle;
         match read {
             Ok((.., ends))
-                if purpose == Purpose::Roughing && !self.may_cut(block, words, &mut Request::default()) =>
+                if purpose == Purpose::Roughing
+                    && !self.may_cut(text, block, words, &mut Request::default()) =>
             {
                 self.go_on_behind(block, begins.byte, ends);
                 None

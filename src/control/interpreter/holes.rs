@@ -126,7 +126,8 @@ impl Interpreter {
         }
         self.state.hole = Some(memory);
         let lead = kind.is_tap().then(|| self.tap_lead(block, words, kind)).flatten();
-        if (kind.is_tap() && lead.is_none()) || (!kind.is_tap() && !self.may_cut(block, words, request)) {
+        if (kind.is_tap() && lead.is_none()) || (!kind.is_tap() && !self.may_cut(text, block, words, request))
+        {
             request.drop = true;
             return;
         }

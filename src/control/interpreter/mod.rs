@@ -347,7 +347,7 @@ impl Interpreter {
             return;
         }
         // What is off takes no room from the rest.
-        let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
+        let Some(diagnostic) = self.setup.rules.graded(diagnostic.in_unit(self.state.unit)) else { return };
         if self.diagnostics.len() >= self.setup.limits.messages {
             // Which of them were told before is not kept any more.
             self.hidden += usize::from(!self.wandered);
@@ -388,7 +388,7 @@ impl Interpreter {
     }
 
     /// How numbers are read at the moment.
-    fn reading(&self) -> Reading {
+    pub fn reading(&self) -> Reading {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
@@ -396,6 +396,11 @@ impl Interpreter {
     fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
         self.tell(Diagnostic::new(Message::NotSupported { what }, span));
+    }
+
+    /// The switches of the control.
+    pub fn dialect(&self) -> &Dialect {
+        &self.dialect
     }
 
     /// The G-code system in force.

@@ -99,7 +99,7 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        if !self.may_cut(block, words, request) {
+        if !self.may_cut(text, block, words, request) {
             return;
         }
         let Ok(joint) = self.joint(text, block, request, words) else {
@@ -285,7 +285,7 @@ impl Interpreter {
         {
             let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
             let fix = Fix::write(span, singles::with_other_sign(&word));
-            self.tell(Diagnostic::new(Message::ArcRadiusNegative { radius }, span).with(fix));
+            self.tell(Diagnostic::new(Message::ArcRadiusNegative { word }, span).with(fix));
             request.drop = true;
             return;
         }
@@ -301,7 +301,7 @@ impl Interpreter {
         }
         let (up, right) = self.plane_targets(text, words);
         let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
-        if !self.may_cut(block, words, request) {
+        if !self.may_cut(text, block, words, request) {
             return;
         }
         self.settle_angle();
@@ -323,7 +323,15 @@ impl Interpreter {
                 self.travel(block, motion, joint);
             }
             Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
-            Err(message) => {
+            Err(fault) => {
+                let message = match fault {
+                    arcs::Fault::RadiusTooSmall { distance } => {
+                        Message::ArcRadiusTooSmall { word: words.quote(text, b'R'), distance }
+                    }
+                    arcs::Fault::EndOffCircle { start_radius, end_radius } => {
+                        Message::ArcEndOffCircle { start_radius, end_radius }
+                    }
+                };
                 self.tell(Diagnostic::new(message, block.words_span()));
                 request.drop = true;
             }

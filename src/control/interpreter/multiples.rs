@@ -137,7 +137,7 @@ impl Interpreter {
                 self.state.parameters.escape = escape.abs();
                 let depth = self.state.parameters.depth.unwrap_or(f64::INFINITY);
                 if escape.abs() > depth {
-                    let message = Message::EscapeTooLarge { escape: escape.abs(), depth };
+                    let message = Message::EscapeTooLarge { word: words.quote(text, b'R'), depth };
                     self.tell(Diagnostic::new(message, words.span(b'R')));
                 }
             }
@@ -152,7 +152,7 @@ impl Interpreter {
             let depth = self.state.parameters.depth;
             // A depth that is wrong in the first block was told there.
             if let Some(word) = words.get(b'D') {
-                let depth = plain(word);
+                let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, word.span));
             } else if depth.is_none() {
                 self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));

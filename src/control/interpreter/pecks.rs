@@ -37,7 +37,7 @@ impl Interpreter {
         };
         let start = self.state.position;
         let end = self.target(text, words);
-        if !self.may_cut(block, words, &mut Request::default()) {
+        if !self.may_cut(text, block, words, &mut Request::default()) {
             return None;
         }
         // The older one-block form spells P, Q and R as I, K and D, in millimetres.

@@ -74,7 +74,15 @@ impl Interpreter {
             return;
         }
         let taper_span = taper.map_or_else(|| block.words_span(), |word| word.span);
-        if !self.taper_fits(cycle, start, end, taper_span) {
+        let taper_word = |control: &Self| match taper {
+            Some(word) => words::quote(text, word.span),
+            // It is that of a block before.
+            None => {
+                let taper = control.state.memory.taper / control.state.unit.millimetres();
+                format!("R{}", crate::diagnostics::messages::number(taper))
+            }
+        };
+        if !self.taper_fits(cycle, start, end, taper_span, taper_word) {
             request.drop = true;
             return;
         }
@@ -91,7 +99,7 @@ impl Interpreter {
                 Some(lead)
             }
             Single::Turning | Single::Facing => {
-                if !self.may_cut(block, words, request) {
+                if !self.may_cut(text, block, words, request) {
                     return;
                 }
                 self.watch_cycle_compensation(block, cycle);
@@ -206,8 +214,15 @@ impl Interpreter {
         [Some(b'R'), old].into_iter().flatten().find(|&address| words.get(address).is_some())
     }
 
-    /// Checks the taper against the start point and, where a blank is known, against the drawing.
-    pub(super) fn taper_fits(&mut self, cycle: Single, start: Point, end: Point, span: Span) -> bool {
+    /// Checks the taper (its place and its word) against the start point and, where a blank is known, against the drawing.
+    pub(super) fn taper_fits(
+        &mut self,
+        cycle: Single,
+        start: Point,
+        end: Point,
+        span: Span,
+        word: impl FnOnce(&Self) -> String,
+    ) -> bool {
         let taper = self.state.memory.taper;
         let (way, limit, axis) = match cycle {
             Single::Turning | Single::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
@@ -217,7 +232,7 @@ impl Interpreter {
             // GSK states it as an error (seed 000); no FANUC alarm is known for it.
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
-            let message = Message::TaperBeyondStart { taper, limit, axis };
+            let message = Message::TaperBeyondStart { word: word(self), limit, axis };
             self.tell(Diagnostic::new(message, span).graded(severity));
             return !error;
         }

@@ -8,7 +8,13 @@ const NEAR_WORK: f64 = 20.0;
 impl Interpreter {
     /// Checks before a cut at feed: whether there is a feed, and what a teacher would remark.
     #[inline]
-    pub(super) fn may_cut(&mut self, block: &Block, words: &Words, request: &mut Request) -> bool {
+    pub(super) fn may_cut(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        request: &mut Request,
+    ) -> bool {
         let feed = match self.state.feed {
             // The F of the cycle counts, and what is to be said of it is said there.
             Some(_) if self.purpose == Some(contours::Purpose::Roughing) => return true,
@@ -31,7 +37,10 @@ impl Interpreter {
                     |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
                 );
             if mixed_up && !counts && self.state.told.first(Once::FeedUnit) {
-                self.tell(Diagnostic::new(Message::FeedUnit { feed, per_turn }, words.span(b'F')));
+                self.tell(Diagnostic::new(
+                    Message::FeedUnit { word: words.quote(text, b'F'), feed, per_turn },
+                    words.span(b'F'),
+                ));
             }
         } else if self.state.feed_is_old {
             self.state.feed_is_old = false;
@@ -96,7 +105,8 @@ impl Interpreter {
             && spindle.turn != SpindleTurn::Stopped
             && !spindle.live_tool
             && !spindle.still
-            && !self.state.uncertain
+            // Of blocks before the chunk the state tells nothing any more.
+            && !(self.state.uncertain || self.doubtful)
             && self.state.told.first(Once::SpeedMissing)
         {
             self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));

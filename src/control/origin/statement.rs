@@ -20,6 +20,8 @@ pub struct Word {
     pub number: Option<Number>,
     /// Whether `+` or `-` stands before the number.
     pub signed: bool,
+    /// Whether it is `-`.
+    pub negative: bool,
     /// Whether `=` follows: `R1=`, `X=`.
     pub assigned: bool,
     /// Letter, sign and number, and the `=`.
@@ -189,6 +191,7 @@ impl<'a> Statements<'a> {
         let before_sign = self.lexer.position();
         if matches!(self.lexer.peek_byte(), Some(b'+' | b'-')) {
             word.signed = true;
+            word.negative = self.lexer.peek_byte() == Some(b'-');
             self.lexer.seek(before_sign + 1);
             self.skip_blanks();
         }
@@ -198,7 +201,7 @@ impl<'a> Statements<'a> {
                 word.span.end = span.end;
             }
         } else {
-            word.signed = false;
+            (word.signed, word.negative) = (false, false);
             self.lexer.seek(before_sign);
         }
         if let Some(end) = self.behind_equals() {

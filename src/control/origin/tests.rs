@@ -1,6 +1,7 @@
 //! One small program for each origin and system, and near misses that must not be taken for one.
 
 use super::*;
+use crate::control::dialect::DecimalRule;
 use std::fs;
 use std::path::Path;
 
@@ -170,12 +171,81 @@ fn programs_of_the_gallery_are_at_home() {
     assert!(seen > 40);
 }
 
+/// The one door for the decimal rule: the word that shows least increments; nothing for units.
+#[track_caller]
+fn check_decimal(program: &str, evidence: Option<&str>) {
+    let found = numbers(program.as_bytes());
+    let shown = found.evidence().map(|bare| bare.span.quote(program.as_bytes()));
+    assert_eq!(shown.as_deref(), evidence, "\n{program}");
+    assert_eq!(found.rule() == DecimalRule::LeastIncrement, evidence.is_some());
+}
+
+const INCHES: &str = "G20\nG0 X2. Z.1\nG1 X1.18 F.016\nZ-1.\nX2.0\n";
+
+#[test]
+fn whole_numbers_with_a_point_and_one_that_cannot_be_a_unit_show_least_increments() {
+    check_decimal(&format!("{INCHES}G71U800R500\nG71P1Q2U150W20\n"), Some("U800"));
+    check_decimal(&format!("{INCHES}G71 P1 Q2 U150 W20\n"), Some("U150"));
+    check_decimal(&format!("{INCHES}G75 R100\n"), Some("R100"));
+    check_decimal(&format!("{INCHES}G76 P011060 R10\n"), Some("R10"));
+    check_decimal(&format!("{INCHES}G1 Z-2500\n"), Some("Z-2500"));
+    let metric = "G21\nG0 X52. Z2.\nG1 X40. F.2\nZ-30.\n";
+    check_decimal(&format!("{metric}G71 U2000 R500\n"), Some("U2000"));
+    check_decimal(&format!("{metric}G73 U12000 W3000 R6\n"), Some("U12000"));
+    check_decimal(&format!("{metric}G76 P011060 Q100 R50\n"), Some("R50"));
+    check_decimal(&format!("{metric}G04 X1000\n"), Some("X1000"));
+    check_decimal(&format!("{metric}G28 U0 W0\nG0 U-5000\n"), Some("U-5000"));
+}
+
+#[test]
+fn fractions_and_plausible_numbers_show_nothing() {
+    // A fraction has its point everywhere; two whole ones may be chance.
+    check_decimal("G20\nG0 X2.5 Z.1\nG1 X1.18\nZ-1.25\nX2.125\nG71U800R500\n", None);
+    check_decimal("G20\nG0 X2. Z.1\nG1 X1.18\nZ-1.\nG71U800R500\n", None);
+    let metric = "G21\nG0 X52. Z2.\nG1 X40. F.2\nZ-30.\n";
+    for rest in [
+        "G71 U2 R1\nG71 P1 Q2 U1 W0\nG1 Z-120\nG0 X300\nZ400\n",
+        "G73 U14 W5 R10\nG76 P011060 Q100 R1\nG76 X30. Z-20. P1300 Q400 F2.\n",
+        "G04 P1000\nG04 X30\nG50 S3000\nG96 S200\n",
+        "G65 P9010 X5000 Z9000\nG74 X10. Z-60. P2500 Q9000 F.1\n",
+        "(G71 U2000 R500)\n#1=5000\nG1 X[#1/100]\nG2 X50. R6000\n",
+        "G28 U0 W0\nG0 X1000.0\n",
+    ] {
+        check_decimal(&format!("{metric}{rest}"), None);
+    }
+    // A bare inch more or less is too much for one and too little for the other.
+    check_decimal(&format!("{INCHES}G71 U1 R1\n"), None);
+}
+
+#[test]
+fn a_program_without_any_point_shows_least_increments_where_most_would_be_too_large() {
+    check_decimal("G0 X50000 Z2000\nG1 Z-30000 F.2\nX52000\nZ500\n", Some("X50000"));
+    check_decimal("G20\nG0 X20000 Z1000\nG71 U450 R500\nG71 P1 Q2 U100 W50\n", Some("X20000"));
+    check_decimal("G0 X50 Z2\nG1 Z-30 F.2\nX52\nG0 X1500\n", None);
+    check_decimal("G0 X50000\n", None);
+    check_decimal("G0 X50000 Z2.5\nG1 Z-30000\n", None);
+    // System C: these are cycles, and no inches.
+    check_decimal("G0 X60 Z2\nG20 X50 Z-90 F.2\nX45\n", None);
+    check_decimal("", None);
+}
+
+#[test]
+fn programs_of_the_gallery_count_units() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    for entry in fs::read_dir(folder).expect("programs").flatten() {
+        if let Ok(program) = fs::read_to_string(entry.path().join("program.nc")) {
+            check_decimal(&program, None);
+        }
+    }
+}
+
 #[test]
 fn any_bytes_are_read() {
     let bytes: Vec<u8> = (0..=255u8).cycle().take(70_000).collect();
     for start in 0..256 {
         foreign(&bytes[start..]);
         g_system(&bytes[start..]);
+        numbers(&bytes[start..]);
     }
     for end in
         ["T=", "R1=", "L X", "%", "$", "#<", "(P", "o<", "G", "X-", "CYCLE95", "=\"", "99999999999999999999"]

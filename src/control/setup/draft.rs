@@ -8,6 +8,7 @@ use serde_json::{Map, Value as Json};
 use super::faults::Need;
 use super::fields::{self, Field, Name, Unread, Value};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use crate::control::dialect::DialectChoice;
 
 /// What is written in a field of a form.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +33,7 @@ pub enum Slip {
 /// What a form says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
-    /// Stock, tools, tailstock, machine, start and rules as they would be kept.
+    /// Stock, tools, tailstock, machine, start, rules and decimal rule as they would be kept.
     pub setup: Setup,
     /// What is wrong, by key.
     pub slips: Vec<(String, Slip)>,
@@ -60,6 +61,7 @@ impl Draft {
             machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
             initial: form.group("initial.", fields::START, start_base()),
             rules: form.group("rules.", fields::RULES, rules.clone()).unwrap_or(rules),
+            dialect: form.group("dialect.", fields::DIALECT, DialectChoice::default()).unwrap_or_default(),
             ..Setup::default()
         };
         for name in form.tools() {
@@ -171,12 +173,19 @@ impl Name {
     }
 }
 
-/// The JSON of a setup with stock, tools, tailstock, machine, start and rules of another; what is no object is not kept.
+/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and decimal rule of another; what is no object is not kept.
 pub fn put_into_json(json: &str, setup: &Setup) -> String {
     let mut all = match serde_json::from_str(json) {
         Ok(Json::Object(all)) => all,
         _ => Map::new(),
     };
+    // The other switches are none of the form's.
+    let mut dialect = match all.remove("dialect") {
+        Some(Json::Object(dialect)) => dialect,
+        _ => Map::new(),
+    };
+    dialect.remove("decimal");
+    dialect.extend(object(fields::DIALECT, &setup.dialect));
     let mut put = |key: &str, group: Map<String, Json>| {
         if group.is_empty() {
             all.remove(key);
@@ -184,6 +193,7 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
             all.insert(key.into(), Json::Object(group));
         }
     };
+    put("dialect", dialect);
     put("stock", setup.stock.map_or_else(Map::new, |stock| object(fields::STOCK, &stock)));
     let tools =
         setup.tools.iter().map(|(name, tool)| (name.clone(), Json::Object(object(fields::TOOL, tool))));

@@ -4,6 +4,7 @@
 //! Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
+use crate::control::dialect::{DecimalChoice, DialectChoice};
 use crate::diagnostics::levels::CLASSROOM;
 use crate::diagnostics::{Levels, Severity};
 use Entry::{Choice, Number, Text, Whole};
@@ -80,6 +81,7 @@ pub enum Name {
     GreatestZ,
     Turret,
     Classroom,
+    Decimal,
 }
 
 /// Why an entry cannot be read.
@@ -322,6 +324,15 @@ pub const RULES: &[Field<Levels>] = &[field(
             }
         },
     ),
+)];
+
+/// Switches of the control: `(DIALECT DECIMAL=LEASTINCREMENT)`. The others have no fields.
+pub const DIALECT: &[Field<DialectChoice>] = &[field(
+    Name::Decimal,
+    "decimal",
+    "DECIMAL",
+    Choice(&["auto", "calculator", "leastIncrement"]),
+    named!(decimal among DecimalChoice),
 )];
 
 impl Entry {

@@ -7,6 +7,7 @@
 //! (TAILSTOCK Z=2 D=20)
 //! (MACHINE RAPIDX=8000 RAPIDZ=12000 MAXSPEED=4000 TURRET=FRONT)
 //! (START X=200 Z=200)
+//! (DIALECT DECIMAL=LEASTINCREMENT)
 //! (RULES CLASSROOM=WARNING NO-PROGRAM-END=OFF)
 //! ```
 //!
@@ -20,6 +21,7 @@ use std::borrow::Cow;
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use crate::control::dialect::{DecimalChoice, DialectChoice};
 use crate::diagnostics::levels::{self, known};
 use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
 use crate::text::source::Span;
@@ -40,6 +42,8 @@ pub struct Notes {
     pub machine: Option<Machine>,
     /// Where the tip stands before the first block.
     pub start: Option<Position>,
+    /// What numbers without a point count.
+    pub decimal: Option<DecimalChoice>,
     /// How grave rules are told.
     pub rules: Levels,
     /// What cannot be read.
@@ -71,6 +75,9 @@ pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, 
 
 /// What can stand in a note of rules.
 pub const RULE_WORDS: &str = "CLASSROOM=OFF (INFO, WARNING, ERROR)";
+
+/// What can stand in a note of the control's switches.
+pub const DIALECT_WORDS: &str = "DECIMAL=AUTO (CALCULATOR, LEASTINCREMENT)";
 
 /// For so many words that are no rule the nearest one is looked for.
 const NEAREST: usize = 20;
@@ -105,6 +112,7 @@ impl Notes {
         setup.tailstock = self.tailstock.or(setup.tailstock);
         setup.machine = self.machine.unwrap_or(setup.machine);
         setup.initial = self.start.or(setup.initial);
+        setup.dialect.decimal = self.decimal.or(setup.dialect.decimal);
         setup.rules = setup.rules.with(&self.rules);
         setup.tools.extend(self.tools.iter().cloned());
         setup
@@ -163,6 +171,12 @@ impl Notes {
                 self.fill(rest, fields::START, &mut position, "X=, Z=");
                 self.start = Some(position);
                 self.stands("initial.", whole);
+            }
+            "DIALECT" => {
+                let mut dialect = DialectChoice::default();
+                self.fill(rest, fields::DIALECT, &mut dialect, DIALECT_WORDS);
+                self.decimal = dialect.decimal;
+                self.stands("dialect.", whole);
             }
             "RULES" => {
                 rest.iter().for_each(|word| self.rule(word));

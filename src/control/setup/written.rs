@@ -1,7 +1,7 @@
 //! A setup as comments at the head of a program: what `notes` reads, written.
 //!
 //! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in place of those that
-//! are there. Ways to write what is no note (dialect, limits) there are none.
+//! are there. Ways to write what is no note (other switches, limits) there are none.
 
 use super::fields::{self, Field};
 use super::notes::Notes;
@@ -17,7 +17,7 @@ pub struct Change {
     pub insert: String,
 }
 
-/// The notes that say what a setup says of stock, tools, tailstock, machine, start and rules, a line each.
+/// The notes that say what a setup says of stock, tools, tailstock, machine, start, rules and decimal rule, a line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(setup.stock.map(|own| stock(&own)));
@@ -27,6 +27,7 @@ pub fn lines(setup: &Setup) -> Vec<String> {
     lines.extend(setup.tailstock.and_then(|tailstock| line("TAILSTOCK", fields::TAILSTOCK, &tailstock)));
     lines.extend(line("MACHINE", fields::MACHINE, &setup.machine));
     lines.extend(setup.initial.and_then(|start| line("START", fields::START, &start)));
+    lines.extend(line("DIALECT", fields::DIALECT, &setup.dialect));
     let rules: String = setup.rules.iter().map(|(name, level)| format!(" {name}={}", level.name())).collect();
     lines.extend((!rules.is_empty()).then(|| format!("(RULES{})", rules.to_ascii_uppercase())));
     lines

@@ -3,8 +3,9 @@
 //! In: a message; a template such as `{word} has no number.`. Out: the message's arguments by name; the sentence.
 //! The sentences are data: nothing here knows a language.
 
-use super::number;
+use super::{Language, labels, number};
 use crate::control::setup::faults::Need;
+use crate::control::words::Unit;
 use crate::diagnostics::message::Message;
 
 /// A word or number that a sentence quotes.
@@ -18,6 +19,8 @@ pub(super) enum Value<'a> {
     Count(i64),
     /// A measure, as people write it.
     Number(f64),
+    /// A length, mm; or a feed, mm a minute or a turn. It is shown in the unit of the program.
+    Length(f64),
     /// The number of a program, in four digits at least.
     Program(u32),
 }
@@ -28,7 +31,8 @@ impl Value<'_> {
             Self::Text(text) => out.push_str(text),
             Self::Letter(letter) => out.push(letter),
             Self::Count(count) => out.push_str(&count.to_string()),
-            Self::Number(value) => out.push_str(&number(value)),
+            // Whoever shows a length has made it a number of the program's unit.
+            Self::Number(value) | Self::Length(value) => out.push_str(&number(value)),
             Self::Program(program) => {
                 let digits = program.to_string();
                 out.extend(std::iter::repeat_n('0', 4usize.saturating_sub(digits.len())));
@@ -64,9 +68,21 @@ pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
 }
 
 impl Message {
+    /// What its sentences quote in a language, lengths in a unit, whose name is `mm`.
+    pub(super) fn arguments_in(&self, language: Language, unit: Unit) -> Arguments<'_> {
+        let mut arguments = self.arguments();
+        for (_, value) in &mut arguments {
+            if let Value::Length(length) = value {
+                *value = Value::Number(*length / unit.millimetres());
+            }
+        }
+        arguments.push(("mm", Value::Text(labels::length(unit, language))));
+        arguments
+    }
+
     /// What its sentences quote.
     pub(super) fn arguments(&self) -> Arguments<'_> {
-        use Value::{Count, Letter, Number, Program, Text};
+        use Value::{Count, Length, Letter, Number, Program, Text};
         match self {
             Self::NumberMissing { address } => vec![("address", Letter(*address))],
             Self::AddressMissing { number } | Self::ZeroForO { number } => vec![("number", Text(number))],
@@ -177,9 +193,10 @@ impl Message {
             Self::MacroAlarm { number, words } => vec![("number", Count(*number)), ("words", Text(words))],
             Self::SystemVariable { variable } => vec![("variable", Count(i64::from(*variable)))],
             Self::Foreign { origin } => vec![("origin", Text(origin.name()))],
+            Self::DecimalRule { word, value, .. } => vec![("word", Text(word)), ("value", Number(*value))],
             Self::SystemGuessed { system } => vec![("system", Text(system.name()))],
             Self::NotAtReference { x, z } | Self::MachineZero { x, z } => {
-                vec![("x", Number(*x)), ("z", Number(*z))]
+                vec![("x", Length(*x)), ("z", Length(*z))]
             }
             Self::HoleInForce { word, hole, .. } => vec![("word", Text(word)), ("hole", Text(hole))],
             Self::NotSupported { what } => vec![("what", Text(what))],
@@ -195,31 +212,31 @@ impl Message {
             }
             Self::PlaneNotHere { word } => vec![("word", Text(word))],
             Self::PolarNotAlone { code, other } => vec![("code", Text(code)), ("other", Text(other))],
-            Self::PolarCenter { distance } => vec![("distance", Number(*distance))],
+            Self::PolarCenter { distance } => vec![("distance", Length(*distance))],
             Self::PlaneLeftOn { code, off } => vec![("code", Text(code)), ("off", Text(off))],
-            Self::FeedUnit { feed, .. } | Self::FeedNotRepeated { feed, .. } => vec![("feed", Number(*feed))],
+            Self::FeedUnit { word, feed, .. } => vec![("word", Text(word)), ("feed", Length(*feed))],
+            Self::FeedNotRepeated { feed, .. } => vec![("feed", Length(*feed))],
             Self::ClampReversed { lowest, highest } => {
                 vec![("lowest", Number(*lowest)), ("highest", Number(*highest))]
             }
-            Self::ArcRadiusTooSmall { radius, distance } => vec![
-                ("radius", Number(*radius)),
-                ("distance", Number(*distance)),
-                ("least", Number(distance / 2.0)),
-            ],
-            Self::ArcEndOffCircle { start_radius, end_radius } => {
-                vec![("start_radius", Number(*start_radius)), ("end_radius", Number(*end_radius))]
+            Self::ArcRadiusTooSmall { word, distance } => {
+                vec![("word", Text(word)), ("distance", Length(*distance)), ("least", Length(distance / 2.0))]
             }
-            Self::ArcRadiusNegative { radius }
-            | Self::CompensationOvercut { radius, .. }
-            | Self::CompensationNoIntersection { radius } => vec![("radius", Number(*radius))],
-            Self::TaperBeyondStart { taper, limit, axis } => {
-                vec![("taper", Number(*taper)), ("limit", Number(*limit)), ("axis", Letter(*axis))]
+            Self::ArcEndOffCircle { start_radius, end_radius } => {
+                vec![("start_radius", Length(*start_radius)), ("end_radius", Length(*end_radius))]
+            }
+            Self::ArcRadiusNegative { word } => vec![("word", Text(word))],
+            Self::CompensationOvercut { radius, .. } | Self::CompensationNoIntersection { radius } => {
+                vec![("radius", Length(*radius))]
+            }
+            Self::TaperBeyondStart { word, limit, axis } => {
+                vec![("word", Text(word)), ("limit", Length(*limit)), ("axis", Letter(*axis))]
             }
             Self::TaperNotExtended { taper, needed, crossing, wanted, axis } => vec![
-                ("taper", Number(*taper)),
-                ("needed", Number(*needed)),
-                ("crossing", Number(*crossing)),
-                ("wanted", Number(*wanted)),
+                ("taper", Length(*taper)),
+                ("needed", Length(*needed)),
+                ("crossing", Length(*crossing)),
+                ("wanted", Length(*wanted)),
                 ("axis", Letter(*axis)),
             ],
             Self::ContourReversed { first, word } => {
@@ -234,104 +251,104 @@ impl Message {
             }
             Self::ContourBeyondStart { code, axis } => vec![("code", Text(code)), ("axis", Letter(*axis))],
             Self::DepthNotPositive { code, depth } => {
-                vec![("code", Text(code)), ("depth", Number(depth.unwrap_or_default()))]
+                vec![("code", Text(code)), ("depth", Length(depth.unwrap_or_default()))]
             }
             Self::PatternPasses { passes } => vec![("passes", Number(passes.unwrap_or_default()))],
             Self::TooManyPasses { code, most } => vec![("code", Text(code)), ("most", Count(*most as i64))],
             Self::PeckMissing { code, address } => vec![("code", Text(code)), ("address", Letter(*address))],
             Self::ThreadAngle { angle } => vec![("angle", Number(*angle))],
             Self::ThreadLeastDepth { least, height } => {
-                vec![("least", Number(*least)), ("height", Number(*height))]
+                vec![("least", Length(*least)), ("height", Length(*height))]
             }
             Self::ThreadStartInside { start, crest } => {
-                vec![("start", Number(*start)), ("crest", Number(*crest))]
+                vec![("start", Length(*start)), ("crest", Length(*crest))]
             }
             Self::CornerTwice { word, other } => vec![("word", Text(word)), ("other", Text(other))],
             Self::CycleWord { code, word } | Self::CycleAxis { code, word } => {
                 vec![("code", Text(code)), ("word", Text(word))]
             }
             Self::FinishStart { roughed_x, roughed_z } => {
-                vec![("roughed_x", Number(*roughed_x)), ("roughed_z", Number(*roughed_z))]
+                vec![("roughed_x", Length(*roughed_x)), ("roughed_z", Length(*roughed_z))]
             }
             Self::FinishWithoutRoughing { first, last } => {
                 vec![("first", Count(i64::from(*first))), ("last", Count(i64::from(*last)))]
             }
             Self::LeadRunsOut { word, reached, length } => {
-                vec![("word", Text(word)), ("reached", Number(*reached)), ("length", Number(*length))]
+                vec![("word", Text(word)), ("reached", Length(*reached)), ("length", Length(*length))]
             }
             Self::LeadingZero { word, value, meant } => {
                 vec![("word", Text(word)), ("value", Number(*value)), ("meant", Text(meant))]
             }
             Self::PointMissing { word, thousandths } => {
-                vec![("word", Text(word)), ("thousandths", Number(*thousandths))]
+                vec![("word", Text(word)), ("thousandths", Length(*thousandths))]
             }
             Self::FarOff { word, axis, to, farthest } => vec![
                 ("word", Text(word)),
                 ("axis", Letter(*axis)),
-                ("to", Number(*to)),
-                ("farthest", Number(*farthest)),
+                ("to", Length(*to)),
+                ("farthest", Length(*farthest)),
             ],
             Self::MinusMissing { word, meant } => vec![("word", Text(word)), ("meant", Text(meant))],
             Self::IncrementalForAbsolute { word, axis, to, meant } => vec![
                 ("word", Text(word)),
                 ("axis", Letter(*axis)),
-                ("to", Number(*to)),
+                ("to", Length(*to)),
                 ("meant", Text(meant)),
             ],
             Self::SpeedMissing => vec![],
             Self::SpeedNotRepeated { code, speed } => vec![("code", Text(code)), ("speed", Number(*speed))],
             Self::ThreadTooFast { speed, pitch, limit, .. } => {
-                vec![("speed", Number(*speed)), ("pitch", Number(*pitch)), ("limit", Number(*limit))]
+                vec![("speed", Number(*speed)), ("pitch", Length(*pitch)), ("limit", Number(*limit))]
             }
             Self::ThreadSpeedChanged { before, now } => {
                 vec![("before", Number(*before)), ("now", Number(*now))]
             }
             Self::ThreadStartMoved { before, now, lead } => {
-                vec![("before", Number(*before)), ("now", Number(*now)), ("lead", Number(*lead))]
+                vec![("before", Length(*before)), ("now", Length(*now)), ("lead", Length(*lead))]
             }
-            Self::ThreadRunIn { have, need } => vec![("have", Number(*have)), ("need", Number(*need))],
+            Self::ThreadRunIn { have, need } => vec![("have", Length(*have)), ("need", Length(*need))],
             Self::ThreadHeight { height, pitch, usual } => {
-                vec![("height", Number(*height)), ("pitch", Number(*pitch)), ("usual", Number(*usual))]
+                vec![("height", Length(*height)), ("pitch", Length(*pitch)), ("usual", Length(*usual))]
             }
             Self::ThreadFirstDepth { first, height } => {
-                vec![("first", Number(*first)), ("height", Number(*height))]
+                vec![("first", Length(*first)), ("height", Length(*height))]
             }
-            Self::ThreadLeastLarge { word, least } => vec![("word", Text(word)), ("least", Number(*least))],
+            Self::ThreadLeastLarge { word, least } => vec![("word", Text(word)), ("least", Length(*least))],
             Self::ThreadPullOut { pull_out, way } => {
-                vec![("pull_out", Number(*pull_out)), ("way", Number(*way))]
+                vec![("pull_out", Length(*pull_out)), ("way", Length(*way))]
             }
-            Self::FeedOfThread { feed } => vec![("feed", Number(*feed))],
-            Self::LeadOfFeed { code, feed } => vec![("code", Text(code)), ("feed", Number(*feed))],
+            Self::FeedOfThread { feed } => vec![("feed", Length(*feed))],
+            Self::LeadOfFeed { code, feed } => vec![("code", Text(code)), ("feed", Length(*feed))],
             Self::TaperNarrows { word } => vec![("word", Text(word))],
-            Self::TaperCrossesAxis { word, x } => vec![("word", Text(word)), ("x", Number(*x))],
-            Self::TaperEdge { depth } => vec![("depth", Number(*depth))],
+            Self::TaperCrossesAxis { word, x } => vec![("word", Text(word)), ("x", Length(*x))],
+            Self::TaperEdge { depth } => vec![("depth", Length(*depth))],
             Self::PassNotDeeper { word, axis, deepest } => {
-                vec![("axis", Letter(*axis)), ("word", Text(word)), ("deepest", Number(*deepest))]
+                vec![("axis", Letter(*axis)), ("word", Text(word)), ("deepest", Length(*deepest))]
             }
-            Self::AirCut { axis, distance } => vec![("axis", Letter(*axis)), ("distance", Number(*distance))],
-            Self::StartBehindFace { z, face } => vec![("z", Number(*z)), ("face", Number(*face))],
-            Self::StartInStock { code, x } => vec![("code", Text(code)), ("x", Number(*x))],
+            Self::AirCut { axis, distance } => vec![("axis", Letter(*axis)), ("distance", Length(*distance))],
+            Self::StartBehindFace { z, face } => vec![("z", Length(*z)), ("face", Length(*face))],
+            Self::StartInStock { code, x } => vec![("code", Text(code)), ("x", Length(*x))],
             Self::ToolChangeNear { tool, x, z } => {
-                vec![("tool", Text(tool)), ("x", Number(*x)), ("z", Number(*z))]
+                vec![("tool", Text(tool)), ("x", Length(*x)), ("z", Length(*z))]
             }
-            Self::BoreRetract { x, z } => vec![("x", Number(*x)), ("z", Number(*z))],
+            Self::BoreRetract { x, z } => vec![("x", Length(*x)), ("z", Length(*z))],
             Self::GrooveStep { word, step, width } => {
-                vec![("word", Text(word)), ("step", Number(*step)), ("width", Number(*width))]
+                vec![("word", Text(word)), ("step", Length(*step)), ("width", Length(*width))]
             }
-            Self::EscapeTooLarge { escape, depth } => {
-                vec![("escape", Number(*escape)), ("depth", Number(*depth))]
+            Self::EscapeTooLarge { word, depth } => {
+                vec![("word", Text(word)), ("depth", Length(*depth))]
             }
             Self::ContourStartMoved { code, axis, start, first } => vec![
                 ("code", Text(code)),
                 ("axis", Letter(*axis)),
-                ("start", Number(*start)),
-                ("first", Number(*first)),
+                ("start", Length(*start)),
+                ("first", Length(*first)),
             ],
             Self::ContourNotClosed { x, diameter } => {
-                vec![("x", Number(*x)), ("diameter", Number(*diameter))]
+                vec![("x", Length(*x)), ("diameter", Length(*diameter))]
             }
             Self::PatternShallow { depth, relief } => {
-                vec![("depth", Number(*depth)), ("relief", Number(*relief))]
+                vec![("depth", Length(*depth)), ("relief", Length(*relief))]
             }
             Self::PatternAir { share } => vec![("share", Number(*share))],
             Self::CompensationInCycle { word, code } => vec![("word", Text(word)), ("code", Text(code))],
@@ -339,7 +356,7 @@ impl Message {
             Self::CompensationSide { code, right } => vec![("code", Text(code)), ("right", Text(right))],
             Self::CompensationIdleBlocks => vec![],
             Self::CompensationShort { length, radius } => {
-                vec![("length", Number(*length)), ("radius", Number(*radius))]
+                vec![("length", Length(*length)), ("radius", Length(*radius))]
             }
             Self::CompensationTip { tip } => vec![("tip", Number(*tip))],
             Self::ChuckOpen { word } => vec![("word", Text(word))],
@@ -371,13 +388,13 @@ impl Message {
             | Self::DoglegThroughStock { x, z }
             | Self::IntoJaws { x, z }
             | Self::IntoTailstock { x, z }
-            | Self::HolderInStock { x, z } => vec![("x", Number(*x)), ("z", Number(*z))],
-            Self::RapidAlongStock { x } | Self::BelowCenter { x } => vec![("x", Number(*x))],
+            | Self::HolderInStock { x, z } => vec![("x", Length(*x)), ("z", Length(*z))],
+            Self::RapidAlongStock { x } | Self::BelowCenter { x } => vec![("x", Length(*x))],
             Self::SlopeTooSteep { slope, follows } => {
                 vec![("slope", Number(*slope)), ("follows", Number(*follows))]
             }
             Self::OverTravel { axis, to, limit } => {
-                vec![("axis", Letter(*axis)), ("to", Number(*to)), ("limit", Number(*limit))]
+                vec![("axis", Letter(*axis)), ("to", Length(*to)), ("limit", Length(*limit))]
             }
         }
     }

@@ -122,6 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The same codes mean other things there, so nothing was run. The playground reads turning programs for FANUC and GSK. Set `recognise` to false in the setup to run it all the same.",
         SystemGuessed => "Read as G-code system {system}: this word does not belong to system A.\n\
             In systems B and C, G90 and G91 are absolute and incremental, G92 sets coordinates or the speed limit, and G77 G78 G79 (B) are the cycles. Choose the system in the setup to be sure.",
+        LeastMillimetres => "No point = 0.001 mm: `{word}` is {value} mm.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        LeastInches => "No point = 0.0001 in: `{word}` is {value} in.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        LeastSeconds => "No point = 0.001 s: `{word}` is {value} s.\n\
+            The program looks as if it was written for a control on which numbers without a point count least input increments (FANUC parameter 3401#0 is 0). Set `decimal` in the setup to be sure.",
+        TooLargeMillimetres => "`{word}` counts as {value} mm here, too large to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
+        TooLargeInches => "`{word}` counts as {value} in here, too large to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
+        TooLargeSeconds => "`{word}` counts as {value} s here, too long to be meant.\n\
+            Numbers without a point count whole units in this run; this program seems to mean least input increments by them (0.001 mm, 0.0001 in, 0.001 s). Set `decimal` in the setup, or write the point.",
         ReferenceNumber => "`{word}` names no reference point of G30.\n\
             P2, P3 and P4 are the second to fourth point; the first is reached by G28, without P.",
         NotAtReference => "G27 does not end at the reference point, X{x} Z{z} here.\n\
@@ -198,7 +210,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Give the offset of the tool a radius; then the cutter's centre keeps that distance from the path.",
         PolarAngle => "`{word}` looks like degrees; between G12.1 and G13.1 C is a length in mm.\n\
             The path is written in a plane: X as a diameter to the right, C in mm upwards.",
-        PolarCenter => "The path comes within {distance} mm of the spindle axis, where C would have to turn without bound.\n\
+        PolarCenter => "The path comes within {distance} {mm} of the spindle axis, where C would have to turn without bound.\n\
             A control slows down there or stops with an alarm. Keep away from the centre.",
         PlaneLeftOn => "Interpolation with C is still on at `{code}`.\n\
             Write {off} in a block of its own before.",
@@ -210,13 +222,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Fresh from power-on a control stops here; otherwise it cuts with the F of the program before. Add an F word, such as F0.2 under G99 (mm per turn) or F200 under G98 (mm per minute).",
         LeadMissing => "{code} has no lead.\n\
             F gives the lead of the thread in mm.",
-        FeedPerTurnTooLarge => "F{feed} under G99 is {feed} mm per turn of the spindle.\n\
+        FeedPerTurnTooLarge => "`{word}` under G99 is {feed} {mm} per turn of the spindle.\n\
             That is far too much for a cut. Was G98 (mm per minute) meant? Set the control's feed mode, or write G98.",
-        FeedPerMinuteTooSmall => "F{feed} under G98 is only {feed} mm per minute.\n\
+        FeedPerMinuteTooSmall => "`{word}` under G98 is only {feed} {mm} per minute.\n\
             Was G99 (mm per turn) meant? Set the control's feed mode, or write G99.",
-        FeedNotRepeatedPerTurn => "After G99 the old F{feed} now counts as mm per turn.\n\
+        FeedNotRepeatedPerTurn => "After G99 the old feed of {feed} now counts as {mm} per turn.\n\
             Write F anew whenever the feed mode changes.",
-        FeedNotRepeatedPerMinute => "After G98 the old F{feed} now counts as mm per minute.\n\
+        FeedNotRepeatedPerMinute => "After G98 the old feed of {feed} now counts as {mm} per minute.\n\
             Write F anew whenever the feed mode changes.",
         SpindleStopped => "The tool cuts while the spindle stands still.\n\
             Start the spindle with M03 or M04 and a speed S greater than zero before the first cut.",
@@ -227,19 +239,19 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Every pass must meet the same groove: give a constant speed with G97 S….",
         ArcNoCenter => "{code} has neither R nor I, K.\n\
             Give the radius with R, or the centre from the start point with I and K; or was G01 meant? FANUC goes straight there unless a parameter asks for the alarm.",
-        ArcRadiusTooSmall => "R{radius} is too small: start and end of the arc are {distance} mm apart.\n\
-            The radius must be at least {least} mm, half the distance. X counts as a diameter.",
-        ArcEndOffCircle => "The end point is not on the circle: the centre is {start_radius} mm from the start but {end_radius} mm from the end.\n\
+        ArcRadiusTooSmall => "`{word}` is too small: start and end of the arc are {distance} {mm} apart.\n\
+            The radius must be at least {least} {mm}, half the distance. X counts as a diameter.",
+        ArcEndOffCircle => "The end point is not on the circle: the centre is {start_radius} {mm} from the start but {end_radius} {mm} from the end.\n\
             I is a radius value from the start point to the centre, K the same along Z; both have a sign.",
         ArcNoRadius => "I and K are zero: the centre is the start point, so the arc has no radius.\n\
             I is a radius value from the start point to the centre, K the same along Z; or give the radius with R.",
-        ArcRadiusNegative => "This control does not take R{radius}.\n\
+        ArcRadiusNegative => "This control does not take `{word}`.\n\
             Write R without the minus for the short arc; give arcs of more than 180° with I and K.",
         ArcNowhere => "The arc ends where it begins, so with R nothing moves.\n\
             A full circle is written with I and K.",
-        TaperBeyondHalf => "`R{taper}` is larger than half of `{axis}{limit}`: the cut would begin outside the start point.\n\
+        TaperBeyondHalf => "`{word}` is larger than half of `{axis}{limit}`: the cut would begin outside the start point.\n\
             When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
-        TaperBeyondLength => "`R{taper}` is larger than the length of `{axis}{limit}`: the cut would begin outside the start point.\n\
+        TaperBeyondLength => "`{word}` is larger than the length of `{axis}{limit}`: the cut would begin outside the start point.\n\
             When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
         TaperNotExtended => "R{taper} is the taper of the drawing, not of the real start point: the cut leaves the stock at {axis}{crossing}, not {axis}{wanted}.\n\
             The cut begins outside the stock, so R must be longer in proportion: R{needed}.",
@@ -290,7 +302,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             FANUC and GSK controls count P and Q in micrometres, without a point: 5 mm is 5000. Set pqUnit to decide.",
         ThreadAngle => "{angle}° is no tool angle of G76.\n\
             FANUC takes 80, 60, 55, 30, 29 and 0 degrees: the last two digits of P.",
-        ThreadLeastDepth => "The least depth {least} mm is larger than the thread height {height} mm.\n\
+        ThreadLeastDepth => "The least depth {least} {mm} is larger than the thread height {height} {mm}.\n\
             Q of the first block is the least depth of a pass in micrometres, usually 20 to 100; P of the second is the height.",
         ThreadNoHeight => "G76 needs a thread height P larger than zero.\n\
             P is the height of the thread, about 0.65 of the pitch (P1300 for 2 mm), Q the depth of the first cut, both as radius values in micrometres.",
@@ -333,15 +345,15 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Check the end point and the radius of both: shifted by the nose radius they must still cross.",
         CompensationPlane => "The plane may not change while G41 or G42 is on.\n\
             Write G40 first, on a move before the plane changes.",
-        LeadRunsOut => "With `{word}` the lead of G34 is zero after {reached} mm, and the thread is {length} mm long.\n\
+        LeadRunsOut => "With `{word}` the lead of G34 is zero after {reached} {mm}, and the thread is {length} {mm} long.\n\
             K is the change of lead for each turn; it must leave the lead positive to the end.",
         CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
             Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",
         LeadingZero => "`{word}` counts as {value}: a zero in front changes nothing.\n\
             A decimal point was probably lost: `{meant}`. Without it the number is ten times or more too large.",
         PointMissing => "`{word}` has no decimal point, though the program writes all others with one.\n\
-            Was a point lost? A control that counts thousandths reads it as {thousandths} mm.",
-        FarOff => "`{word}` leads to {axis}{to}, far beyond the rest of the program, which stays within {farthest} mm of {axis}0.\n\
+            Was a point lost? A control that counts least increments reads it as {thousandths} {mm}.",
+        FarOff => "`{word}` leads to {axis}{to}, far beyond the rest of the program, which stays within {farthest} {mm} of {axis}0.\n\
             Was a decimal point lost, or a digit typed twice?",
         MinusMissing => "`{word}` cuts away from the chuck, in front of the work.\n\
             Was the minus lost? `{meant}` would cut into the work. In front of the face there is only air.",
@@ -351,35 +363,35 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Write S with G97 (turns a minute) or G96 (metres a minute) before the first cut, such as G97 S800 M03.",
         SpeedNotRepeated => "{code} without S: the spindle keeps the {speed} turns a minute that it reached last.\n\
             S counts metres a minute under G96, turns a minute under G97. Write S anew with {code}.",
-        ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} mm: the slides follow up to about {limit} turns a minute.\n\
+        ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} {mm}: the slides follow up to about {limit} turns a minute.\n\
             The rule is n ≤ 1200/P − 80. Above it the thread loses its pitch at both ends.",
         ThreadSpeedChanged => "The spindle speed changes from {before} to {now} between two passes of one thread.\n\
             The passes then do not meet in the same groove. Keep one speed from the first to the last pass.",
         ThreadStartMoved => "This pass starts at Z{now}, the one before at Z{before}: the threads do not meet.\n\
-            The difference must be a multiple of the lead {lead} mm, or Q must give the angle of another start.",
-        ThreadRunIn => "The run-in of {have} mm is short for this speed and lead: about {need} mm are needed.\n\
+            The difference must be a multiple of the lead {lead} {mm}, or Q must give the angle of another start.",
+        ThreadRunIn => "The run-in of {have} {mm} is short for this speed and lead: about {need} {mm} are needed.\n\
             While the slide speeds up the pitch is wrong. Start farther in front, or turn slower.",
-        ThreadHeight => "A thread height of {height} mm does not fit a pitch of {pitch} mm; about {usual} mm are usual at 60°.\n\
+        ThreadHeight => "A thread height of {height} {mm} does not fit a pitch of {pitch} {mm}; about {usual} {mm} are usual at 60°.\n\
             P is the height on one side (radius), in micrometres: 0.65 of the pitch or so. Was the diameter given, or a digit lost?",
-        ThreadFirstDepth => "The first cut of {first} mm is deeper than the whole thread of {height} mm.\n\
+        ThreadFirstDepth => "The first cut of {first} {mm} is deeper than the whole thread of {height} {mm}.\n\
             P is the height, Q the first depth, both as radius values in micrometres. Did they change places?",
-        ThreadLeastLarge => "`{word}` makes the least depth of a pass {least} mm.\n\
+        ThreadLeastLarge => "`{word}` makes the least depth of a pass {least} {mm}.\n\
             Q of the first block is in micrometres, usually 20 to 100. The digits for finishing, pull-out and angle belong to P.",
-        ThreadPullOut => "The pull-out of {pull_out} mm is longer than the way of {way} mm back to the start diameter.\n\
+        ThreadPullOut => "The pull-out of {pull_out} {mm} is longer than the way of {way} {mm} back to the start diameter.\n\
             At 45° the tool would leave the start point behind. Start farther outside, or make r in the first P smaller.",
-        FeedOfThread => "F{feed} is still the lead of the thread before; now it is the feed of this cut.\n\
-            Write F anew for turning after a thread: {feed} mm a turn would break the tool.",
-        LeadOfFeed => "{code} has no F of its own: the feed F{feed} of the cut before becomes the lead of the thread.\n\
+        FeedOfThread => "{feed} {mm} is still the lead of the thread before; now it is the feed of this cut.\n\
+            Write F anew for turning after a thread: {feed} {mm} a turn would break the tool.",
+        LeadOfFeed => "{code} has no F of its own: the feed of {feed} {mm} of the cut before becomes the lead of the thread.\n\
             Write the lead with {code}, such as F1.5.",
         TaperNarrows => "With `{word}` the cone becomes narrower toward the chuck.\n\
             Outside cones that grow toward the chuck have a negative R, bores that narrow toward it a positive one: R is the start of the cut minus its end, in radius. Was the sign meant?",
         TaperCrossesAxis => "With `{word}` the cut begins at X{x}, beyond the spindle axis.\n\
             R is a radius difference: X of the end plus twice R is the start of the cut. Check sign and point of R.",
-        TaperEdge => "This pass of the taper is {depth} mm deep at its thin end.\n\
+        TaperEdge => "This pass of the taper is {depth} {mm} deep at its thin end.\n\
             With a taper the depth differs along the cut. Begin farther outside and come nearer pass by pass.",
         PassNotDeeper => "`{word}` is less deep than an earlier pass at {axis}{deepest}: it cuts air.\n\
             Each pass of the cycle should go deeper. Was a digit misread, or the order of the lines changed?",
-        AirCut => "The cycle starts {distance} mm away from the work in {axis}; each pass repeats this way at feed.\n\
+        AirCut => "The cycle starts {distance} {mm} away from the work in {axis}; each pass repeats this way at feed.\n\
             Start 1 to 3 mm outside the blank.",
         StartBehindFace => "The cycle starts at Z{z}, behind the face of the blank at Z{face}.\n\
             The material in front of it stays and is cut in one go at full depth. Start in front of the face.",
@@ -389,15 +401,15 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The other tools of the turret swing around there. Go to the change point first, such as X200 Z200; boring bars need more room.",
         BoreRetract => "The rapid out of the bore runs into its wall at X{x} Z{z}.\n\
             Leave the wall towards smaller X first, then go out along Z alone, and only then to the change point.",
-        GrooveStep => "`{word}` is a step of {step} mm, not smaller than the blade of {width} mm: ridges stay between the cuts.\n\
+        GrooveStep => "`{word}` is a step of {step} {mm}, not smaller than the blade of {width} {mm}: ridges stay between the cuts.\n\
             The cuts must overlap: make Q smaller than the width of the blade.",
-        EscapeTooLarge => "The retract R{escape} is larger than the depth of cut {depth}.\n\
+        EscapeTooLarge => "The retract `{word}` is larger than the depth of cut, {depth} {mm}.\n\
             After each pass the tool lifts by R at 45°; half a millimetre is usual.",
         ContourStartMoved => "The contour begins at {axis}{first}, but {code} starts at {axis}{start}.\n\
             The first block should move the other axis only: both points share {axis}.",
         ContourNotClosed => "The contour ends at X{x}, within the blank of Ø{diameter}: a step of material stays there.\n\
             Let the last block go out to the start diameter, so that the tool leaves the work.",
-        PatternShallow => "The first pass of G73 is {depth} mm deep: the relief of {relief} mm is less than the material to take off.\n\
+        PatternShallow => "The first pass of G73 is {depth} {mm} deep: the relief of {relief} {mm} is less than the material to take off.\n\
             U of the first block is the whole depth to remove, as a radius: stock minus thinnest diameter, halved.",
         PatternAir => "{share} % of the first pass of G73 run outside the blank.\n\
             G73 repeats a shape, for castings and forgings. From a bar G71 is quicker.",
@@ -409,7 +421,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Toward the chuck, outside work needs G42 and bores G41; the other way round they change.",
         CompensationIdleBlocks => "Two blocks without a move stand one behind the other while compensation is on.\n\
             The control looks only a few blocks ahead; without a next move it cuts too much or too little at the corner. Put such blocks elsewhere.",
-        CompensationShort => "The move of {length} mm that begins or ends compensation is shorter than the nose radius {radius} mm.\n\
+        CompensationShort => "The move of {length} {mm} that begins or ends compensation is shorter than the nose radius {radius} {mm}.\n\
             Give it at least the radius, better twice, outside the material.",
         CompensationTip => "The tool's tip number is {tip}, so the control takes the centre of the nose for its tip.\n\
             Turning tools have 3, boring bars 2: `tip` of the setup, or TIP= in a TOOL comment, says where the imaginary tip lies.",

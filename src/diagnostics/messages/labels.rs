@@ -8,6 +8,7 @@ use crate::control::setup::ToolKind;
 use crate::control::setup::draft::Slip;
 use crate::control::setup::faults::Need;
 use crate::control::setup::fields::{Name, Unit, Unread};
+use crate::control::words;
 use crate::diagnostics::{Kind, Severity};
 
 impl Language {
@@ -85,6 +86,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::LeastZ => ["Least Z", "Z 最小", "Наименьший Z"],
         Name::GreatestZ => ["Greatest Z", "Z 最大", "Наибольший Z"],
         Name::Turret => ["Turret", "刀架", "Револьверная головка"],
+        Name::Decimal => ["Number without a point", "无小数点的数", "Число без точки"],
         Name::Classroom => ["Classroom checklist", "课堂检查清单", "Учебный контрольный список"],
     })
 }
@@ -95,6 +97,7 @@ pub fn group(group: &str, language: Language) -> &'static str {
         "stock" => ["Stock", "毛坯", "Заготовка"],
         "start" => ["Start of the tool tip", "刀尖起点", "Начальная точка вершины"],
         "machine" => ["Machine", "机床", "Станок"],
+        "control" => ["Control", "数控系统", "Стойка"],
         "rules" => ["Rules", "规则", "Правила"],
         "tailstock" => ["Tailstock", "尾座", "Задняя бабка"],
         _ => ["Tool", "刀具", "Инструмент"],
@@ -121,6 +124,14 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
+/// What a unit of length is written as behind a number.
+pub fn length(unit: words::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        words::Unit::Millimetre => ["mm", "mm", "мм"],
+        words::Unit::Inch => ["in", "in", "дюйма"],
+    })
+}
+
 /// What a kind of tool is called.
 pub fn kind(kind: ToolKind, language: Language) -> &'static str {
     language.among(match kind {
@@ -142,6 +153,15 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
         (Name::Turret, "rear") => language.among(["behind the spindle", "后置", "за шпинделем"]),
         (Name::Turret, "front") => language.among(["in front of it", "前置", "перед шпинделем"]),
+        (Name::Decimal, "auto") => language.among(["as the program shows", "按程序判断", "по программе"]),
+        (Name::Decimal, "calculator") => {
+            language.among(["counts mm or inches", "按 mm 或英寸计", "в мм или дюймах"])
+        }
+        (Name::Decimal, "leastIncrement") => language.among([
+            "counts 0.001 mm or 0.0001 in",
+            "按 0.001 mm 或 0.0001 in 计",
+            "в 0,001 мм или 0,0001 дюйма",
+        ]),
         (Name::Classroom, level) => Severity::named(level).map_or(choice, |level| severity(level, language)),
         _ => ToolKind::ALL
             .into_iter()

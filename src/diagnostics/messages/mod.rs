@@ -12,6 +12,7 @@ mod wording;
 mod zh;
 
 use super::message::Message;
+use crate::control::words::Unit;
 use arguments::fill;
 use phrases::Phrase;
 pub use phrases::{describe_motion, describe_rewrite};
@@ -76,10 +77,15 @@ pub struct Sentence {
 }
 
 impl Message {
-    /// The message in a language.
+    /// The message in a language, lengths in millimetres.
     pub fn sentence(&self, language: Language) -> Sentence {
+        self.sentence_in(language, Unit::Millimetre)
+    }
+
+    /// The message in a language, lengths in a unit.
+    pub fn sentence_in(&self, language: Language, unit: Unit) -> Sentence {
         let template = language.template(Wording::of(self));
-        let arguments = self.arguments();
+        let arguments = self.arguments_in(language, unit);
         let (message, help) = match template.split_once('\n') {
             Some((message, help)) => (message, Some(fill(help, &arguments))),
             None => (template, None),

@@ -2,9 +2,9 @@
 //!
 //! In: nothing. Out: messages of which each wording says one, and one for each alarm where several are raised.
 
-use crate::control::dialect::GSystem;
+use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
-use crate::control::origin::Origin;
+use crate::control::origin::{Measure, Origin};
 use crate::control::setup::faults::Need;
 use crate::diagnostics::Message;
 
@@ -52,6 +52,42 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::MacroAlarm { number: 3001, words: "X1".into() },
         Message::SystemVariable { variable: 7 },
         Message::SystemGuessed { system: GSystem::B },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Millimetre,
+            rule: DecimalRule::LeastIncrement,
+        },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Inch,
+            rule: DecimalRule::LeastIncrement,
+        },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Second,
+            rule: DecimalRule::LeastIncrement,
+        },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Millimetre,
+            rule: DecimalRule::Calculator,
+        },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Inch,
+            rule: DecimalRule::Calculator,
+        },
+        Message::DecimalRule {
+            word: "X1".into(),
+            value: 1.5,
+            measure: Measure::Second,
+            rule: DecimalRule::Calculator,
+        },
         Message::ReferenceNumber { word: "X1".into() },
         Message::NotAtReference { x: 1.5, z: 1.5 },
         Message::NoIntermediate,
@@ -103,8 +139,8 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::CylinderForbidden { word: "X1".into() },
         Message::FeedMissing,
         Message::LeadMissing { code: "G71" },
-        Message::FeedUnit { feed: 1.5, per_turn: true },
-        Message::FeedUnit { feed: 1.5, per_turn: false },
+        Message::FeedUnit { word: "X1".into(), feed: 1.5, per_turn: true },
+        Message::FeedUnit { word: "X1".into(), feed: 1.5, per_turn: false },
         Message::FeedNotRepeated { feed: 1.5, per_turn: true },
         Message::FeedNotRepeated { feed: 1.5, per_turn: false },
         Message::SpindleStopped,
@@ -112,13 +148,13 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::ClampReversed { lowest: 1.5, highest: 1.5 },
         Message::ThreadAtSurfaceSpeed { code: "G71" },
         Message::ArcNoCenter { code: "G71" },
-        Message::ArcRadiusTooSmall { radius: 1.5, distance: 1.5 },
+        Message::ArcRadiusTooSmall { word: "X1".into(), distance: 1.5 },
         Message::ArcEndOffCircle { start_radius: 1.5, end_radius: 1.5 },
         Message::ArcEndOffCircle { start_radius: 0.0, end_radius: 1.5 },
-        Message::ArcRadiusNegative { radius: 1.5 },
+        Message::ArcRadiusNegative { word: "X1".into() },
         Message::ArcNowhere,
-        Message::TaperBeyondStart { taper: 1.5, limit: 1.5, axis: 'U' },
-        Message::TaperBeyondStart { taper: 1.5, limit: 1.5, axis: 'W' },
+        Message::TaperBeyondStart { word: "X1".into(), limit: 1.5, axis: 'U' },
+        Message::TaperBeyondStart { word: "X1".into(), limit: 1.5, axis: 'W' },
         Message::TaperNotExtended { taper: 1.5, needed: 1.5, crossing: 1.5, wanted: 1.5, axis: 'X' },
         Message::ContourNotNamed { code: "G71" },
         Message::ContourNotFound { word: "X1".into() },
@@ -203,7 +239,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::ToolChangeNear { tool: "X1".into(), x: 1.5, z: 1.5 },
         Message::BoreRetract { x: 1.5, z: 1.5 },
         Message::GrooveStep { word: "X1".into(), step: 1.5, width: 1.5 },
-        Message::EscapeTooLarge { escape: 1.5, depth: 1.5 },
+        Message::EscapeTooLarge { word: "X1".into(), depth: 1.5 },
         Message::ContourStartMoved { code: "G71", axis: 'X', start: 1.5, first: 1.5 },
         Message::ContourNotClosed { x: 1.5, diameter: 1.5 },
         Message::PatternShallow { depth: 1.5, relief: 1.5 },
@@ -274,13 +310,14 @@ mod tests {
     use super::super::wording::Wording;
     use super::super::*;
     use super::samples;
+    use crate::control::words::Unit;
 
     #[test]
     fn every_sentence_quotes_nothing_but_what_its_message_has() {
         let mut said = Vec::new();
         for message in samples() {
-            let arguments = message.arguments();
             for language in Language::ALL {
+                let arguments = message.arguments_in(language, Unit::Inch);
                 let template = language.template(Wording::of(&message));
                 for name in placeholders(template) {
                     assert!(arguments.iter().any(|argument| argument.0 == name), "{name} in {template}");

@@ -3,8 +3,9 @@
 //! In: a [`Message`]. Out: its [`Wording`]: the same as the message, but several where its numbers decide between
 //! sentences. Each language is an exhaustive match on it, so a message without a translation does not compile.
 
+use crate::control::dialect::DecimalRule;
 use crate::control::macros::FaultKind;
-use crate::control::origin::Origin;
+use crate::control::origin::{Measure, Origin};
 use crate::control::setup::faults::Need;
 use crate::diagnostics::message::Message;
 
@@ -33,6 +34,7 @@ wordings! {
     MacroVariableNumber, MacroReadOnly, MacroBracketsTooDeep, MacroFunctionArgument,
     MacroEndMissing, MacroFormat, MacroLoopNumber, MacroWordsBehind, MacroJumpTarget, MacroArgumentLetter,
     MacroAlarm, SystemVariable, ForeignMill, ForeignPrinter, ForeignControl, SystemGuessed,
+    LeastMillimetres, LeastInches, LeastSeconds, TooLargeMillimetres, TooLargeInches, TooLargeSeconds,
     ReferenceNumber, NotAtReference, NoIntermediate, MachineZero, OffsetNumber, TipNumber, DataPassedOver,
     HoleInForce, PeckZero, HoleNoDepth, HoleOfOthers, UnknownG, UnknownM, NotSupported, MakerG,
     PointNotAllowed, MinusNotAllowed, DuplicateWord, SameGroup, AbsoluteAndIncremental, ToolWithSetting,
@@ -104,6 +106,14 @@ impl Wording {
             Message::Foreign { origin: Origin::Printer } => Self::ForeignPrinter,
             Message::Foreign { .. } => Self::ForeignControl,
             Message::SystemGuessed { .. } => Self::SystemGuessed,
+            Message::DecimalRule { rule, measure, .. } => match (rule, measure) {
+                (DecimalRule::LeastIncrement, Measure::Millimetre) => Self::LeastMillimetres,
+                (DecimalRule::LeastIncrement, Measure::Inch) => Self::LeastInches,
+                (DecimalRule::LeastIncrement, Measure::Second) => Self::LeastSeconds,
+                (DecimalRule::Calculator, Measure::Millimetre) => Self::TooLargeMillimetres,
+                (DecimalRule::Calculator, Measure::Inch) => Self::TooLargeInches,
+                (DecimalRule::Calculator, Measure::Second) => Self::TooLargeSeconds,
+            },
             Message::ReferenceNumber { .. } => Self::ReferenceNumber,
             Message::NotAtReference { .. } => Self::NotAtReference,
             Message::NoIntermediate => Self::NoIntermediate,

@@ -122,6 +122,18 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             同样的代码在那里含义不同，因此没有运行。本页面读取 FANUC 和 GSK 车床程序。若要照样运行，请在设置中把 `recognise` 设为 false。",
         SystemGuessed => "按 G 代码体系 {system} 读取：该指令不属于体系 A。\n\
             体系 B 和 C 中，G90、G91 为绝对和增量，G92 设定坐标系或最高转速，G77 G78 G79（B）为循环。可在设置中指定体系。",
+        LeastMillimetres => "无小数点 = 0.001 mm：`{word}` 是 {value} mm。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        LeastInches => "无小数点 = 0.0001 in：`{word}` 是 {value} in。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        LeastSeconds => "无小数点 = 0.001 s：`{word}` 是 {value} s。\n\
+            看来该程序用于无小数点的数按最小输入增量计数的系统（FANUC 参数 3401#0 为 0）。可在设置中选定 `decimal`。",
+        TooLargeMillimetres => "`{word}` 在这里等于 {value} mm，大得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
+        TooLargeInches => "`{word}` 在这里等于 {value} in，大得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
+        TooLargeSeconds => "`{word}` 在这里等于 {value} s，长得不合理。\n\
+            本次运行中，无小数点的数按整单位计；而该程序似乎以它们表示最小输入增量（0.001 mm、0.0001 in、0.001 s）。请在设置中选定 `decimal`，或写上小数点。",
         ReferenceNumber => "`{word}` 不是 G30 的参考点号。\n\
             P2、P3、P4 是第二到第四参考点；第一参考点用 G28，不写 P。",
         NotAtReference => "G27 的终点不是参考点，这里参考点为 X{x} Z{z}。\n\
@@ -198,7 +210,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             在刀具的偏置中填入半径，刀具中心即与轨迹保持该距离。",
         PolarAngle => "`{word}` 像是角度；在 G12.1 与 G13.1 之间 C 是长度，单位 mm。\n\
             轨迹写在平面内：X 向右，为直径值；C 向上，单位 mm。",
-        PolarCenter => "轨迹距主轴中心仅 {distance} mm，C 轴转速将趋于无限大。\n\
+        PolarCenter => "轨迹距主轴中心仅 {distance} {mm}，C 轴转速将趋于无限大。\n\
             系统会在此减速或报警。请远离中心。",
         PlaneLeftOn => "到 `{code}` 时带 C 轴的插补仍然有效。\n\
             之前请单独一段写 {off}。",
@@ -210,13 +222,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             刚开机时系统在此报警；否则按前一个程序的 F 切削。请加上 F，如 G99 时写 F0.2（mm/r），G98 时写 F200（mm/min）。",
         LeadMissing => "{code} 没有给出导程。\n\
             F 指定螺纹导程，单位 mm；单线螺纹的导程就是螺距。",
-        FeedPerTurnTooLarge => "G99 状态下，F{feed} 是主轴每转进给 {feed} mm。\n\
+        FeedPerTurnTooLarge => "G99 状态下，`{word}` 是主轴每转进给 {feed} {mm}。\n\
             这样的进给量太大，无法切削。是不是要用 G98（mm/min）？请改系统的进给方式，或在程序中写 G98。",
-        FeedPerMinuteTooSmall => "G98 状态下，F{feed} 只是每分钟进给 {feed} mm。\n\
+        FeedPerMinuteTooSmall => "G98 状态下，`{word}` 只是每分钟进给 {feed} {mm}。\n\
             是不是要用 G99（mm/r）？请改系统的进给方式，或在程序中写 G99。",
-        FeedNotRepeatedPerTurn => "改用 G99 后，原来的 F{feed} 按 mm/r 计算。\n\
+        FeedNotRepeatedPerTurn => "改用 G99 后，原来的进给 {feed} 按 {mm}/r 计算。\n\
             改变进给方式后，要重新写 F。",
-        FeedNotRepeatedPerMinute => "改用 G98 后，原来的 F{feed} 按 mm/min 计算。\n\
+        FeedNotRepeatedPerMinute => "改用 G98 后，原来的进给 {feed} 按 {mm}/min 计算。\n\
             改变进给方式后，要重新写 F。",
         SpindleStopped => "主轴没有转，刀具就在切削。\n\
             切削之前，请先用 M03 或 M04 启动主轴，转速 S 要大于零。",
@@ -227,19 +239,19 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             每一刀都要切在同一条螺旋槽里，否则会乱牙：请用 G97 S… 指定固定转速。",
         ArcNoCenter => "{code} 既没有 R，也没有 I、K。\n\
             请用 R 给出半径，或用 I、K 给出圆心相对于圆弧起点的坐标；或者本想写 G01？FANUC 在参数未设报警时走直线。",
-        ArcRadiusTooSmall => "R{radius} 太小：圆弧起点与终点相距 {distance} mm。\n\
-            半径至少要 {least} mm，即距离的一半。注意 X 是直径值。",
-        ArcEndOffCircle => "终点不在圆上：圆心到起点是 {start_radius} mm，到终点却是 {end_radius} mm。\n\
+        ArcRadiusTooSmall => "`{word}` 太小：圆弧起点与终点相距 {distance} {mm}。\n\
+            半径至少要 {least} {mm}，即距离的一半。注意 X 是直径值。",
+        ArcEndOffCircle => "终点不在圆上：圆心到起点是 {start_radius} {mm}，到终点却是 {end_radius} {mm}。\n\
             I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量，都带正负号。",
         ArcNoRadius => "I 和 K 都是零：圆心就是起点，圆弧没有半径。\n\
             I 是圆心相对于起点的 X 向增量（半径值），K 是 Z 向增量；也可用 R 指定半径。",
-        ArcRadiusNegative => "本系统不接受 R{radius}。\n\
+        ArcRadiusNegative => "本系统不接受 `{word}`。\n\
             小于 180° 的圆弧请去掉 R 的负号；大于 180° 的圆弧请用 I、K 编程。",
         ArcNowhere => "圆弧的终点就是起点，用 R 编程时刀具不动。\n\
             整圆要用 I、K 编程。",
-        TaperBeyondHalf => "`R{taper}` 超过 `{axis}{limit}` 的一半：切削起点会落到循环起点之外。\n\
+        TaperBeyondHalf => "`{word}` 超过 `{axis}{limit}` 的一半：切削起点会落到循环起点之外。\n\
             R 与 {axis} 的符号不一致时，要求 |R| ≤ |U/2|。",
-        TaperBeyondLength => "`R{taper}` 超过 `{axis}{limit}` 的长度：切削起点会落到循环起点之外。\n\
+        TaperBeyondLength => "`{word}` 超过 `{axis}{limit}` 的长度：切削起点会落到循环起点之外。\n\
             R 与 {axis} 的符号不一致时，要求 |R| ≤ |W|。",
         TaperNotExtended => "R{taper} 是图样上的锥度，没有考虑实际的循环起点：锥面与毛坯边缘交于 {axis}{crossing}，而不是 {axis}{wanted}。\n\
             切削起点在毛坯之外，R 的绝对值要按比例加大：R{needed}。",
@@ -290,7 +302,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             FANUC 和 GSK 系统的 P、Q 以 μm 为单位，不带小数点：5 mm 写成 5000。单位可用 pqUnit 设定。",
         ThreadAngle => "G76 的刀尖角度不能是 {angle}°。\n\
             FANUC 只接受 80、60、55、30、29 和 0 度，写在 P 的最后两位。",
-        ThreadLeastDepth => "最小切深 {least} mm 大于牙型高度 {height} mm。\n\
+        ThreadLeastDepth => "最小切深 {least} {mm} 大于牙型高度 {height} {mm}。\n\
             第一段的 Q 是每刀最小切深，单位 μm，通常 20～100；第二段的 P 是牙型高度。",
         ThreadNoHeight => "G76 的牙型高度 P 必须大于零。\n\
             P 是牙型高度，约为螺距的 0.65 倍（螺距 2 mm 时 P1300），Q 是第一刀切深，都是半径值，单位 μm。",
@@ -333,15 +345,15 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             请检查这两段的终点和半径：偏移刀尖半径后它们仍须相交。",
         CompensationPlane => "G41 或 G42 有效时，不能切换平面。\n\
             请先在换平面之前的移动段中写 G40 取消补偿。",
-        LeadRunsOut => "按 `{word}`，G34 的导程在 {reached} mm 后减小到零，而螺纹长 {length} mm。\n\
+        LeadRunsOut => "按 `{word}`，G34 的导程在 {reached} {mm} 后减小到零，而螺纹长 {length} {mm}。\n\
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
         CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
             车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
         LeadingZero => "`{word}` 的值是 {value}：前面的零不起作用。\n\
             很可能漏了小数点，应为 `{meant}`。漏掉后数值大了十倍以上。",
         PointMissing => "`{word}` 没有小数点，而程序中其他数都写了小数点。\n\
-            是否漏了小数点？按最小设定单位计数的系统会读成 {thousandths} mm。",
-        FarOff => "`{word}` 走到 {axis}{to}，远远超出程序其余部分（其余部分离 {axis}0 不超过 {farthest} mm）。\n\
+            是否漏了小数点？按最小设定单位计数的系统会读成 {thousandths} {mm}。",
+        FarOff => "`{word}` 走到 {axis}{to}，远远超出程序其余部分（其余部分离 {axis}0 不超过 {farthest} {mm}）。\n\
             是否漏了小数点，或多打了一位数字？",
         MinusMissing => "`{word}` 向远离卡盘的方向切削，在工件前方走空。\n\
             是否漏了负号？`{meant}` 才会切入工件；端面前方没有材料。",
@@ -351,35 +363,35 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             第一次切削前请用 G97（r/min）或 G96（m/min）给出 S，如 G97 S800 M03。",
         SpeedNotRepeated => "{code} 未写 S：主轴保持刚才的 {speed} r/min。\n\
             G96 时 S 是线速度（m/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
-        ThreadTooFast => "螺距 {pitch} mm 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
+        ThreadTooFast => "螺距 {pitch} {mm} 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
             经验公式 n ≤ 1200/P − 80。超过时螺纹两端螺距不准。",
         ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
             各刀将不在同一螺旋槽内（乱牙）。从第一刀到最后一刀请保持转速不变。",
         ThreadStartMoved => "本刀起点为 Z{now}，上一刀为 Z{before}：两刀不在同一螺旋槽。\n\
-            差值必须是导程 {lead} mm 的整数倍，或用 Q 指定另一线的起始角。",
-        ThreadRunIn => "升速进刀段 {have} mm 对此转速和导程偏短，约需 {need} mm。\n\
+            差值必须是导程 {lead} {mm} 的整数倍，或用 Q 指定另一线的起始角。",
+        ThreadRunIn => "升速进刀段 {have} {mm} 对此转速和导程偏短，约需 {need} {mm}。\n\
             拖板加速期间螺距不准。请把起点放远些，或降低转速。",
-        ThreadHeight => "螺距 {pitch} mm 的 60° 螺纹，牙型高度 {height} mm 不合适，一般约 {usual} mm。\n\
+        ThreadHeight => "螺距 {pitch} {mm} 的 60° 螺纹，牙型高度 {height} {mm} 不合适，一般约 {usual} {mm}。\n\
             P 是单边牙型高度（半径值），单位 μm，约为螺距的 0.65 倍。是否写成了直径值或漏了一位？",
-        ThreadFirstDepth => "第一刀切深 {first} mm 大于整个牙型高度 {height} mm。\n\
+        ThreadFirstDepth => "第一刀切深 {first} {mm} 大于整个牙型高度 {height} {mm}。\n\
             P 是牙型高度，Q 是第一刀切深，都是半径值，单位 μm。是否写反了？",
-        ThreadLeastLarge => "`{word}` 使最小切深为 {least} mm。\n\
+        ThreadLeastLarge => "`{word}` 使最小切深为 {least} {mm}。\n\
             第一段的 Q 单位是 μm，通常 20～100。精加工次数、退尾量（螺纹倒角量）、刀尖角度由 P 的六位数字指定。",
-        ThreadPullOut => "退尾量（螺纹倒角量）{pull_out} mm 大于退回起点直径的距离 {way} mm。\n\
+        ThreadPullOut => "退尾量（螺纹倒角量）{pull_out} {mm} 大于退回起点直径的距离 {way} {mm}。\n\
             45° 退尾会越过起点。请把起点放远，或减小第一段 P 中的 r。",
-        FeedOfThread => "F{feed} 仍是前面螺纹的导程，现在成了本次切削的进给量。\n\
-            螺纹之后车削请重新写 F：每转 {feed} mm 会崩刀。",
-        LeadOfFeed => "{code} 段没有写 F：前面切削的进给 F{feed} 成了螺纹导程。\n\
+        FeedOfThread => "{feed} {mm} 仍是前面螺纹的导程，现在成了本次切削的进给量。\n\
+            螺纹之后车削请重新写 F：每转 {feed} {mm} 会崩刀。",
+        LeadOfFeed => "{code} 段没有写 F：前面切削的进给 {feed} {mm} 成了螺纹导程。\n\
             请在 {code} 段写出导程，如 F1.5。",
         TaperNarrows => "`{word}` 使锥面朝卡盘方向变小。\n\
             外圆锥朝卡盘方向变大时 R 为负，内锥孔朝卡盘变小时 R 为正：R = 切削起点半径 − 终点半径。符号对吗？",
         TaperCrossesAxis => "`{word}` 使切削从 X{x} 开始，越过了主轴轴线。\n\
             R 是半径差：终点 X 加两倍 R 就是切削起点。请检查 R 的符号和小数点。",
-        TaperEdge => "这一刀锥面在小端切深达 {depth} mm。\n\
+        TaperEdge => "这一刀锥面在小端切深达 {depth} {mm}。\n\
             车锥面时切深沿长度变化。请从更大的直径开始逐刀接近。",
         PassNotDeeper => "`{word}` 没有比之前的 {axis}{deepest} 更深，这一刀是空走。\n\
             循环的每一刀都应更深。是否数字看错或行序颠倒？",
-        AirCut => "循环起点在 {axis} 向距工件 {distance} mm，每一刀都要以切削进给空走这段距离。\n\
+        AirCut => "循环起点在 {axis} 向距工件 {distance} {mm}，每一刀都要以切削进给空走这段距离。\n\
             起点距毛坯 1～3 mm 即可。",
         StartBehindFace => "循环起点 Z{z} 在毛坯端面 Z{face} 之后。\n\
             前面的材料没有切除，会一刀切到全深。起点应在端面之前。",
@@ -389,15 +401,15 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             刀架转动时其他刀具会扫过工件。请先退到换刀点，如 X200 Z200；镗刀要更远。",
         BoreRetract => "快速退出内孔时在 X{x} Z{z} 碰到孔壁。\n\
             先向小直径方向离开孔壁，再单独沿 Z 退出孔外，最后去换刀点。",
-        GrooveStep => "`{word}` 即移动量 {step} mm，不小于刀宽 {width} mm，各刀之间会留下残料。\n\
+        GrooveStep => "`{word}` 即移动量 {step} {mm}，不小于刀宽 {width} {mm}，各刀之间会留下残料。\n\
             各刀必须重叠：Q 应小于刀宽。",
-        EscapeTooLarge => "退刀量 R{escape} 大于背吃刀量 {depth}。\n\
+        EscapeTooLarge => "退刀量 `{word}` 大于背吃刀量 {depth} {mm}。\n\
             每刀后刀具沿 45° 退刀 R，通常 0.5 mm 左右。",
         ContourStartMoved => "轮廓从 {axis}{first} 开始，而 {code} 的起点是 {axis}{start}。\n\
             第一段只应移动另一轴：两点的 {axis} 应相同。",
         ContourNotClosed => "轮廓终点 X{x} 在毛坯 Ø{diameter} 之内，那里会留下台阶。\n\
             最后一段应走到起点直径，使刀具离开工件。",
-        PatternShallow => "G73 第一刀切深达 {depth} mm：退刀总量 {relief} mm 小于要切除的余量。\n\
+        PatternShallow => "G73 第一刀切深达 {depth} {mm}：退刀总量 {relief} {mm} 小于要切除的余量。\n\
             第一段的 U 是总切除量（半径值）：（毛坯直径 − 最小直径）÷ 2。",
         PatternAir => "G73 第一刀有 {share} % 在毛坯之外空走。\n\
             G73 用于铸锻件毛坯。棒料用 G71 更快。",
@@ -409,7 +421,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             朝卡盘方向车外圆用 G42，镗孔用 G41；反方向时相反。",
         CompensationIdleBlocks => "补偿有效期间连续两个程序段没有移动。\n\
             系统只预读几个程序段；读不到下一移动时会在拐角过切或欠切。请把这些段放到别处。",
-        CompensationShort => "建立或取消补偿的移动 {length} mm 小于刀尖半径 {radius} mm。\n\
+        CompensationShort => "建立或取消补偿的移动 {length} {mm} 小于刀尖半径 {radius} {mm}。\n\
             该移动至少为半径，最好两倍，并在材料之外。",
         CompensationTip => "该刀的刀尖方位号为 {tip}，系统把刀尖圆弧中心当作刀尖。\n\
             外圆车刀一般为 3，镗刀为 2：在设置的 `tip` 或程序注释 TOOL 的 TIP= 中给出。",

@@ -10,6 +10,8 @@ mod signs;
 
 use std::collections::BTreeMap;
 
+use crate::control::dialect::DecimalRule;
+use crate::control::words::Reading;
 use crate::diagnostics::{Diagnostic, Fix, Message};
 use crate::motion::{Motion, MotionKind, Motions, Step};
 use crate::text::block::{Block, BlockKind, Value};
@@ -20,7 +22,7 @@ use crate::text::source::Span;
 #[derive(Clone, Copy, Debug)]
 struct Word {
     address: u8,
-    /// As written, with its sign.
+    /// With its sign; a length in units of the program, whatever numbers without a point count.
     value: f64,
     negative: bool,
     /// Digits behind the point; nothing without a point.
@@ -71,13 +73,23 @@ struct Program<'a> {
     motions: &'a Motions,
     /// Millimetres in one unit of the text.
     unit: f64,
+    /// What numbers without a point count.
+    decimal: DecimalRule,
+    /// A least increment, mm.
+    increment: f64,
 }
 
-/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `unit`: millimetres in one of
-/// its units. Of a program that is not
+/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
+/// read at its end. Of a program that is not
 /// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
-pub fn remarks(text: &[u8], motions: &Motions, unit: f64, sound: bool, blocks: usize) -> Vec<Diagnostic> {
-    let Some(program) = Program::read(text, motions, unit, blocks) else { return Vec::new() };
+pub fn remarks(
+    text: &[u8],
+    motions: &Motions,
+    reading: Reading,
+    sound: bool,
+    blocks: usize,
+) -> Vec<Diagnostic> {
+    let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
     told.extend(program.missing_points());
     told.extend(program.lost_minus_in_row());
@@ -98,6 +110,9 @@ pub fn remarks(text: &[u8], motions: &Motions, unit: f64, sound: bool, blocks: u
     told
 }
 
+/// Letters of lengths.
+const LENGTHS: &[u8] = b"XYZUVWIJKRCA";
+
 /// More of them are a consequence of something else.
 const MOST: usize = 50;
 
@@ -106,7 +121,7 @@ const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
 const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
 
 impl<'a> Program<'a> {
-    fn read(text: &'a [u8], motions: &'a Motions, unit: f64, most: usize) -> Option<Self> {
+    fn read(text: &'a [u8], motions: &'a Motions, reading: Reading, most: usize) -> Option<Self> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
@@ -126,7 +141,11 @@ impl<'a> Program<'a> {
                 if !written.is_ascii() || !written[0].is_ascii_alphabetic() {
                     continue;
                 }
-                let value = if negative { -number.value() } else { number.value() };
+                let fine = reading.decimal == DecimalRule::LeastIncrement
+                    && !number.has_point()
+                    && LENGTHS.contains(&word.address);
+                let value = if fine { number.value() * reading.unit.increment() } else { number.value() };
+                let value = if negative { -value } else { value };
                 let decimals = number.has_point().then_some(number.decimals);
                 if word.address == b'G' && number.decimals == 0 {
                     match number.mantissa {
@@ -174,7 +193,9 @@ impl<'a> Program<'a> {
                 parts,
             });
         }
-        let mut program = Self { text, rows, words, motions, unit };
+        let (unit, decimal) = (reading.unit.millimetres(), reading.decimal);
+        let increment = reading.unit.increment() * unit;
+        let mut program = Self { text, rows, words, motions, unit, decimal, increment };
         program.match_motions();
         program.find_contours();
         Some(program)

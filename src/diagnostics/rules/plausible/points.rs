@@ -12,6 +12,8 @@ impl Program<'_> {
             let digits: Vec<u8> = digits.copied().collect();
             word.value != 0.0 && digits.len() >= 2 && digits[0] == b'0'
         };
+        // Where numbers without a point count increments, zeros in front of a length are a habit.
+        let numbers: &[u8] = if self.decimal == DecimalRule::LeastIncrement { b"F" } else { numbers };
         let bare = |word: &&Word| numbers.contains(&word.address) && word.decimals.is_none();
         let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
         // Who pads lengths more than once, `Z02`, counts on it; nobody pads a feed.
@@ -28,8 +30,11 @@ impl Program<'_> {
         alone.map(tell).collect()
     }
 
-    /// A single number without a point in a program that writes points.
+    /// A single number without a point in a program that writes points, unless it is meant to count increments.
     pub(super) fn missing_points(&self) -> Vec<Diagnostic> {
+        if self.decimal == DecimalRule::LeastIncrement {
+            return Vec::new();
+        }
         let lengths = |word: &&Word| {
             (b"XZUWRIK".contains(&word.address)
                 && self.rows[word.block].role == Role::Place
@@ -44,7 +49,8 @@ impl Program<'_> {
             return Vec::new();
         }
         let tell = |word: &Word| {
-            let message = Message::PointMissing { word: self.quote(word), thousandths: word.value / 1000.0 };
+            let message =
+                Message::PointMissing { word: self.quote(word), thousandths: word.value * self.increment };
             let told = Diagnostic::new(message, word.span);
             Diagnostic { fixes: self.with_point(word), ..told }
         };

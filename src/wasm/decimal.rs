@@ -1,0 +1,27 @@
+//! What numbers without a decimal point count: the line the page shows of it, and the decision.
+
+use wasm_bindgen::prelude::*;
+
+use super::Playground;
+use crate::api;
+
+#[wasm_bindgen]
+impl Playground {
+    /// One line on what numbers without a point count, where that was concluded or looks wrong; nothing where there is
+    /// nothing to say.
+    #[wasm_bindgen(js_name = decimalNotice)]
+    pub fn decimal_notice(&self) -> Option<String> {
+        api::decimal_notice(&self.run, self.language)
+    }
+
+    /// Decides what numbers without a point count anew, for the text as it is: after a paste or a click, not while somebody
+    /// types. True when that makes the program run again.
+    #[wasm_bindgen(js_name = decideDecimalRule)]
+    pub fn decide_decimal_rule(&mut self) -> bool {
+        let again = self.run.decide_again();
+        if again {
+            self.forget();
+        }
+        again
+    }
+}
