@@ -250,6 +250,8 @@ pub struct Process {
     pub turn: SpindleTurn,
     /// Highest spindle speed (G50 S), turns a minute, if one is set.
     pub clamp: Option<f64>,
+    /// Lowest spindle speed (G50 Q), turns a minute, if one is set.
+    pub lowest: Option<f64>,
     /// Turret station and offset number of the T word in force.
     pub tool: (u16, u16),
     /// An earlier block could not be carried out, so this motion may be wrong.

@@ -121,9 +121,12 @@ fn g50_sets_and_shifts_the_frame() {
 }
 
 #[test]
-fn g52_shifts_its_own_frame() {
+fn g52_shifts_all_frames() {
     check("G52 X10 Z5\nG0 U2\nG52 X0 Z0\nG0 U2", "R(92,45) R(104,50)");
-    check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(102,50) R(94,50)");
+    // It holds in every frame, until it is taken away.
+    check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(92,50) R(94,50)");
+    check("G10 L2 P2 X40\nG52 X10\nG55 G0 U2\nG52 X0 Z0\nG54 G0 U2", "R(52,50) R(104,50)");
+    check("G55 G52 Z5\nG54.1 P1 G0 W-5\nG54 G52 Z0\nG0 W-5", "R(100,40) R(100,40)");
 }
 
 #[test]

@@ -311,9 +311,14 @@ impl Spindle {
         if !self.surface {
             return Some(self.rpm);
         }
+        if self.cutting_speed <= 0.0 {
+            return Some(0.0);
+        }
         let diameter = 2.0 * x.abs();
         let free = 1000.0 * self.cutting_speed / (std::f64::consts::PI * diameter);
-        let held = self.highest.map_or(free, |highest| free.min(highest)).max(self.lowest.unwrap_or(0.0));
+        // Where the limits are reversed the highest one counts.
+        let fast = self.lowest.map_or(free, |lowest| free.max(lowest));
+        let held = self.highest.map_or(fast, |highest| fast.min(highest));
         held.is_finite().then_some(held)
     }
 }
@@ -627,6 +632,7 @@ impl State {
             },
             turn: spindle.turn,
             clamp: spindle.highest,
+            lowest: spindle.lowest,
             tool: self.tool,
             uncertain: self.uncertain,
         }

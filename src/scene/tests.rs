@@ -84,6 +84,7 @@ impl Path {
             speed: SpindleSpeed::Constant(800.0),
             turn: SpindleTurn::Forward,
             clamp: None,
+            lowest: None,
             tool: (1, 1),
             uncertain: self.uncertain,
         };

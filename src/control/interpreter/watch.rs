@@ -229,7 +229,7 @@ impl Interpreter {
         if self.state.spindle.surface && self.state.told.first(Once::ThreadAtSurfaceSpeed) {
             let told = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
             // The speed that G96 has here, to the next ten below.
-            let speed = self.state.spindle.speed_at(self.state.position.x).filter(|&speed| speed >= 10.0);
+            let speed = self.spindle_speed(self.state.position.x).filter(|&speed| speed >= 10.0);
             let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
             let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });

@@ -348,9 +348,9 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         IncrementalForAbsolute => "`{word}` counts from where the tool stands and leads to {axis}{to}.\n\
             U and W are increments, X and Z places. The rest of the program writes places: was `{meant}` meant?",
         SpeedMissing => "The tool cuts, but no spindle speed S was given.\n\
-            Write S with G97 (turns a minute) or G96 (metres a minute) before the first cut, such as G97 S800 M03.",
+            Write S with G97 (turns a minute) or G96 (metres a minute, feet under G20) before the first cut, such as G97 S800 M03.",
         SpeedNotRepeated => "{code} without S: the spindle keeps the {speed} turns a minute that it reached last.\n\
-            S counts metres a minute under G96, turns a minute under G97. Write S anew with {code}.",
+            S counts metres a minute under G96 (feet under G20), turns a minute under G97. Write S anew with {code}.",
         ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} mm: the slides follow up to about {limit} turns a minute.\n\
             The rule is n ≤ 1200/P − 80. Above it the thread loses its pitch at both ends.",
         ThreadSpeedChanged => "The spindle speed changes from {before} to {now} between two passes of one thread.\n\

@@ -348,9 +348,9 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         IncrementalForAbsolute => "`{word}` 是从刀具当前位置起算的增量，走到 {axis}{to}。\n\
             U、W 是增量，X、Z 是绝对坐标。程序其余部分都用绝对坐标：是否应为 `{meant}`？",
         SpeedMissing => "开始切削，但没有指定主轴转速 S。\n\
-            第一次切削前请用 G97（r/min）或 G96（m/min）给出 S，如 G97 S800 M03。",
+            第一次切削前请用 G97（r/min）或 G96（m/min，G20 时为 ft/min）给出 S，如 G97 S800 M03。",
         SpeedNotRepeated => "{code} 未写 S：主轴保持刚才的 {speed} r/min。\n\
-            G96 时 S 是线速度（m/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
+            G96 时 S 是线速度（m/min，G20 时为 ft/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
         ThreadTooFast => "螺距 {pitch} mm 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
             经验公式 n ≤ 1200/P − 80。超过时螺纹两端螺距不准。",
         ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
