@@ -44,7 +44,9 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules));
+            let found =
+                rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
+            self.diagnostics.extend(found);
             sort_by_place(&mut self.diagnostics);
         }
     }

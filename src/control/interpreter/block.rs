@@ -240,6 +240,12 @@ impl Interpreter {
         match one_shot {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
             OneShot::Multiple(_) => self.arrive_for_cycle(),
+            OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
+                if words.has_any(AXES) {
+                    self.watch_compensation_at_home(text, block);
+                }
+                self.leave_compensation();
+            }
             _ => self.leave_compensation(),
         }
         match one_shot {

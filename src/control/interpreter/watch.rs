@@ -188,6 +188,17 @@ impl Interpreter {
         }
     }
 
+    /// Compensation that is still on where the tool goes to a place of the machine (G27, G28, G30, G53).
+    pub(super) fn watch_compensation_at_home(&mut self, text: &[u8], block: &Block) {
+        let goes = |word: &&Word| {
+            word.address == b'G'
+                && matches!(plain(word), Some(code) if [27.0, 28.0, 30.0, 53.0].contains(&code))
+        };
+        if let Some(word) = block.words.iter().find(goes) {
+            self.watch_compensation_left_on(text, word.span);
+        }
+    }
+
     /// Two blocks without a move while compensation is on.
     pub(super) fn watch_idle_blocks(&mut self, block: &Block) {
         let idle = self

@@ -382,7 +382,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AirCut => "The cycle starts {distance} mm away from the work in {axis}; each pass repeats this way at feed.\n\
             Start 1 to 3 mm outside the blank.",
         StartBehindFace => "The cycle starts at Z{z}, behind the face of the blank at Z{face}.\n\
-            The material in front of it stays and is cut in one go at full depth. Start in front of the face.",
+            G90 and G94 leave the material in front of it; G92 and G76 go into the work at rapid. Start in front of the face.",
         StartInStock => "{code} starts at X{x}, within the material.\n\
             The tool comes back to the start diameter at rapid after each pass: it must lie outside the material.",
         ToolChangeNear => "The tool changes to {tool} at X{x} Z{z}, close to the work.\n\

@@ -382,7 +382,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AirCut => "循环起点在 {axis} 向距工件 {distance} mm，每一刀都要以切削进给空走这段距离。\n\
             起点距毛坯 1～3 mm 即可。",
         StartBehindFace => "循环起点 Z{z} 在毛坯端面 Z{face} 之后。\n\
-            前面的材料没有切除，会一刀切到全深。起点应在端面之前。",
+            G90、G94 前面的材料没有切除；G92、G76 会快速扎入工件。起点应在端面之前。",
         StartInStock => "{code} 的起点 X{x} 在材料之内。\n\
             每一刀后刀具都快速返回起点直径，起点必须在材料之外。",
         ToolChangeNear => "在 X{x} Z{z} 换刀 {tool}，离工件太近。\n\

@@ -9,8 +9,8 @@ use crate::shop::danger::{Axis, Danger, Finding};
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
-/// The messages of all findings, and of a bound that was met.
-pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagnostic> {
+/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has told.
+pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     told.extend(shop.full().map(|full| {
         let message = match full {
@@ -22,6 +22,13 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagn
     }));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
+        // A thread that starts below its own crest was told so.
+        let is_known = |other: &Diagnostic| {
+            matches!(other.message, Message::ThreadStartInside { .. }) && span.contains(other.span)
+        };
+        if matches!(message, Message::StartInStock { .. }) && run.iter().any(is_known) {
+            continue;
+        }
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
         if !told.iter().rev().take(20).any(same) {
             told.push(Diagnostic::new(message, span));
