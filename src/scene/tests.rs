@@ -87,6 +87,7 @@ impl Path {
             lowest: None,
             tool: (1, 1),
             uncertain: self.uncertain,
+            incomplete: self.uncertain,
         };
         let (lead, seconds) = (None, None);
         self.list.push(Motion {

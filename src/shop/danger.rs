@@ -200,7 +200,8 @@ impl Watch {
             return;
         }
         self.hit_obstacles(index, motion, tool);
-        if self.stock.is_none() {
+        // Behind a block that was not carried out it is not known what stands in the way.
+        if self.stock.is_none() || motion.process.incomplete {
             return;
         }
         if motion.cycle.is_some() && self.cycle_start(index, motion, part) {

@@ -96,7 +96,6 @@ impl Interpreter {
             && spindle.turn != SpindleTurn::Stopped
             && !spindle.live_tool
             && !spindle.still
-            && !self.state.uncertain
             && self.state.told.first(Once::SpeedMissing)
         {
             self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));

@@ -449,6 +449,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             `limits.partMotions` of the setup sets the bound.",
         PartStopped => "The part was stopped after {done} of {all} motions: the path is shown, but not the part.\n\
             Change the program or its setup to begin again.",
+        BehindLeftOut => "A block before was not carried out as it is written: from here on collisions with the work are not looked for.\n\
+            What of the work still stands is not known. Mend that block first.",
+        BehindLeftOutCuts => "A block before was not carried out as it is written: cuts that depend on it ({cuts}) are drawn faint and not taken off the part.\n\
+            From here on collisions with the work are not looked for, for what of it still stands is not known. Mend that block first.",
         PartTooManyCorners => "The part has more than {most} corners: the path is shown, but not the part, and collisions are found up to there.\n\
             `limits.partCorners` of the setup sets the bound.",
         ToolNotListed => "The setup names tools, but not {tool}.\n\

@@ -449,6 +449,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             上限由设置中的 `limits.partMotions` 决定。",
         PartStopped => "零件计算在第 {done} 段（共 {all} 段）后停止：只显示轨迹，不显示零件。\n\
             修改程序或设置即可重新开始。",
+        BehindLeftOut => "前面有程序段没有照原样执行：从这里起不再检查与工件的碰撞。\n\
+            工件还剩下什么无法确定。请先改正那个程序段。",
+        BehindLeftOutCuts => "前面有程序段没有照原样执行：与它有关的 {cuts} 段切削以淡色画出，不从零件上切除。\n\
+            工件还剩下什么无法确定，从这里起不再检查与工件的碰撞。请先改正那个程序段。",
         PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
             上限由设置中的 `limits.partCorners` 决定。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\

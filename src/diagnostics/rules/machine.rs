@@ -6,6 +6,7 @@
 use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
+use crate::shop::fitting::Known;
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
@@ -20,6 +21,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
+    told.extend(behind_left_out(shop, motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was told so.
@@ -35,6 +37,16 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
         }
     }
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
+}
+
+/// What is not taken off and not looked at behind a block that was not carried out, at the first motion behind it.
+fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
+    let first = motions.first_incomplete().filter(|_| shop.full().is_none())?;
+    let cuts = motions.uncertain_cuts();
+    // Without a blank that somebody has named no collision is looked for at all.
+    let looked_for = shop.fitting().stock().is_some_and(|(_, known)| known == Known::Given);
+    let message = Message::BehindLeftOut { cuts };
+    (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
