@@ -250,10 +250,14 @@ pub struct Process {
     pub turn: SpindleTurn,
     /// Highest spindle speed (G50 S), turns a minute, if one is set.
     pub clamp: Option<f64>,
+    /// Lowest spindle speed (G50 Q), turns a minute, if one is set.
+    pub lowest: Option<f64>,
     /// Turret station and offset number of the T word in force.
     pub tool: (u16, u16),
-    /// An earlier block could not be carried out, so this motion may be wrong.
+    /// Something that it depends on is not known: an earlier block could not be carried out.
     pub uncertain: bool,
+    /// An earlier block could not be carried out: what is left of the material is not known.
+    pub incomplete: bool,
 }
 
 /// A move as it was programmed, before compensation.
@@ -429,8 +433,8 @@ pub struct Chunk {
     pub first_line: u32,
     /// Where the tip stands before the first motion.
     start: Point,
-    /// A block before the chunk could not be carried out, so all its motions may be wrong.
-    doubtful: bool,
+    /// A block before the chunk could not be carried out.
+    incomplete: bool,
     /// Motions before whose start the frame changed: they begin here, not where the last one ended.
     starts: Vec<(u32, Point)>,
     /// Compensated motions as they were programmed.
@@ -465,7 +469,7 @@ impl Chunk {
             base,
             first_line,
             start,
-            doubtful: false,
+            incomplete: false,
             starts: Vec::new(),
             programmed: Vec::new(),
             rotary: Vec::new(),
@@ -485,8 +489,8 @@ impl Chunk {
     }
 
     /// Says whether a block before the chunk could not be carried out.
-    pub fn set_doubtful(&mut self, doubtful: bool) {
-        self.doubtful = doubtful;
+    pub fn set_incomplete(&mut self, incomplete: bool) {
+        self.incomplete = incomplete;
     }
 
     /// Moves the places of all blocks along, when the text before them has changed.
@@ -631,7 +635,7 @@ impl Chunk {
     /// Whether the motion at `index` may be wrong, see [`Process::uncertain`].
     #[inline]
     pub fn is_uncertain(&self, index: usize) -> bool {
-        self.doubtful || self.processes[self.process[index] as usize].uncertain
+        self.own_process(index).uncertain
     }
 
     /// The ends of a straight motion that C takes no part in, as most are; quicker than [`Chunk::get`].
@@ -669,8 +673,13 @@ impl Chunk {
         self.first_line.wrapping_add(place.line as u32)
     }
 
+    fn own_process(&self, index: usize) -> &Process {
+        &self.processes[self.process[index] as usize]
+    }
+
     fn process(&self, index: usize) -> Process {
-        Process { uncertain: self.is_uncertain(index), ..self.processes[self.process[index] as usize] }
+        let own = *self.own_process(index);
+        Process { incomplete: self.incomplete || own.incomplete, ..own }
     }
 
     fn from(&self, index: usize) -> Point {
@@ -796,6 +805,24 @@ impl Motions {
     /// All motions in order.
     pub fn iter(&self) -> impl Iterator<Item = Motion> + '_ {
         self.chunks.iter().flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
+    }
+
+    /// The first motion behind a block that could not be carried out.
+    pub fn first_incomplete(&self) -> Option<usize> {
+        let found =
+            self.chunks.iter().zip(&self.before).find(|(chunk, _)| {
+                chunk.incomplete || chunk.processes.iter().any(|process| process.incomplete)
+            });
+        let (chunk, before) = found?;
+        let own = |index: &usize| chunk.incomplete || chunk.own_process(*index).incomplete;
+        Some(before + (0..chunk.len()).find(own)?)
+    }
+
+    /// Cuts that are uncertain.
+    pub fn uncertain_cuts(&self) -> usize {
+        let doubtful = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
+        let cuts = |chunk: &Chunk, index: &usize| chunk.is_uncertain(*index) && chunk.kind(*index).cuts();
+        doubtful.map(|chunk| (0..chunk.len()).filter(|index| cuts(chunk, index)).count()).sum()
     }
 
     fn locate(&self, index: usize) -> (&Chunk, usize) {

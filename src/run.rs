@@ -47,8 +47,9 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            let told = rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules);
-            self.diagnostics.extend(told.into_iter().map(|told| told.in_unit(self.unit)));
+            let found =
+                rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
+            self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
             sort_by_place(&mut self.diagnostics);
         }
     }

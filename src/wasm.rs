@@ -227,11 +227,14 @@ impl Playground {
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         let places = self.places();
         let levels = &self.run.setup().rules;
-        let findings =
-            self.shop.iter().flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels));
+        let told = self.run.diagnostics();
+        let findings = self
+            .shop
+            .iter()
+            .flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels, told));
         let unit = self.run.state().unit;
         let findings = findings.map(|found| found.in_unit(unit));
-        let mut all: Vec<_> = self.run.diagnostics().iter().cloned().chain(findings).collect();
+        let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, self.language));
         to_js(&rows.collect::<Vec<_>>())

@@ -121,9 +121,12 @@ fn g50_sets_and_shifts_the_frame() {
 }
 
 #[test]
-fn g52_shifts_its_own_frame() {
+fn g52_shifts_all_frames() {
     check("G52 X10 Z5\nG0 U2\nG52 X0 Z0\nG0 U2", "R(92,45) R(104,50)");
-    check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(102,50) R(94,50)");
+    // It holds in every frame, until it is taken away.
+    check("G54 G52 X10\nG55 G0 U2\nG54 U2", "R(92,50) R(94,50)");
+    check("G10 L2 P2 X40\nG52 X10\nG55 G0 U2\nG52 X0 Z0\nG54 G0 U2", "R(52,50) R(104,50)");
+    check("G55 G52 Z5\nG54.1 P1 G0 W-5\nG54 G52 Z0\nG0 W-5", "R(100,40) R(100,40)");
 }
 
 #[test]
@@ -220,12 +223,12 @@ fn the_program_ends_at_m30_and_what_follows_is_only_read() {
 }
 
 #[test]
-fn what_is_not_supported_moves_nothing_and_makes_the_rest_uncertain() {
-    let analysis = analyze(b"M3 S1\nG0 X50\nG36 X0 Z0\nG1 X40 F1\nM30", &Setup::default());
+fn what_is_not_supported_moves_nothing_and_puts_its_axes_in_doubt() {
+    let analysis = analyze(b"M3 S1\nG0 X50\nG36 X0 Z0\nG1 X40 F1\nZ5\nX30\nM30", &Setup::default());
     let rows: Vec<_> = api::motions(&analysis.motions, &analysis.setup.machine)
         .map(|row| (row.to.x, row.uncertain))
         .collect();
-    assert_eq!(rows, [(50.0, false), (40.0, true)]);
+    assert_eq!(rows, [(50.0, false), (40.0, true), (40.0, true), (30.0, false)]);
 }
 
 #[test]
@@ -255,14 +258,15 @@ fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
 }
 
 #[test]
-fn everything_behind_an_error_is_uncertain_chunks_later_too() {
+fn behind_an_error_the_run_is_incomplete_and_only_the_next_move_uncertain_chunks_later_too() {
     let text = format!("G1 X50 Z5 F0.2\nX[\n{}", "X1\nX2\n".repeat(5_000));
     let analysis = analyze(text.as_bytes(), &Setup::default());
     let chunks = analysis.motions.chunks();
     assert!(chunks.len() > 2);
     let all = chunks.iter().flat_map(|chunk| (0..chunk.len()).map(move |index| (chunk, index)));
     for (at, (chunk, index)) in all.enumerate() {
-        assert_eq!(chunk.is_uncertain(index), at > 0, "motion {at}");
-        assert_eq!(chunk.get(index).process.uncertain, at > 0, "motion {at}");
+        assert_eq!(chunk.is_uncertain(index), at == 1, "motion {at}");
+        assert_eq!(chunk.get(index).process.uncertain, at == 1, "motion {at}");
+        assert_eq!(chunk.get(index).process.incomplete, at > 0, "motion {at}");
     }
 }

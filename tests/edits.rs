@@ -72,6 +72,7 @@ fn change() -> impl Strategy<Value = Change> {
         1 => "[XZ]-?[1-9]000\n|G71U800R500\n",
         2 => "[A-Z./\\- ]",
         2 => "(G1 X[1-9]0\\. Z-[1-9]\\.5|G0|G2 U2 W-1 R5|F0\\.[1-9]|S[1-9]00|X[1-9]|N10|M3|M00|M01|T0101|G4 P100|,R1|,C2|A30)\n?",
+        1 => "(Y3 |Y0 |V1\n|G31 Z-3\n|G777 |G68\n|G69\n|G300\n|G28 U0 W0\n|G50 X50\n|F-1 )",
         1 => "(\n|\r\n|\r|;|\\(|\\)|%|O2\n|M30\n|/|#1=2\n|G41 |G42 |G40 |G90 |M99\n|M98 P2\n|外)",
     ];
     let at = || any::<prop::sample::Index>().prop_map(|at| at.index(1 << 24));

@@ -383,7 +383,7 @@ fn places_at_the_machine_are_told_in_hundredths() {
     let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
     let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
     let shop = Shop::done(&analysis.motions, &setup);
-    let told = machine::diagnostics(&shop, &analysis.motions, &setup.rules);
+    let told = machine::diagnostics(&shop, &analysis.motions, &setup.rules, &analysis.diagnostics);
     let sentence = told.first().expect("told").message.sentence(Default::default()).message;
     let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     assert!(
@@ -538,4 +538,26 @@ fn what_is_off_is_not_counted() {
     };
     assert_eq!(told("{}").len(), 11);
     assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
+}
+
+/// A control clears the offset on the way to a place of the machine and takes it up again behind it.
+#[test]
+fn compensation_left_on_is_told_where_the_tool_goes_home() {
+    let told = |end: &str| -> Vec<String> {
+        let program = format!("T0101\nM3 S500\nG0 X60 Z5\nG42 G1 X50 Z2 F.2\nZ-20\nX62\n{end}\nM30");
+        let setup = r#"{"tools": {"T0101": {"type": "turning", "noseRadius": 0.8, "tip": 3}}}"#;
+        let analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
+        let found =
+            analysis.diagnostics.iter().filter(|found| found.message.slug() == "compensation-left-on");
+        found.map(|found| String::from_utf8_lossy(found.span.of(program.as_bytes())).into_owned()).collect()
+    };
+    for home in ["G28", "G30", "G53", "G27"] {
+        let words = if home == "G53" { "X300 Z300" } else { "U0 W0" };
+        assert_eq!(told(&format!("{home} {words}")), [home]);
+        // Once: what is told there is not told at the end as well.
+        assert_eq!(told(&format!("{home} {words}\nT0202")), [home]);
+        assert_eq!(told(&format!("G40 G0 X70\n{home} {words}")), [""; 0]);
+        assert_eq!(told(&format!("G40 {home} {words}")), [""; 0]);
+    }
+    assert_eq!(told("G0 X100"), ["M30"]);
 }

@@ -52,7 +52,7 @@ fn run(text: &str, setup: &Setup) -> Ran {
 
 /// What can be seen of a motion.
 fn seen(motion: &Motion) -> Motion {
-    Motion { process: Process { uncertain: false, ..motion.process }, ..*motion }
+    Motion { process: Process { uncertain: false, incomplete: false, ..motion.process }, ..*motion }
 }
 
 fn same_motions(a: &Motions, b: &Motions) -> bool {

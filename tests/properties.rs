@@ -77,7 +77,7 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
 fn check_machine(analysis: &Analysis, setup: &Setup) {
     let motions = &analysis.motions;
     let shop = Shop::done(motions, setup);
-    for told in rules::machine::diagnostics(&shop, motions, &setup.rules) {
+    for told in rules::machine::diagnostics(&shop, motions, &setup.rules, &[]) {
         assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
     }
     let (Some(blank), Some(part)) = (shop.blank(), shop.finished()) else { return };

@@ -244,4 +244,52 @@ fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
     assert!(dangers(&deep, "16ER", 8).contains(&Danger::HolderInStock));
     // The holder of a left-hand tool lies towards the chuck.
     assert!(dangers(TO_A_SHOULDER, "16EL", 8).contains(&Danger::HolderInStock));
+/// The blank is ⌀60 with a bore of 20. Nobody has named the tool: where its tip goes is known all the same.
+#[test]
+fn threads_that_start_within_the_work() {
+    let check = |cycle: &str, start: &str, expected: &[&str]| {
+        let blocks = match cycle {
+            "G92" => "G92 X59.2 Z-30 F2\nX58.6\nX57.6",
+            "G92 inside" => "G92 X20.8 Z-30 F2\nX21.4\nX22.4",
+            "G76 inside" => "G76 P010060 Q50 R0.05\nG76 X22.6 Z-30 P1300 Q400 F2",
+            _ => "G76 P010060 Q50 R0.05\nG76 X57.4 Z-30 P1300 Q400 F2",
+        };
+        let program = format!(
+            "O1 (STOCK D=60 BORE=20 LENGTH=100)\nG99 T0505\nG97 S300 M3\nG0 {start}\n{blocks}\nG0 X100 Z100\nM30"
+        );
+        let mut analysis = analyze(program.as_bytes(), &Setup::default());
+        analysis.look_at_machine();
+        let starts = [
+            "start-behind-face",
+            "cycle-starts-in-stock",
+            "thread-start-inside-crest",
+            "rapid-through-stock",
+        ];
+        let slugs = analysis.diagnostics.iter().map(|found| found.message.slug());
+        let found: Vec<_> = slugs.filter(|slug| starts.contains(slug)).collect();
+        assert_eq!(found, expected, "{program}");
+    };
+    for cycle in ["G92", "G76"] {
+        check(cycle, "X64 Z6", &[]);
+        check(cycle, "X64 Z1", &[]);
+        check(cycle, "X64 Z-5", &["start-behind-face"]);
+        check(cycle, "X59.9 Z6", if cycle == "G92" { &[] } else { &["thread-start-inside-crest"] });
+    }
+    check("G92", "X59.5 Z6", &["cycle-starts-in-stock"]);
+    check("G76", "X59.5 Z6", &["thread-start-inside-crest"]);
+    for cycle in ["G92 inside", "G76 inside"] {
+        check(cycle, "X16 Z6", &[]);
+        check(cycle, "X16 Z-5", &["start-behind-face"]);
+    }
+}
+
+/// A thread that begins in a relief has no work in its way.
+#[test]
+fn threads_that_start_in_a_groove() {
+    let program = "O1 (STOCK D=60 LENGTH=100)\n(TOOL T0303 TYPE=GROOVING WIDTH=6)\nG99 T0303\nG97 S300 M3\n\
+                   G0 X64 Z-32\nG1 X50 F.1\nG0 X64\nG0 Z100\nT0505\nG0 X64 Z-29\nG92 X59.2 Z5 F2\nX58.6\nG0 X100 Z100\nM30";
+    let mut analysis = analyze(program.as_bytes(), &Setup::default());
+    analysis.look_at_machine();
+    let slugs: Vec<_> = analysis.diagnostics.iter().map(|found| found.message.slug()).collect();
+    assert!(!slugs.contains(&"start-behind-face"), "{slugs:?}");
 }

@@ -26,7 +26,8 @@ fn turns_a_minute(motion: &Motion, machine: &Machine, radius: f64) -> f64 {
         SpindleSpeed::Constant(speed) => speed.min(most),
         SpindleSpeed::Surface { speed } => {
             let clamp = motion.process.clamp.unwrap_or(f64::INFINITY);
-            (1000.0 * speed / (PI * 2.0 * radius.abs())).min(most).min(clamp)
+            let lowest = motion.process.lowest.unwrap_or(0.0);
+            (1000.0 * speed / (PI * 2.0 * radius.abs())).max(lowest).min(most).min(clamp)
         }
     }
 }
@@ -140,6 +141,50 @@ fn constant_cutting_speed_on_arcs() {
     }
     // A ball from the axis on.
     check("", "G50 S900\nG96 S100 M03\nG00 X0 Z0\nG99 G03 X40 Z-20 R20 F0.1");
+}
+
+/// Under G20 the S of G96 counts feet a minute: 12·S / (π·X) with X in inches.
+#[test]
+fn cutting_speed_in_feet() {
+    let facing = "G20 G99\nG50 S5000\nG96 S300 M3\nG0 X2. Z0\nG1 Z-1. F.01";
+    // 1 inch at 0.01 inch a turn and 573/min.
+    check_seconds("", facing, 100.0 * 60.0 * PI * 2.0 / (12.0 * 300.0));
+    let speed_of = |program: &str, radius: f64| {
+        let (motions, machine) = run("", program);
+        speed_at(&motions.last().expect(program).process, &machine, radius).expect(program)
+    };
+    assert!((speed_of(facing, 25.4) - 572.958).abs() < 0.001);
+    // The limits count turns a minute, whatever the unit.
+    assert!((speed_of(facing, 1.0) - 5000.0).abs() < 1e-9);
+    // S keeps what it meant when it was given.
+    let after = "G20 G96 S300 M3\nG21 G0 X50.8 Z0\nG1 Z-10 F.2";
+    assert!((speed_of(after, 25.4) - 572.958).abs() < 0.001);
+    // G97 without S keeps the turns, #4119 reads the feet.
+    assert!((speed_of("G20 G96 S300 M3\nG0 X2. Z0\nG97\nG1 Z-1. F.01", 1.0) - 572.958).abs() < 0.001);
+    assert!((speed_of("G20 G96 S300 M3\nG97 S#4119\nG0 X2. Z0\nG1 Z-1. F.01", 1.0) - 300.0).abs() < 1e-9);
+    assert!((speed_of("G20 G97 S300 M3\nG0 X2. Z0\nG1 Z-1. F.01", 1.0) - 300.0).abs() < 1e-9);
+}
+
+/// Q of G50 is the lowest speed of G96.
+#[test]
+fn lowest_speed() {
+    // Alone 100 m/min at ⌀100 are 318/min; Q keeps the spindle at 500.
+    check_seconds("", "G50 S3000 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 30.0);
+    // Q alone, and above the machine's own limit.
+    check_seconds("", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 30.0);
+    check_seconds("\"maxSpeed\": 400", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 37.5);
+    // Q holds nothing under G97.
+    check_seconds("", "G50 Q500\nG97 S250 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 60.0);
+    // Where the limits are reversed the highest one counts.
+    check_seconds("", "G50 S250 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 Z-50 F0.2", 60.0);
+    // Held to 500/min beyond ⌀63.66, to 1000/min below ⌀31.83.
+    for end in ["X200", "X90", "X50", "X20", "X0", "X-10", "X-100", "X20 Z-30", "X0 Z-80"] {
+        check("", &format!("G50 S1000 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
+        check("\"maxSpeed\": 450", &format!("G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG99 G01 {end} F0.2"));
+    }
+    check("", "G50 S900 Q600\nG96 S100 M03\nG00 X20 Z0\nG99 G03 X60 Z-20 R20 F0.1\nG02 X80 Z-30 R60");
+    // G97 without S keeps what the spindle had.
+    check_seconds("", "G50 Q500\nG96 S100 M03\nG00 X100 Z0\nG97\nG99 G01 Z-50 F0.2", 30.0);
 }
 
 #[test]

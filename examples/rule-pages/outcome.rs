@@ -43,7 +43,8 @@ impl Outcome {
             let mut shop = Shop::new(&analysis.motions, &analysis.setup);
             shop.stop();
             let levels = &analysis.setup.rules;
-            analysis.diagnostics.extend(rules::machine::diagnostics(&shop, &analysis.motions, levels));
+            let found = rules::machine::diagnostics(&shop, &analysis.motions, levels, &analysis.diagnostics);
+            analysis.diagnostics.extend(found);
             sort_by_place(&mut analysis.diagnostics);
         } else {
             analysis.look_at_machine();

@@ -6,6 +6,7 @@ pub mod compensation;
 pub mod corners;
 pub mod course;
 pub mod dialect;
+pub mod doubt;
 pub mod interpreter;
 pub mod macros;
 pub mod modal;

@@ -11,6 +11,7 @@ use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::course::Course;
 use super::dialect::{Dialect, FeedMode};
+use super::doubt::{Doubt, Doubts};
 use super::macros::Variables;
 use super::offsets::{Frames, ToolOffsets};
 use super::setup::Setup;
@@ -311,9 +312,14 @@ impl Spindle {
         if !self.surface {
             return Some(self.rpm);
         }
+        if self.cutting_speed <= 0.0 {
+            return Some(0.0);
+        }
         let diameter = 2.0 * x.abs();
         let free = 1000.0 * self.cutting_speed / (std::f64::consts::PI * diameter);
-        let held = self.highest.map_or(free, |highest| free.min(highest)).max(self.lowest.unwrap_or(0.0));
+        // Where the limits are reversed the highest one counts.
+        let fast = self.lowest.map_or(free, |lowest| free.max(lowest));
+        let held = self.highest.map_or(fast, |highest| fast.min(highest));
         held.is_finite().then_some(held)
     }
 }
@@ -406,6 +412,8 @@ pub struct State {
     pub tip: Option<Point>,
     /// Angle of C, degrees, outside a virtual plane.
     pub c: f64,
+    /// Place of the tip beside the plane of X and Z, mm; only 0 is drawn.
+    pub y: f64,
     /// Polar or cylindrical interpolation.
     pub virtual_plane: Option<VirtualPlane>,
     /// Work zero points.
@@ -484,8 +492,10 @@ pub struct State {
     pub m_code: u32,
     /// Blocks are data for the control's tables (G10 L3, L50), up to G11.
     pub data_input: bool,
-    /// A block was not carried out: what follows may be wrong.
-    pub uncertain: bool,
+    /// What may be other than it stands here.
+    pub doubts: Doubts,
+    /// A block was not carried out: material may stand that the program takes off.
+    pub incomplete: bool,
     /// What was already said.
     pub told: Told,
 }
@@ -498,6 +508,7 @@ impl State {
             position: Point::new(start.x / 2.0, start.z),
             tip: None,
             c: 0.0,
+            y: 0.0,
             virtual_plane: None,
             frames: Frames::default(),
             offsets: ToolOffsets::default(),
@@ -546,7 +557,8 @@ impl State {
             sequence: 0,
             m_code: 0,
             data_input: false,
-            uncertain: false,
+            doubts: Doubts::default(),
+            incomplete: false,
             told: Told::default(),
         }
     }
@@ -612,6 +624,13 @@ impl State {
         }
     }
 
+    /// Whether the next motion may be another than is made of what stands here.
+    #[cold]
+    fn is_path_doubtful(&self) -> bool {
+        const PATH: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Y, Doubt::Path, Doubt::Coordinates]);
+        self.doubts.has_any(PATH) || (self.virtual_plane.is_some() && self.doubts.has(Doubt::C))
+    }
+
     /// Feed, spindle and tool as a motion carries them.
     pub fn process(&self) -> Process {
         let spindle = &self.spindle;
@@ -627,8 +646,10 @@ impl State {
             },
             turn: spindle.turn,
             clamp: spindle.highest,
+            lowest: spindle.lowest,
             tool: self.tool,
-            uncertain: self.uncertain,
+            uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
+            incomplete: self.incomplete,
         }
     }
 }

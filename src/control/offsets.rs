@@ -37,8 +37,8 @@ pub struct Frames {
     pub external: Point,
     /// Zero of each frame (G10 L2 and L20, #5221 and on).
     work: ByFrame,
-    /// Local shift of each frame by G52.
-    local: ByFrame,
+    /// Local shift by G52, in every frame.
+    pub local: Point,
     /// The frame in force: 0 for G54 to 5 for G59, then those of G54.1.
     pub active: u16,
 }
@@ -46,7 +46,7 @@ pub struct Frames {
 impl Frames {
     /// Machine place minus work place.
     pub fn offset(&self) -> Point {
-        let (work, local) = (self.work.get(self.active), self.local.get(self.active));
+        let (work, local) = (self.work.get(self.active), self.local);
         Point::new(
             self.shift.x + self.external.x + work.x + local.x,
             self.shift.z + self.external.z + work.z + local.z,
@@ -61,11 +61,6 @@ impl Frames {
     /// Zero of a frame, to be changed.
     pub fn work_mut(&mut self, frame: u16) -> &mut Point {
         self.work.entry(frame)
-    }
-
-    /// Local shift of the frame in force, to be changed.
-    pub fn local_mut(&mut self) -> &mut Point {
-        self.local.entry(self.active)
     }
 }
 

@@ -32,6 +32,14 @@ impl Unit {
         10f64.powi(-i32::from(self.decimals()))
     }
 
+    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (semantics §3.11).
+    pub fn surface_metres(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Inch => 0.3048,
+        }
+    }
+
     /// Decimals of the least input increment: 0.001 mm, 0.0001 inch (IS-B).
     fn decimals(self) -> u8 {
         match self {

@@ -500,6 +500,8 @@ pub enum Message {
     PartTooManyCorners { most: usize },
     /// Somebody has stopped the taking off of material.
     PartStopped { done: usize, all: usize },
+    /// Behind a block that was not carried out: so many uncertain cuts are not taken off the part.
+    BehindLeftOut { cuts: usize },
     /// The setup names tools, but not this one.
     ToolNotListed { tool: String },
     /// A rapid goes through the work.
@@ -561,6 +563,7 @@ impl Message {
             | Self::PartTooManyMotions { .. }
             | Self::PartTooManyCorners { .. }
             | Self::PartStopped { .. }
+            | Self::BehindLeftOut { .. }
             | Self::NotCompared { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
@@ -834,6 +837,7 @@ impl Message {
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
             Self::PartStopped { .. } => ("I-PART-STOPPED", "part-stopped", Info, None),
+            Self::BehindLeftOut { .. } => ("I-NOT-CHECKED", "not-checked-behind-fault", Info, None),
             Self::PartTooManyCorners { .. } => ("I-PART-CORNERS", "part-too-many-corners", Info, None),
             Self::ToolNotListed { .. } => ("W-TOOL-NOT-LISTED", "tool-not-in-setup", Warning, None),
             Self::RapidThroughStock { .. } => ("W-START-IN-STOCK", "rapid-through-stock", Error, None),

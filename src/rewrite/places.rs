@@ -253,4 +253,5 @@ fn is_simple(motion: &Motion) -> bool {
         && motion.rotary.is_none()
         && motion.programmed.is_none()
         && !motion.process.uncertain
+        && !motion.process.incomplete
 }

@@ -84,8 +84,10 @@ impl Path {
             speed: SpindleSpeed::Constant(800.0),
             turn: SpindleTurn::Forward,
             clamp: None,
+            lowest: None,
             tool: (1, 1),
             uncertain: self.uncertain,
+            incomplete: self.uncertain,
         };
         let (lead, seconds) = (None, None);
         self.list.push(Motion {

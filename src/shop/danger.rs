@@ -133,6 +133,8 @@ pub struct Watch {
     station: Option<u16>,
     /// Axes whose place is not known, X and Z: the tool was changed at the work, and they have not moved since.
     unknown: [bool; 2],
+    /// The thread under way begins within the work.
+    plunges: bool,
     /// Where the pass of a cycle under way began.
     pass_start: Option<Point>,
     /// All that was found.
@@ -141,6 +143,13 @@ pub struct Watch {
 
 /// Most findings that are kept.
 const MOST: usize = 1000;
+
+/// Whether the first pass of a thread goes down to its depth within the work: the tip, a little above its end, in material.
+fn plunges(infeed: &Motion, part: &mut Part) -> bool {
+    let (from, to) = (infeed.from, infeed.to);
+    let way = to.x - from.x;
+    way.abs() > INSIDE && part.now().holds(Point::new(to.x - INSIDE * way.signum(), to.z))
+}
 
 impl Watch {
     /// Looks at a program fitted out so.
@@ -155,6 +164,7 @@ impl Watch {
             missed: Vec::new(),
             station: None,
             unknown: [false; 2],
+            plunges: false,
             pass_start: None,
             findings: Vec::new(),
         }
@@ -190,7 +200,8 @@ impl Watch {
             return;
         }
         self.hit_obstacles(index, motion, tool);
-        if self.stock.is_none() {
+        // Behind a block that was not carried out it is not known what stands in the way.
+        if self.stock.is_none() || motion.process.incomplete {
             return;
         }
         if motion.cycle.is_some() && self.cycle_start(index, motion, part) {
@@ -243,16 +254,26 @@ impl Watch {
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
         let facing = match tag.cycle {
-            Cycle::Turning | Cycle::Threading => false,
+            Cycle::Turning | Cycle::Threading | Cycle::MultiThreading => false,
             Cycle::Facing => true,
             _ => return false,
         };
         match tag.step {
             Step::Infeed => {
                 self.pass_start = Some(motion.from);
-                return false;
+                if tag.cycle == Cycle::Turning || facing {
+                    return false;
+                }
+                if tag.pass == 1 {
+                    self.plunges = plunges(motion, part);
+                    if let Some(stock) = self.stock.filter(|_| self.plunges) {
+                        self.tell(index, motion.from, Danger::BehindFace { face: stock.face });
+                    }
+                }
+                // Of the later passes it is known.
+                return self.plunges;
             }
-            Step::Cut => {}
+            Step::Cut if !self.plunges => {}
             _ => return false,
         }
         let Some(start) = self.pass_start.take().filter(|_| tag.pass == 1) else { return false };

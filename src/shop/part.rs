@@ -186,7 +186,12 @@ pub fn cut(motion: &Motion, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
 
 /// What the fraction `share` of a motion takes off.
 fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
-    if !motion.kind.cuts() || motion.rotary.is_some() || tool.shape.action == Action::Live {
+    // Where the tool went is not known.
+    if motion.process.uncertain
+        || !motion.kind.cuts()
+        || motion.rotary.is_some()
+        || tool.shape.action == Action::Live
+    {
         return Vec::new();
     }
     let share = within(share, 0.0, 1.0);

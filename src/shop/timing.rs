@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use crate::control::setup::Machine;
-use crate::geometry::{Point, SAME};
+use crate::geometry::{Point, SAME, within};
 use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
 
 /// A spindle faster than this has no limit that anybody gave, turns a minute: nothing is known of it.
@@ -25,7 +25,8 @@ pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64
         SpindleSpeed::Constant(speed) => limit.map_or(speed, |limit| speed.min(limit)),
         SpindleSpeed::Surface { speed } if speed <= 0.0 => 0.0,
         SpindleSpeed::Surface { speed } => {
-            let wanted = 1000.0 * speed / (2.0 * PI * radius.abs());
+            let free = 1000.0 * speed / (2.0 * PI * radius.abs());
+            let wanted = process.lowest.map_or(free, |lowest| free.max(lowest));
             limit.map_or(wanted, |limit| wanted.min(limit))
         }
     };
@@ -106,33 +107,37 @@ fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
         None => vec![motion.from, motion.to],
     };
     let share = motion.length() / points.windows(2).map(|ends| ends[0].distance(ends[1])).sum::<f64>();
-    let corner = limit.map_or(0.0, |limit| held / limit);
+    // Nearer to the axis the highest speed holds the spindle back, farther out the lowest keeps it going.
+    let near = limit.map_or(0.0, |limit| held / limit);
+    let far = motion.process.lowest.filter(|&lowest| lowest > 0.0).map_or(f64::MAX, |lowest| held / lowest);
+    let corners = (near, far.max(near));
     let minutes: f64 = points
         .windows(2)
         .map(|ends| {
             let length = share * ends[0].distance(ends[1]);
-            turns * length * mean_of_larger(ends[0].x, ends[1].x, corner) / held
+            turns * length * mean_within(ends[0].x, ends[1].x, corners) / held
         })
         .sum();
     Some(60.0 * minutes)
 }
 
-/// The mean of `max(|x|, least)` while x goes evenly from `a` to `b`.
-fn mean_of_larger(a: f64, b: f64, least: f64) -> f64 {
+/// The mean of `|x|`, held within two bounds, while x goes evenly from `a` to `b`.
+fn mean_within(a: f64, b: f64, (least, most): (f64, f64)) -> f64 {
     if (a < 0.0) != (b < 0.0) && a != 0.0 && b != 0.0 {
         // Through the axis: the two sides by their lengths.
         let (left, right) = (a.abs(), b.abs());
-        return (left * mean_of_larger(0.0, left, least) + right * mean_of_larger(0.0, right, least))
-            / (left + right);
+        let side = |end: f64| end * mean_within(0.0, end, (least, most));
+        return (side(left) + side(right)) / (left + right);
     }
     let (low, high) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
-    if high <= least {
-        return least;
+    if high - low <= 1e-12 {
+        return within(f64::midpoint(low, high), least, most);
     }
-    if low >= least || high - low <= 1e-12 {
-        return f64::midpoint(low, high);
-    }
-    ((least - low) * least + (high - least) * f64::midpoint(least, high)) / (high - low)
+    let (first, last) = (within(low, least, most), within(high, least, most));
+    let below = (high.min(least) - low).max(0.0);
+    let above = (high - low.max(most)).max(0.0);
+    let between = (high - low - below - above).max(0.0);
+    (below * least + between * f64::midpoint(first, last) + above * most) / (high - low)
 }
 
 fn highest(process: &Process, machine: &Machine) -> Option<f64> {

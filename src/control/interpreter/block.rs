@@ -3,6 +3,7 @@
 //! In: a block. Out: its [`Request`] carried out.
 
 use super::*;
+use crate::control::doubt::Doubt;
 
 impl Interpreter {
     /// Carries out one block.
@@ -33,7 +34,7 @@ impl Interpreter {
         match block.kind {
             BlockKind::Percent => return Flow::Next,
             BlockKind::Macro if broken => {
-                self.state.uncertain = true;
+                self.lose_statement(block.span.of(text));
                 return Flow::Next;
             }
             BlockKind::Macro => return self.macro_statement(text, block, here),
@@ -46,7 +47,9 @@ impl Interpreter {
         }
         if block.words.is_empty() {
             // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
-            self.state.uncertain |= broken && block.faults.iter().any(|fault| !is_prose(fault));
+            if broken && block.faults.iter().any(|fault| !is_prose(fault)) {
+                self.lose(doubts::faults_of(text, block));
+            }
             return Flow::Next;
         }
         if block.is_overlong() {
@@ -80,14 +83,25 @@ impl Interpreter {
         self.technology(text, block, &request, &words);
         let kept = self.kept();
         if request.drop {
-            self.state.uncertain = true;
-            self.forget_next_move();
             if let Some(mode) = request.motion {
                 self.enter(mode, block, &words);
             }
+            self.refuse(text, block, &request, &words);
+            self.forget_next_move();
+            if matches!(request.one_shot, Some(OneShot::Multiple(_))) {
+                self.pass_over_contour(text, block, &words);
+            }
         } else {
+            if !self.state.doubts.is_empty() {
+                self.doubt_block(&request, &words);
+            }
+            let before = self.state.doubts;
             self.act(text, block, &mut request, &words);
-            self.state.uncertain |= request.drop;
+            if request.drop {
+                self.refuse(text, block, &request, &words);
+            } else if !self.state.doubts.is_empty() {
+                self.regain(&request, &words, before);
+            }
         }
         self.state.sent_home &= !request.moved;
         if !request.moved {
@@ -159,13 +173,14 @@ impl Interpreter {
             self.one_shot(text, block, request, words, one_shot);
             return;
         }
-        if self.state.hole.is_some() {
+        const OTHER_AXES: u32 = letters(b"YV");
+        let has_hole = self.state.hole.is_some();
+        if words.has_any(OTHER_AXES) && (has_hole || !matches!(self.state.motion, MotionMode::Cycle(_))) {
+            self.other_axes(text, words);
+        }
+        if has_hole {
             self.hole(text, block, request, words);
             return;
-        }
-        const OTHER_AXES: u32 = letters(b"YV");
-        if words.has_any(OTHER_AXES) && !matches!(self.state.motion, MotionMode::Cycle(_)) {
-            self.other_axes(text, words);
         }
         if self.state.virtual_plane.is_some()
             && words.has_any(AXES | TURNS)
@@ -240,6 +255,12 @@ impl Interpreter {
         match one_shot {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
             OneShot::Multiple(_) => self.arrive_for_cycle(),
+            OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
+                if words.has_any(AXES) {
+                    self.watch_compensation_at_home(text, block);
+                }
+                self.leave_compensation();
+            }
             _ => self.leave_compensation(),
         }
         match one_shot {
@@ -247,14 +268,14 @@ impl Interpreter {
             OneShot::Home | OneShot::OtherHome => self.home(text, block, request, words),
             OneShot::CheckHome => self.check_home(text, block, request, words),
             OneShot::FromHome => self.leave_home(text, block, request, words),
-            OneShot::Machine => self.machine_move(block, request, words),
+            OneShot::Machine => self.machine_move(text, block, request, words),
             OneShot::Data => self.write_data(text, request, words),
             OneShot::Setting => self.setting(words),
             OneShot::LocalFrame => self.local_frame(words),
             OneShot::Polar(switch) => self.polar(text, block, request, switch),
             OneShot::Cylinder => self.cylinder(text, block, request, words),
             OneShot::Multiple(cycle) => self.multiple(text, block, request, words, cycle),
-            OneShot::NotSupported => self.state.uncertain = true,
+            OneShot::NotSupported => self.lose_to_unsupported(request.unsupported, words),
         }
     }
 
@@ -262,6 +283,9 @@ impl Interpreter {
     fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
         let state = &mut self.state;
         state.hole = None;
+        if !state.doubts.is_empty() {
+            state.doubts.remove(Doubt::Code);
+        }
         if mode != state.motion {
             state.told.forget(Once::TaperNotExtended);
         }

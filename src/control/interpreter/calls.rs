@@ -92,14 +92,14 @@ impl Interpreter {
                 let Some(named) = named.map(|number| number as u64) else {
                     let code = if passage == Passage::Call { "M98" } else { "M97" };
                     self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
-                    self.state.uncertain = true;
+                    self.lose_program();
                     return Flow::Next;
                 };
                 if ![b'P', b'Q', b'L']
                     .into_iter()
                     .all(|address| words.get(address).is_none_or(|word| self.is_whole(text, word)))
                 {
-                    self.state.uncertain = true;
+                    self.lose_program();
                     return Flow::Next;
                 }
                 let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
@@ -113,7 +113,7 @@ impl Interpreter {
                     let (Some(head), packed) = self.subprogram(text, named) else {
                         let word = words.quote(text, b'P');
                         self.tell(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
-                        self.state.uncertain = true;
+                        self.lose_program();
                         return Flow::Next;
                     };
                     // Q: the block of that number in the subprogram.
@@ -242,7 +242,7 @@ impl Interpreter {
 
     fn sequence_not_found(&mut self, sequence: u32, span: Span) {
         self.tell(Diagnostic::new(Message::SequenceNotFound { sequence }, span));
-        self.state.uncertain = true;
+        self.lose_program();
     }
 
     /// M99 of the main program: from its head, or from the block of P, once more, for ever.

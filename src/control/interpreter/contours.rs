@@ -263,7 +263,7 @@ impl Interpreter {
                 }
             }
             let moves = self.recorded.as_ref().map_or(0, Vec::len);
-            let uncertain = std::mem::replace(&mut self.state.uncertain, false);
+            let refused = std::mem::replace(&mut self.refused, false);
             let flow = self.run(text, &block, here);
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
@@ -271,8 +271,8 @@ impl Interpreter {
                 self.tell(Diagnostic::new(Message::ContourIllegal { word }, span));
                 sound = false;
             }
-            sound &= !self.state.uncertain;
-            self.state.uncertain |= uncertain;
+            sound &= !self.refused;
+            self.refused |= refused;
             if is_first {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
                 let moved = self.recorded.as_ref().map_or(0, Vec::len) > moves;

@@ -6,6 +6,7 @@
 
 use super::*;
 use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
+use crate::control::doubt::Doubt;
 use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
 use crate::limits::LOOPS;
 use crate::text::lexer::Number;
@@ -40,6 +41,7 @@ impl Interpreter {
     pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if let Some(word) = block.words.first() {
             self.tell_macro(FaultKind::WordsBehind, word.span.to(block.span));
+            self.lose_statement(block.span.of(text));
             return Flow::Next;
         }
         if !self.count_macro_step(block) {
@@ -51,6 +53,7 @@ impl Interpreter {
         let action = match macros::statement(statement, &mut store) {
             Ok(action) => action,
             Err(fault) => {
+                self.lose_statement(statement);
                 self.faulty_statement(text, block, here, &fault);
                 return Flow::Next;
             }
@@ -94,6 +97,7 @@ impl Interpreter {
                 parser.next_block(&mut own);
                 if own.kind != BlockKind::Words || parser.position().byte < words.end {
                     self.tell_macro(FaultKind::Format, words);
+                    self.lose_program();
                     return Flow::Next;
                 }
                 own.span = block.span;
@@ -149,7 +153,7 @@ impl Interpreter {
         self.trace_fault();
         let told = Diagnostic::new(Message::Macro { kind }, span);
         self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
-        self.state.uncertain = true;
+        self.left_out();
     }
 
     /// DO: a loop begins, or its next round.
@@ -168,6 +172,7 @@ impl Interpreter {
             let end = self.ends.get(&outer).copied().flatten();
             if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
+                self.lose_program();
             } else {
                 // A jump out of a loop left it open.
                 self.state.course.loops().truncate(old);
@@ -198,6 +203,7 @@ impl Interpreter {
             // The END of a DO that was told to have none: its number is wrong.
             if !self.lacks_end {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
+                self.lose_program();
             }
             return Flow::Next;
         };
@@ -218,6 +224,7 @@ impl Interpreter {
         let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.full {
             self.tell_macro(FaultKind::EndMissing, block.words_span());
+            self.lose_program();
         }
         found
     }
@@ -269,11 +276,19 @@ impl Interpreter {
                 if self.trace.is_some() {
                     self.trace_values(&own);
                 }
-                self.words(text, &own, here)
+                if !self.state.doubts.has(Doubt::Values) {
+                    return self.words(text, &own, here);
+                }
+                // What comes from variables is as doubtful as they are.
+                let doubtful = Self::from_variables(block);
+                self.lose(doubtful);
+                let flow = self.words(text, &own, here);
+                self.lose(doubtful);
+                flow
             }
             None => {
                 self.trace_nothing();
-                self.state.uncertain = true;
+                self.lose(Self::from_variables(block));
                 if self.full { Flow::End } else { Flow::Next }
             }
         }
@@ -363,7 +378,7 @@ impl Interpreter {
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
             self.tell(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
-            self.state.uncertain = true;
+            self.lose_program();
             return Flow::Next;
         };
         let rounds = find(b'L').as_ref().and_then(value).map_or(1, |rounds| rounds as u32);
@@ -378,6 +393,7 @@ impl Interpreter {
             Err(fault) => {
                 let span = handed.get(fault.index).map_or(block.words_span(), |word| word.span);
                 self.tell_macro(fault.kind, span);
+                self.lose_program();
                 return Flow::Next;
             }
         };
@@ -386,7 +402,7 @@ impl Interpreter {
             let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
             let span = find(b'P').map_or(block.words_span(), |word| word.span);
             self.tell(Diagnostic::new(Message::ProgramNotFound { word }, span));
-            self.state.uncertain = true;
+            self.lose_program();
             return Flow::Next;
         };
         match call {

@@ -1,7 +1,8 @@
 //! Blocks to motions: what the control does with one block after the other.
 //!
 //! In: blocks, the setup. Out: motions and messages. Values become millimetres and radii here and nowhere
-//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain.
+//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain until what they
+//! depend on is known again.
 //!
 //! Order within a block (semantics §1.3): plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
@@ -9,6 +10,7 @@
 mod block;
 mod calls;
 mod contours;
+mod doubts;
 mod holes;
 mod macros;
 mod motions;
@@ -145,6 +147,8 @@ enum Exclusive {
 #[derive(Default)]
 struct Request {
     one_shot: Option<OneShot>,
+    /// Ten times the number of a G code that is not done here.
+    unsupported: Option<u64>,
     /// A code of group 01 stands in the block.
     motion: Option<MotionMode>,
     /// G96 (true) or G97.
@@ -177,6 +181,13 @@ struct Request {
     switches_compensation: bool,
 }
 
+impl Request {
+    /// Whether a move of the block is of the kind that an earlier block names.
+    fn goes_by_last_code(&self) -> bool {
+        self.motion.is_none() && self.one_shot.is_none() && self.hole.is_none()
+    }
+}
+
 /// Runs blocks and keeps what comes of them.
 pub struct Interpreter {
     setup: Setup,
@@ -186,8 +197,8 @@ pub struct Interpreter {
     /// Finished chunks.
     motions: Motions,
     chunk: Chunk,
-    /// A block before the chunk could not be carried out; `state.uncertain` tells of those since.
-    doubtful: bool,
+    /// A block before the chunk could not be carried out; `state.incomplete` tells of those since.
+    incomplete: bool,
     /// In the order in which they were told.
     diagnostics: Vec<Diagnostic>,
     hidden: usize,
@@ -232,6 +243,8 @@ pub struct Interpreter {
     trace: Option<Vec<Executed>>,
     /// The first fault in the writing of the block under way.
     fault: Option<Span>,
+    /// A block was not carried out since this was last looked at.
+    refused: bool,
     /// Nothing is told of the block under way any more.
     muted: bool,
     /// Messages told, in order of place and name: what runs again is not told again.
@@ -254,7 +267,7 @@ impl Interpreter {
             state,
             motions: Motions::default(),
             chunk,
-            doubtful: false,
+            incomplete: false,
             diagnostics: Vec::new(),
             hidden: 0,
             full: false,
@@ -278,6 +291,7 @@ impl Interpreter {
             heads: BTreeSet::new(),
             trace: None,
             fault: None,
+            refused: false,
             muted: false,
             told: Vec::new(),
         }

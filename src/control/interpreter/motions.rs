@@ -5,6 +5,7 @@
 use super::singles;
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
+use crate::control::doubt::{Doubt, Doubts};
 use crate::control::modal::{Angle, Joint};
 use crate::geometry::SAME;
 use crate::geometry::virtual_plane::Surface;
@@ -62,18 +63,30 @@ impl Interpreter {
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
-    /// Y and V: told once. The motion of X and Z is drawn all the same.
+    /// Y and V: at Y0 they change nothing. Elsewhere it is told once, and the motion of X and Z is drawn as an uncertain one.
     #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
+        let reading = self.reading();
         for address in [b'Y', b'V'] {
-            if words.get(address).is_some() {
-                if self.state.told.first(Once::AxisNotHere) {
-                    let word = words.quote(text, address);
-                    self.tell(Diagnostic::new(Message::AxisNotHere { word }, words.span(address)));
-                }
-                self.state.uncertain = true;
-            }
+            let Some(word) = words.get(address) else { continue };
+            let way = reading.length(word).unwrap_or(0.0);
+            let absolute = address == b'Y' && !self.state.incremental;
+            self.move_y(text, word, if absolute { way } else { self.state.y + way });
         }
+    }
+
+    /// The tip goes to a place along Y, mm.
+    pub(super) fn move_y(&mut self, text: &[u8], word: &Word, y: f64) {
+        self.state.y = y;
+        if y.abs() <= crate::geometry::SAME {
+            self.state.doubts.remove(Doubt::Y);
+            return;
+        }
+        if self.state.told.first(Once::AxisNotHere) {
+            let message = Message::AxisNotHere { word: quote(text, word.span) };
+            self.tell(Diagnostic::new(message, word.span));
+        }
+        self.lose(Doubts::of(&[Doubt::Y]));
     }
 
     /// G01, with its corner and angle words (semantics §3.2).

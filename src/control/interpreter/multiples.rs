@@ -7,6 +7,7 @@
 use super::contours::{Purpose, Shape};
 use super::singles;
 use super::*;
+use crate::control::doubt::Doubt;
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::motion::Cycle;
@@ -62,8 +63,8 @@ impl Interpreter {
             self.push(block, Motion { cycle: Some(tag), ..routed.motion });
         }
         // The blocks change the modal state as they would on their own; the tool goes home.
-        let (position, told) = (self.state.position, self.state.told);
-        self.state = State { position, told, ..shape.state };
+        let (position, told, doubts) = (self.state.position, self.state.told, self.state.doubts);
+        self.state = State { position, told, doubts, ..shape.state };
         let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step: Step::Return };
         let home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
         self.push(block, home);
@@ -404,7 +405,8 @@ impl Interpreter {
         let kept = self.kept();
         for step in moves {
             let tag = CycleStep { cycle, pass: step.pass, step: step.step };
-            let motion = self.motion(step.kind, step.to);
+            let mut motion = self.motion(step.kind, step.to);
+            motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
             self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
         }
         self.spend(moves.len() - (self.kept() - kept), block);

@@ -96,7 +96,7 @@ impl Interpreter {
             return;
         }
         // A block behind that of a motion that waited may have failed.
-        routed.motion.process.uncertain |= self.state.uncertain;
+        routed.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
             self.chunk.stop(&stop);
         }

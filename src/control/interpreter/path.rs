@@ -31,7 +31,8 @@ impl Interpreter {
             && let Some(pending) = self.state.pending.take()
             && !self.join(pending, &mut routed)
         {
-            self.state.uncertain = true;
+            self.left_out();
+            routed.motion.process.uncertain = true;
         }
         self.state.position = routed.motion.to;
         match joint {
@@ -86,7 +87,8 @@ impl Interpreter {
                 // The corner waits until the end of this open angle is known.
                 before = Some(Box::new(pending));
             } else if !self.join(pending, &mut routed) {
-                self.state.uncertain = true;
+                self.left_out();
+                routed.motion.process.uncertain = true;
             }
         }
         self.state.pending = Some(Pending { routed, joint, angle: Some(angle), before, dwells: Vec::new() });
@@ -104,8 +106,10 @@ impl Interpreter {
                 self.state.position = end;
                 if let Some(before) = pending.before.take() {
                     let mut routed = pending.routed;
-                    let joined = self.join(*before, &mut routed);
-                    self.state.uncertain |= !joined;
+                    if !self.join(*before, &mut routed) {
+                        self.left_out();
+                        routed.motion.process.uncertain = true;
+                    }
                     if let Some(pending) = &mut self.state.pending {
                         pending.routed = routed;
                     }
@@ -117,6 +121,7 @@ impl Interpreter {
                 let message = Message::AngleNoPoint { word: open.word.clone(), alarm };
                 let diagnostic = Diagnostic::new(message, open.span);
                 self.state.pending = None;
+                self.lose_place();
                 self.tell(diagnostic);
                 false
             }
@@ -302,7 +307,12 @@ impl Interpreter {
                         Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
                     };
                     self.tell(Diagnostic::new(message, routed.words));
-                    self.state.uncertain = true;
+                    self.left_out();
+                    // The move behind begins elsewhere.
+                    match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
+                        Some((_, later)) => later.motion.process.uncertain = true,
+                        None => self.lose_path(),
+                    }
                 }
             }
             if !matches!(outcome, Ok(moved) if moved.origin == Origin::Corner) {
@@ -344,7 +354,7 @@ impl Interpreter {
                 self.offset(pending.routed);
             } else {
                 self.state.position = from;
-                self.state.uncertain = true;
+                self.lose_place();
             }
             self.wait_all(&pending.dwells, self.state.position);
         }
@@ -357,10 +367,12 @@ impl Interpreter {
     pub(super) fn forget_next_move(&mut self) {
         let Some(pending) = &mut self.state.pending else { return };
         pending.joint = None;
+        pending.routed.motion.process.uncertain = true;
         if pending.angle.is_some() {
             self.state.position =
                 pending.before.as_ref().map_or(pending.routed.motion.from, |first| first.routed.motion.from);
             self.state.pending = None;
+            self.lose_place();
         }
     }
 

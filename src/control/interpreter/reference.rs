@@ -3,6 +3,7 @@
 //! In: the words of a block. Out: rapids, and changed tables.
 
 use super::*;
+use crate::control::doubt::Doubt;
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
 
 impl Interpreter {
@@ -12,8 +13,17 @@ impl Interpreter {
         Point::new(home.x / 2.0 - offset.x, home.z - offset.z)
     }
 
-    /// G28, and G30 to the other reference points: over the intermediate point.
+    /// G28, and G30 to the other reference points. That of Y is over the spindle axis.
     pub(super) fn home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        self.go_home(text, block, request, words);
+        if words.has_any(letters(b"YV")) {
+            self.state.y = 0.0;
+            self.state.doubts.remove(Doubt::Y);
+        }
+    }
+
+    /// Over the intermediate point to a reference point.
+    fn go_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if request.one_shot == Some(OneShot::OtherHome)
             && let Some(word) = words.get(b'P')
             && !matches!(plain(word), Some(2.0 | 3.0 | 4.0))
@@ -93,8 +103,11 @@ impl Interpreter {
     }
 
     /// G53: a rapid in machine coordinates; incremental words do not count.
-    pub(super) fn machine_move(&mut self, block: &Block, request: &mut Request, words: &Words) {
+    pub(super) fn machine_move(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let reading = self.reading();
+        if let Some((word, y)) = words.get(b'Y').and_then(|word| Some((word, reading.length(word)?))) {
+            self.move_y(text, word, y);
+        }
         let x = words.get(b'X').and_then(|word| reading.radius(word));
         let z = words.get(b'Z').and_then(|word| reading.length(word));
         if x.is_none() && z.is_none() {

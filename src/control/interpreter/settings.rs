@@ -32,7 +32,7 @@ impl Interpreter {
             }
             let spindle = &mut self.state.spindle;
             if spindle.surface {
-                spindle.cutting_speed = value;
+                spindle.cutting_speed = value * self.state.unit.surface_metres();
             } else {
                 spindle.rpm = value;
             }
@@ -54,11 +54,11 @@ impl Interpreter {
 
     #[inline(never)]
     pub(super) fn surface_speed(&mut self, block: &Block, surface: bool, words: &Words) {
-        let radius = self.state.position.x;
+        let reached = self.spindle_speed(self.state.position.x);
         let spindle = &mut self.state.spindle;
         if !surface && spindle.surface && words.get(b'S').is_none() {
             // G97 without S keeps the speed that was reached last.
-            spindle.rpm = spindle.speed_at(radius).unwrap_or(spindle.rpm);
+            spindle.rpm = reached.unwrap_or(spindle.rpm);
         }
         let begins = surface && !spindle.surface;
         let kept = if surface { 0.0 } else { spindle.rpm.floor() };
@@ -77,6 +77,13 @@ impl Interpreter {
         if begins && spindle.highest.is_none() {
             self.state.unclamped = Some(words.span(b'S'));
         }
+    }
+
+    /// Speed of the spindle with the tip at a radius, mm, turns a minute; no faster than the machine turns. `None` at the
+    /// axis without a limit.
+    pub(super) fn spindle_speed(&self, radius: f64) -> Option<f64> {
+        let (speed, most) = (self.state.spindle.speed_at(radius), self.setup.machine.max_speed);
+        speed.map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
     }
 
     /// A motion under G96 without a highest speed: once in a program.
@@ -176,21 +183,22 @@ impl Interpreter {
         if let Some(lowest) = words.get(b'Q').and_then(plain) {
             spindle.lowest = Some(lowest);
         }
-        if let (Some(lowest), Some(highest)) = (spindle.lowest, spindle.highest)
+        let limit = [b'Q', b'S'].into_iter().find(|&address| words.get(address).is_some());
+        if let (Some(lowest), Some(highest), Some(limit)) = (spindle.lowest, spindle.highest, limit)
             && lowest > highest
         {
-            self.tell(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(b'Q')));
+            self.tell(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(limit)));
         }
     }
 
-    /// G52: local shift of the frame in force; X0 Z0 takes it away.
+    /// G52: local shift, in every frame; X0 Z0 takes it away.
     pub(super) fn local_frame(&mut self, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let (x, z) = (length(b'X').map(|x| x / 2.0), length(b'Z'));
         self.state.change_frame(|frames| {
-            let local = frames.local_mut();
-            *local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));
+            let local = frames.local;
+            frames.local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));
         });
     }
 

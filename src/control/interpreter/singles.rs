@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::control::compensation::{Axis, cycle_shift};
+use crate::control::doubt::Doubt;
 
 /// A span longer than this, bytes, is a block and not the word of a taper.
 const LONGEST_WORD: usize = 12;
@@ -289,7 +290,8 @@ impl Interpreter {
     ) {
         for step in moves {
             let tag = CycleStep { cycle: cycle.cycle(), pass, step: step.step };
-            let motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
+            let mut motion = Motion { cycle: Some(tag), lead, ..self.motion(step.kind, step.to) };
+            motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
             self.push(block, motion);
         }
     }

@@ -22,7 +22,7 @@ pub struct Snapshot {
     /// A block since the snapshot before could not be carried out.
     failed: bool,
     /// A block before it could not be carried out.
-    doubtful: bool,
+    incomplete: bool,
 }
 
 impl Snapshot {
@@ -74,7 +74,7 @@ impl Interpreter {
     /// Begins a chunk at the block to come. One without motions begins there anew.
     pub fn begin_chunk(&mut self, at: Resume) {
         let mut next = Chunk::new(at.byte, at.line, self.state.position);
-        next.set_doubtful(self.doubtful);
+        next.set_incomplete(self.incomplete);
         self.motions.push(std::mem::replace(&mut self.chunk, next));
     }
 
@@ -87,8 +87,8 @@ impl Interpreter {
     /// Keeps the control as it is before the block to come, which begins a chunk.
     pub fn snapshot(&mut self, at: Resume) -> Snapshot {
         // From here on errors are counted anew, so that the state does not depend on those before.
-        let failed = std::mem::take(&mut self.state.uncertain);
-        self.doubtful |= failed;
+        let failed = std::mem::take(&mut self.state.incomplete);
+        self.incomplete |= failed;
         self.begin_chunk(at);
         Snapshot {
             at,
@@ -98,13 +98,13 @@ impl Interpreter {
             hidden: self.hidden,
             work: self.work,
             failed,
-            doubtful: self.doubtful,
+            incomplete: self.incomplete,
         }
     }
 
     /// Goes back to a snapshot of the same run, as if nothing behind it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { at, state, chunks, told, hidden, work, failed: _, doubtful } = snapshot;
+        let Snapshot { at, state, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
         let mut motions = std::mem::take(&mut self.motions);
         motions.split_off(*chunks);
         let mut diagnostics = std::mem::take(&mut self.diagnostics);
@@ -117,7 +117,7 @@ impl Interpreter {
             motions,
             hidden: *hidden,
             work: *work,
-            doubtful: *doubtful,
+            incomplete: *incomplete,
             furthest: at.byte,
             heads: heads.into_iter().filter(|&head| head < at.byte).collect(),
             told: known,
@@ -174,22 +174,22 @@ impl Interpreter {
         diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
         let chunks = self.motions.chunks().len();
         let told = self.diagnostics.len();
-        let mut doubtful = self.doubtful;
+        let mut incomplete = self.incomplete;
         for snapshot in &mut later {
-            self.doubtful |= snapshot.failed;
+            self.incomplete |= snapshot.failed;
             snapshot.at = shift.resume(snapshot.at);
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
-            snapshot.doubtful = self.doubtful;
+            snapshot.incomplete = self.incomplete;
         }
         let mut passed = later.iter().peekable();
         self.motions.append(motions, |index, chunk| {
             while let Some(snapshot) = passed.next_if(|snapshot| snapshot.chunks <= chunks + index) {
-                doubtful = snapshot.doubtful;
+                incomplete = snapshot.incomplete;
             }
             chunk.shift(shift);
-            chunk.set_doubtful(doubtful);
+            chunk.set_incomplete(incomplete);
         });
         self.diagnostics.append(&mut diagnostics);
         self.hidden = hidden;

@@ -101,7 +101,9 @@ impl Interpreter {
         Some(match system {
             System::Group(group) => f64::from(self.modal_code(group)) / 10.0,
             System::Letter(b'F') => state.feed.unwrap_or(0.0) / unit,
-            System::Letter(b'S') if state.spindle.surface => state.spindle.cutting_speed,
+            System::Letter(b'S') if state.spindle.surface => {
+                state.spindle.cutting_speed / state.unit.surface_metres()
+            }
             System::Letter(b'S') => state.spindle.rpm,
             System::Letter(b'T') => f64::from(state.tool.0) * 100.0 + f64::from(state.tool.1),
             System::Letter(b'M') => f64::from(state.m_code),

@@ -3,6 +3,7 @@
 //! In: one word after the other. Out: the modal state, and the [`Request`] of the block.
 
 use super::*;
+use crate::control::doubt::{Doubt, Doubts};
 
 impl Interpreter {
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
@@ -127,9 +128,12 @@ impl Interpreter {
                 state.feed_mode_named = true;
                 state.told.forget(Once::FeedUnit);
             }
+            // What makes coordinates doubtful is switched off.
+            G::Idle if matches!(tenths, Some(502 | 690)) => self.regain_coordinates(),
             G::Idle => {}
             G::NotSupported => {
                 request.one_shot = Some(OneShot::NotSupported);
+                request.unsupported = tenths;
                 self.not_supported(text, word.span);
             }
         }
@@ -147,10 +151,12 @@ impl Interpreter {
         }
         if tenths.is_some_and(|key| matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10)) {
             self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
-            self.state.uncertain = true;
+            self.lose_program();
             return;
         }
         self.tell(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
+        // It may have been one of group 01.
+        self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
     }
 

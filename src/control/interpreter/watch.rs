@@ -105,8 +105,6 @@ impl Interpreter {
             && spindle.turn != SpindleTurn::Stopped
             && !spindle.live_tool
             && !spindle.still
-            // Of blocks before the chunk the state tells nothing any more.
-            && !(self.state.uncertain || self.doubtful)
             && self.state.told.first(Once::SpeedMissing)
         {
             self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));
@@ -198,6 +196,17 @@ impl Interpreter {
         }
     }
 
+    /// Compensation that is still on where the tool goes to a place of the machine (G27, G28, G30, G53).
+    pub(super) fn watch_compensation_at_home(&mut self, text: &[u8], block: &Block) {
+        let goes = |word: &&Word| {
+            word.address == b'G'
+                && matches!(plain(word), Some(code) if [27.0, 28.0, 30.0, 53.0].contains(&code))
+        };
+        if let Some(word) = block.words.iter().find(goes) {
+            self.watch_compensation_left_on(text, word.span);
+        }
+    }
+
     /// Two blocks without a move while compensation is on.
     pub(super) fn watch_idle_blocks(&mut self, block: &Block) {
         let idle = self
@@ -239,7 +248,7 @@ impl Interpreter {
         if self.state.spindle.surface && self.state.told.first(Once::ThreadAtSurfaceSpeed) {
             let told = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
             // The speed that G96 has here, to the next ten below.
-            let speed = self.state.spindle.speed_at(self.state.position.x).filter(|&speed| speed >= 10.0);
+            let speed = self.spindle_speed(self.state.position.x).filter(|&speed| speed >= 10.0);
             let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
             let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });

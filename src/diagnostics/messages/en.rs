@@ -360,9 +360,9 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         IncrementalForAbsolute => "`{word}` counts from where the tool stands and leads to {axis}{to}.\n\
             U and W are increments, X and Z places. The rest of the program writes places: was `{meant}` meant?",
         SpeedMissing => "The tool cuts, but no spindle speed S was given.\n\
-            Write S with G97 (turns a minute) or G96 (metres a minute) before the first cut, such as G97 S800 M03.",
+            Write S with G97 (turns a minute) or G96 (metres a minute, feet under G20) before the first cut, such as G97 S800 M03.",
         SpeedNotRepeated => "{code} without S: the spindle keeps the {speed} turns a minute that it reached last.\n\
-            S counts metres a minute under G96, turns a minute under G97. Write S anew with {code}.",
+            S counts metres a minute under G96 (feet under G20), turns a minute under G97. Write S anew with {code}.",
         ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} {mm}: the slides follow up to about {limit} turns a minute.\n\
             The rule is n ≤ 1200/P − 80. Above it the thread loses its pitch at both ends.",
         ThreadSpeedChanged => "The spindle speed changes from {before} to {now} between two passes of one thread.\n\
@@ -394,7 +394,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AirCut => "The cycle starts {distance} {mm} away from the work in {axis}; each pass repeats this way at feed.\n\
             Start 1 to 3 mm outside the blank.",
         StartBehindFace => "The cycle starts at Z{z}, behind the face of the blank at Z{face}.\n\
-            The material in front of it stays and is cut in one go at full depth. Start in front of the face.",
+            G90 and G94 leave the material in front of it; G92 and G76 go into the work at rapid. Start in front of the face.",
         StartInStock => "{code} starts at X{x}, within the material.\n\
             The tool comes back to the start diameter at rapid after each pass: it must lie outside the material.",
         ToolChangeNear => "The tool changes to {tool} at X{x} Z{z}, close to the work.\n\
@@ -461,6 +461,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             `limits.partMotions` of the setup sets the bound.",
         PartStopped => "The part was stopped after {done} of {all} motions: the path is shown, but not the part.\n\
             Change the program or its setup to begin again.",
+        BehindLeftOut => "A block before was not carried out as it is written: from here on collisions with the work are not looked for.\n\
+            What of the work still stands is not known. Mend that block first.",
+        BehindLeftOutCuts => "A block before was not carried out as it is written: cuts that depend on it ({cuts}) are drawn faint and not taken off the part.\n\
+            From here on collisions with the work are not looked for, for what of it still stands is not known. Mend that block first.",
         PartTooManyCorners => "The part has more than {most} corners: the path is shown, but not the part, and collisions are found up to there.\n\
             `limits.partCorners` of the setup sets the bound.",
         ToolNotListed => "The setup names tools, but not {tool}.\n\

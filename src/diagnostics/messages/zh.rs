@@ -360,9 +360,9 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         IncrementalForAbsolute => "`{word}` 是从刀具当前位置起算的增量，走到 {axis}{to}。\n\
             U、W 是增量，X、Z 是绝对坐标。程序其余部分都用绝对坐标：是否应为 `{meant}`？",
         SpeedMissing => "开始切削，但没有指定主轴转速 S。\n\
-            第一次切削前请用 G97（r/min）或 G96（m/min）给出 S，如 G97 S800 M03。",
+            第一次切削前请用 G97（r/min）或 G96（m/min，G20 时为 ft/min）给出 S，如 G97 S800 M03。",
         SpeedNotRepeated => "{code} 未写 S：主轴保持刚才的 {speed} r/min。\n\
-            G96 时 S 是线速度（m/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
+            G96 时 S 是线速度（m/min，G20 时为 ft/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
         ThreadTooFast => "螺距 {pitch} {mm} 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\
             经验公式 n ≤ 1200/P − 80。超过时螺纹两端螺距不准。",
         ThreadSpeedChanged => "同一螺纹的两刀之间主轴转速由 {before} 变为 {now}。\n\
@@ -394,7 +394,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         AirCut => "循环起点在 {axis} 向距工件 {distance} {mm}，每一刀都要以切削进给空走这段距离。\n\
             起点距毛坯 1～3 mm 即可。",
         StartBehindFace => "循环起点 Z{z} 在毛坯端面 Z{face} 之后。\n\
-            前面的材料没有切除，会一刀切到全深。起点应在端面之前。",
+            G90、G94 前面的材料没有切除；G92、G76 会快速扎入工件。起点应在端面之前。",
         StartInStock => "{code} 的起点 X{x} 在材料之内。\n\
             每一刀后刀具都快速返回起点直径，起点必须在材料之外。",
         ToolChangeNear => "在 X{x} Z{z} 换刀 {tool}，离工件太近。\n\
@@ -461,6 +461,10 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             上限由设置中的 `limits.partMotions` 决定。",
         PartStopped => "零件计算在第 {done} 段（共 {all} 段）后停止：只显示轨迹，不显示零件。\n\
             修改程序或设置即可重新开始。",
+        BehindLeftOut => "前面有程序段没有照原样执行：从这里起不再检查与工件的碰撞。\n\
+            工件还剩下什么无法确定。请先改正那个程序段。",
+        BehindLeftOutCuts => "前面有程序段没有照原样执行：与它有关的 {cuts} 段切削以淡色画出，不从零件上切除。\n\
+            工件还剩下什么无法确定，从这里起不再检查与工件的碰撞。请先改正那个程序段。",
         PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
             上限由设置中的 `limits.partCorners` 决定。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\

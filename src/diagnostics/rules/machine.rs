@@ -6,11 +6,12 @@
 use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
+use crate::shop::fitting::Known;
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
-/// The messages of all findings, and of a bound that was met.
-pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagnostic> {
+/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has told.
+pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     told.extend(shop.full().map(|full| {
         let message = match full {
@@ -20,14 +21,32 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagn
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
+    told.extend(behind_left_out(shop, motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
+        // A thread that starts below its own crest was told so.
+        let is_known = |other: &Diagnostic| {
+            matches!(other.message, Message::ThreadStartInside { .. }) && span.contains(other.span)
+        };
+        if matches!(message, Message::StartInStock { .. }) && run.iter().any(is_known) {
+            continue;
+        }
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
         if !told.iter().rev().take(20).any(same) {
             told.push(Diagnostic::new(message, span));
         }
     }
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
+}
+
+/// What is not taken off and not looked at behind a block that was not carried out, at the first motion behind it.
+fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
+    let first = motions.first_incomplete().filter(|_| shop.full().is_none())?;
+    let cuts = motions.uncertain_cuts();
+    // Without a blank that somebody has named no collision is looked for at all.
+    let looked_for = shop.fitting().stock().is_some_and(|(_, known)| known == Known::Given);
+    let message = Message::BehindLeftOut { cuts };
+    (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {

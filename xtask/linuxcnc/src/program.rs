@@ -109,7 +109,7 @@ pub enum Block {
     Home { x: Axis, z: Axis },
     /// G50 X Z or U W: the point where the tool stands gets other coordinates. G92 in LinuxCNC.
     Preset { x: Axis, z: Axis },
-    /// G52: the frame in force is moved. Added to the frame by G10 L2 in LinuxCNC, whose G52 is a G92 of another kind.
+    /// G52: all frames are moved. Added to each frame by G10 L2 in LinuxCNC, whose G52 is a G92 of another kind.
     Local { x: Option<Count>, z: Option<Count> },
     /// G54 to G59, from 0.
     Frame(usize),

@@ -167,8 +167,10 @@ struct Account {
     frame: usize,
     /// Origins of the frames (G10 L2), mm.
     origins: [[f64; 2]; 6],
-    /// Local shifts (G52), mm.
-    locals: [[f64; 2]; 6],
+    /// Local shift of all frames (G52), mm.
+    local: [f64; 2],
+    /// Origins as LinuxCNC has them: those of frames that are not in force may lack the local shift.
+    known: [[f64; 2]; 6],
 }
 
 impl Account {
@@ -180,7 +182,8 @@ impl Account {
             shift: [0.0; 2],
             frame: 0,
             origins: [[0.0; 2]; 6],
-            locals: [[0.0; 2]; 6],
+            local: [0.0; 2],
+            known: [[0.0; 2]; 6],
         }
     }
 
@@ -243,14 +246,19 @@ impl Account {
             Block::Local { x, z } => {
                 for (index, count) in [x, z].into_iter().enumerate() {
                     if let Some(count) = count {
-                        self.locals[self.frame][index] = self.length(count);
+                        self.local[index] = self.length(count);
                     }
                 }
                 vec![self.set_frame(self.frame)]
             }
             Block::Frame(frame) => {
                 self.frame = frame;
-                vec![format!("G{}", 54 + frame)]
+                let mut lines = vec![];
+                if self.known[frame] != self.origin(frame) {
+                    lines.push(self.set_frame(frame));
+                }
+                lines.push(format!("G{}", 54 + frame));
+                lines
             }
             Block::Origin { frame, x, z } => {
                 self.origins[frame] = [self.length(x), self.length(z)];
@@ -292,14 +300,18 @@ impl Account {
 
     /// Coordinates in the frame in force, mm.
     fn position(&self) -> [f64; 2] {
-        [0, 1].map(|index| {
-            let frame = self.origins[self.frame][index] + self.locals[self.frame][index];
-            self.machine[index] - self.shift[index] - frame
-        })
+        let origin = self.origin(self.frame);
+        [0, 1].map(|index| self.machine[index] - self.shift[index] - origin[index])
     }
 
-    fn set_frame(&self, frame: usize) -> String {
-        let [x, z] = [0, 1].map(|index| self.in_unit(self.origins[frame][index] + self.locals[frame][index]));
+    /// Origin of a frame with the local shift, mm.
+    fn origin(&self, frame: usize) -> [f64; 2] {
+        [0, 1].map(|index| self.origins[frame][index] + self.local[index])
+    }
+
+    fn set_frame(&mut self, frame: usize) -> String {
+        self.known[frame] = self.origin(frame);
+        let [x, z] = self.known[frame].map(|place| self.in_unit(place));
         format!("G10 L2 P{} X{x} Z{z}", frame + 1)
     }
 
@@ -412,9 +424,11 @@ mod tests {
                 Block::Preset { x: Axis::To(0), z: Axis::By(1_000) },
                 Block::Frame(1),
                 Block::Local { x: Some(3_000), z: None },
+                Block::Frame(2),
             ],
-            "G50 X0. W1.\nG55\nG52 X3.",
-            "N0 G92 X0. Z6.000000000\nN1 G55\nN2 G10 L2 P2 X3.000000000 Z0.000000000",
+            "G50 X0. W1.\nG55\nG52 X3.\nG56",
+            "N0 G92 X0. Z6.000000000\nN1 G55\nN2 G10 L2 P2 X3.000000000 Z0.000000000\n\
+             N3 G10 L2 P3 X3.000000000 Z0.000000000\nN3 G56",
         );
     }
 

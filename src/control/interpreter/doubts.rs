@@ -1,0 +1,298 @@
+//! What is not known after something that was not carried out, and what ends it.
+//!
+//! In: blocks that were refused, calls that lead nowhere. Out: [`Doubts`] of the state. A motion is uncertain that begins, ends
+//! or goes on where something is in doubt; the next absolute place of an axis makes that axis certain again.
+
+use super::*;
+use crate::control::doubt::{Doubt, Doubts};
+use crate::limits::BYTES_PER_STEP;
+use crate::text::parser::Parser;
+
+/// Where the tip is.
+const PLACE: Doubts = Doubts::of(&[Doubt::X, Doubt::Z]);
+
+/// What a program that is not there may have changed. It may also have set a tool or a frame, but hardly one leaves them so.
+const BY_A_PROGRAM: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::C, Doubt::Code, Doubt::Values]);
+
+impl Interpreter {
+    /// Something was left out: material may stand that the program takes off.
+    #[cold]
+    pub(super) fn left_out(&mut self) {
+        self.state.incomplete = true;
+        self.refused = true;
+        let spindle = &self.state.spindle;
+        if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
+            // It may have given the speed; one fault, one message.
+            self.state.told.first(Once::SpeedMissing);
+        }
+    }
+
+    /// These things are in doubt from here on.
+    #[cold]
+    pub(super) fn lose(&mut self, lost: Doubts) {
+        self.left_out();
+        self.state.doubts.join(lost);
+        if lost.has_any(PLACE)
+            && let Some(compensating) = &mut self.state.compensating
+        {
+            // They end where the next move begins.
+            for (_, routed) in &mut compensating.waiting {
+                routed.motion.process.uncertain = true;
+            }
+        }
+    }
+
+    /// The place of the tip is in doubt.
+    #[cold]
+    pub(super) fn lose_place(&mut self) {
+        self.lose(PLACE);
+    }
+
+    /// The next move does not begin where it should.
+    #[cold]
+    pub(super) fn lose_path(&mut self) {
+        self.lose(Doubts::of(&[Doubt::Path]));
+    }
+
+    /// A program that is not there, or a jump that leads nowhere: nothing is told of what it may have set.
+    #[cold]
+    pub(super) fn lose_program(&mut self) {
+        self.lose(BY_A_PROGRAM);
+        for once in [Once::NoFeed, Once::SpindleStopped, Once::NoSpeedClamp] {
+            self.state.told.first(once);
+        }
+    }
+
+    /// A macro statement that was not carried out.
+    #[cold]
+    pub(super) fn lose_statement(&mut self, statement: &[u8]) {
+        let assigns = statement.trim_ascii_start().first() == Some(&b'#');
+        self.lose(if assigns { Doubts::of(&[Doubt::Values]) } else { BY_A_PROGRAM });
+    }
+
+    /// A block that was refused: the axes it names are not where it wants them.
+    #[cold]
+    pub(super) fn refuse(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
+        let mut lost = faults_of(text, block);
+        let mut named = Doubts::default();
+        for (doubt, letters) in
+            [(Doubt::X, letters(b"XU")), (Doubt::Z, letters(b"ZW")), (Doubt::C, letters(b"CH"))]
+        {
+            if words.has_any(letters) {
+                named.add(doubt);
+            }
+        }
+        match request.one_shot {
+            // These come back to where they started.
+            Some(OneShot::Multiple(cycle)) => {
+                lost = Doubts::default();
+                if is_first_block(cycle, words) {
+                    lost.add(Doubt::Cycle);
+                }
+            }
+            Some(OneShot::Dwell) => {}
+            Some(OneShot::Polar(Switch::On) | OneShot::Cylinder) if self.state.virtual_plane.is_none() => {
+                lost.add(Doubt::Coordinates);
+            }
+            Some(OneShot::Polar(_) | OneShot::Cylinder) => {}
+            Some(
+                OneShot::Home
+                | OneShot::OtherHome
+                | OneShot::CheckHome
+                | OneShot::FromHome
+                | OneShot::Machine
+                | OneShot::Data
+                | OneShot::Setting
+                | OneShot::LocalFrame
+                | OneShot::NotSupported,
+            ) => lost.join(named),
+            None if self.state.hole.is_some() => lost.join(PLACE),
+            None if matches!(request.motion.unwrap_or(self.state.motion), MotionMode::Cycle(_)) => {
+                let code_is_known = !lost.has(Doubt::Code);
+                lost = if code_is_known { Doubts::default() } else { lost };
+                lost.add(Doubt::Cycle);
+            }
+            None if request.comma[2].is_some() || words.get(b'A').is_some() => lost.join(PLACE),
+            None => lost.join(named),
+        }
+        self.lose(lost);
+    }
+
+    /// A cycle along a contour whose block cannot be read: its contour is no part of the program all the same.
+    #[cold]
+    pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
+        let sequence = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
+        if self.jump.is_some() || self.recorded.is_some() {
+            return;
+        }
+        let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else { return };
+        let behind = |at: &Resume| at.byte > cycle.span.start;
+        let Some(begins) = self.labels(text).find(first, cycle.span.start).filter(behind) else { return };
+        let mut parser = Parser::resume(text, begins);
+        let mut block = Block::default();
+        let mut faults = Vec::new();
+        while parser.next_block(&mut block) && self.spend(1 + block.span.len() / BYTES_PER_STEP, cycle) {
+            faults.append(&mut block.faults.clone());
+            if block.sequence == Some(last) {
+                faults.into_iter().for_each(|fault| self.tell(fault));
+                self.jump = Some(parser.position());
+                return;
+            }
+        }
+    }
+
+    /// A code that is recognised and not done here: how long it makes what follows doubtful depends on what it does.
+    #[cold]
+    pub(super) fn lose_to_unsupported(&mut self, tenths: Option<u64>, words: &Words) {
+        match tenths {
+            // High-speed cutting: the same path.
+            Some(50 | 51) => {}
+            // Polygons and the mirror image, until they are switched off.
+            Some(512 | 680) => self.lose(Doubts::of(&[Doubt::Coordinates])),
+            _ => {
+                let mut lost = Doubts::default();
+                for (doubt, letters) in [(Doubt::X, letters(b"XU")), (Doubt::Z, letters(b"ZW"))] {
+                    if words.has_any(letters) {
+                        lost.add(doubt);
+                    }
+                }
+                self.lose(lost);
+            }
+        }
+    }
+
+    /// Coordinates mean again what they say; where the tip stands is not known yet.
+    #[cold]
+    pub(super) fn regain_coordinates(&mut self) {
+        if self.state.doubts.has(Doubt::Coordinates) {
+            self.state.doubts.remove(Doubt::Coordinates);
+            self.lose_place();
+        }
+    }
+
+    /// What a block makes certain as it begins, and what it depends on.
+    #[cold]
+    pub(super) fn doubt_block(&mut self, request: &Request, words: &Words) {
+        let doubts = &mut self.state.doubts;
+        if doubts.has(Doubt::Code) && request.goes_by_last_code() {
+            doubts.add(Doubt::Path);
+        }
+        let leaves_cycle = request.motion.is_some_and(|mode| !matches!(mode, MotionMode::Cycle(_)));
+        let names_all = matches!(request.motion.unwrap_or(self.state.motion), MotionMode::Cycle(_))
+            && words.has_any(letters(b"XU"))
+            && words.has_any(letters(b"ZW"))
+            && (request.motion.is_some() || words.has_any(letters(b"RIK")));
+        if leaves_cycle || names_all || request.hole.is_some() {
+            doubts.remove(Doubt::Cycle);
+        }
+    }
+
+    /// What a block that was carried out makes certain again; `before` was in doubt when it began.
+    #[cold]
+    pub(super) fn regain(&mut self, request: &Request, words: &Words, before: Doubts) {
+        let absolute = [
+            (Doubt::X, self.is_absolute(words, b'X', b'U'), letters(b"XU")),
+            (Doubt::Z, self.is_absolute(words, b'Z', b'W'), letters(b"ZW")),
+            (Doubt::C, self.is_absolute(words, b'C', b'H'), letters(b"CH")),
+        ];
+        let by_angle = request.comma[2].is_some() || words.get(b'A').is_some();
+        let doubts = &mut self.state.doubts;
+        let hole = self.state.hole.map(|hole| hole.kind.is_face());
+        for (doubt, absolute, letters) in absolute {
+            let known = match request.one_shot {
+                Some(OneShot::Home | OneShot::OtherHome) => words.has_any(letters),
+                Some(OneShot::CheckHome | OneShot::FromHome | OneShot::Machine | OneShot::Setting) => {
+                    absolute
+                }
+                Some(
+                    OneShot::Dwell
+                    | OneShot::Data
+                    | OneShot::LocalFrame
+                    | OneShot::Polar(_)
+                    | OneShot::Cylinder
+                    | OneShot::Multiple(_)
+                    | OneShot::NotSupported,
+                ) => false,
+                // A hole names one place and one depth; the tool comes back out of it.
+                None if hole.is_some() => absolute && (doubt == Doubt::X) == (hole == Some(true)),
+                None => match self.state.motion {
+                    // They come back to where they started.
+                    MotionMode::Cycle(_) | MotionMode::Tapping => false,
+                    MotionMode::Rapid
+                    | MotionMode::Line
+                    | MotionMode::Arc(_)
+                    | MotionMode::Thread
+                    | MotionMode::VariableThread => absolute,
+                },
+            };
+            if known {
+                doubts.remove(doubt);
+            } else if by_angle && doubts.has_any(PLACE) && doubt != Doubt::C {
+                // The end was worked out from where it starts.
+                doubts.add(doubt);
+            }
+        }
+        let first_block =
+            matches!(request.one_shot, Some(OneShot::Multiple(cycle)) if is_first_block(cycle, words));
+        if first_block {
+            doubts.remove(Doubt::Cycle);
+        }
+        if request.moved && before.has(Doubt::Path) {
+            doubts.remove(Doubt::Path);
+        }
+    }
+
+    /// Whether the word of an axis that counts names a place.
+    fn is_absolute(&self, words: &Words, absolute: u8, incremental: u8) -> bool {
+        match (words.get(absolute), words.get(incremental)) {
+            (Some(_), None) => !self.state.incremental,
+            (Some(absolute), Some(incremental)) => match self.dialect.xu_conflict {
+                XuConflict::Absolute => true,
+                XuConflict::Last => absolute.span.start > incremental.span.start,
+            },
+            (None, _) => false,
+        }
+    }
+
+    /// The axes whose words in a block take their value from variables.
+    pub(super) fn from_variables(block: &Block) -> Doubts {
+        let mut found = Doubts::default();
+        for word in block.words.iter().filter(|word| word.value == Value::Expression) {
+            match word.address {
+                b'X' | b'U' => found.add(Doubt::X),
+                b'Z' | b'W' => found.add(Doubt::Z),
+                b'C' | b'H' => found.add(Doubt::C),
+                b'G' => found.add(Doubt::Code),
+                b'I' | b'K' | b'R' | b'A' => found.add(Doubt::Path),
+                _ => {}
+            }
+        }
+        found
+    }
+}
+
+/// Whether a block of a multiple cycle only sets its amounts.
+fn is_first_block(cycle: Multiple, words: &Words) -> bool {
+    match cycle {
+        Multiple::Finishing | Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern => {
+            !words.has_any(letters(b"PQ"))
+        }
+        Multiple::FacePecking | Multiple::Grooving | Multiple::Threading => !words.has_any(AXES),
+    }
+}
+
+/// What the faults in the writing of a block leave in doubt.
+pub(super) fn faults_of(text: &[u8], block: &Block) -> Doubts {
+    let mut lost = Doubts::default();
+    for fault in block.faults.iter().filter(|fault| fault.is_error()) {
+        match text.get(fault.span.start as usize).map(u8::to_ascii_uppercase) {
+            Some(b'X' | b'U') => lost.add(Doubt::X),
+            Some(b'Z' | b'W') => lost.add(Doubt::Z),
+            Some(b'C' | b'H') => lost.add(Doubt::C),
+            Some(b'G') => lost.join(Doubts::of(&[Doubt::X, Doubt::Z, Doubt::Code])),
+            Some(b'F' | b'S' | b'T' | b'M' | b'N' | b'I' | b'K' | b'R' | b'P' | b'Q' | b'L') => {}
+            _ => lost.join(PLACE),
+        }
+    }
+    lost
+}

@@ -1,0 +1,177 @@
+//! What is uncertain after something that was not carried out, and what makes it certain again: in the notation of the
+//! semantics, `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks what is uncertain.
+#![cfg(not(target_arch = "wasm32"))]
+
+use gcode_playground::analyze;
+use gcode_playground::api;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::messages::number;
+use gcode_playground::run::Analysis;
+use gcode_playground::shop::Shop;
+
+fn run(setup: &str, program: &str) -> Analysis {
+    analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"))
+}
+
+fn motions(analysis: &Analysis) -> String {
+    let rows = api::motions(&analysis.motions, &analysis.setup.machine).map(|row| {
+        let letter = match row.kind {
+            "rapid" => "R",
+            "feed" => "F",
+            "thread" => "T",
+            "dwell" => "D",
+            _ => "A",
+        };
+        let doubt = if row.uncertain { "?" } else { "" };
+        format!("{letter}{doubt}({},{})", number(row.to.x), number(row.to.z))
+    });
+    rows.collect::<Vec<_>>().join(" ")
+}
+
+#[track_caller]
+fn check_with(setup: &str, program: &str, expected: &str) {
+    let analysis = run(setup, program);
+    assert_eq!(motions(&analysis), expected, "\n{program}\n{:?}", analysis.diagnostics);
+}
+
+/// From X100 Z50.
+#[track_caller]
+fn check(program: &str, expected: &str) {
+    check_with(r#"{"initial": {"x": 100, "z": 50}}"#, program, expected);
+}
+
+fn codes(analysis: &Analysis) -> Vec<&'static str> {
+    analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
+}
+
+/// Area of the half-section of the part, mm².
+fn area(program: &str) -> f64 {
+    let analysis = run("{}", program);
+    let part = Shop::done(&analysis.motions, &analysis.setup).finished().expect("a part");
+    part.area()
+}
+
+#[test]
+fn y_that_stays_0_changes_nothing() {
+    let with = "G0G28U0.0V0.0\nG0X80Y0.Z5.\nG1X70.Y0F.2M3S500\nV0.\nG53 X200 Y0\nG28V0\nG30U0V0W0\nM30";
+    let without = "G0G28U0.0\nG0X80Z5.\nG1X70.F.2M3S500\n\nG53 X200\n\nG30U0W0\nM30";
+    let (with, without) = (run("{}", with), run("{}", without));
+    assert_eq!(motions(&with), motions(&without));
+    assert_eq!(codes(&with), codes(&without));
+    assert!(!motions(&with).contains('?'));
+}
+
+#[test]
+fn beside_y0_everything_is_uncertain_until_y_is_0_again() {
+    check("G0 X80 Z5 Y3\nX70\nY0\nX60", "R?(80,5) R?(70,5) R(60,5)");
+    check("G0 X80 Z5 V3\nX70\nV-3 X60\nX50", "R?(80,5) R?(70,5) R(60,5) R(50,5)");
+    check("G0 X80 Z5 Y3\nG28 V0\nX60", "R?(80,5) R(60,5)");
+    check("G0 X80 Z5\nG53 Y-40\nX60", "R(80,5) R?(60,5)");
+    check(
+        "G0 X80 Z5\nM3 S100\nG83 X10 Y5 Z-5 F.1\nG80\nG0 Y0 Z9",
+        "R(80,5) R?(10,5) F?(10,-5) R?(10,5) R(10,9)",
+    );
+    let told = run("{}", "G0 X80 Y3\nX70 Y4\nM30");
+    assert_eq!(codes(&told).iter().filter(|slug| **slug == "axis-not-supported").count(), 1);
+}
+
+#[test]
+fn the_next_absolute_place_of_each_axis_ends_it() {
+    // X is known from its own word on, Z stays unknown until one names it.
+    check("G0 X60 Z2\nM98 P9\nG0 X50\nW-5\nZ-4\nX40 Z1", "R(60,2) R?(50,2) R?(50,-3) R?(50,-4) R(40,1)");
+    check("G0 X60 Z2\nM98 P9\nG0 X50 Z1\nU2\nW3", "R(60,2) R?(50,1) R(52,1) R(52,4)");
+    check("G0 X60 Z2\nM98 P9\nG0 U5 W5\nU5\nX10 Z10\nU1", "R(60,2) R?(65,7) R?(70,7) R?(10,10) R(11,10)");
+    // A block that was refused puts only the axes it names in doubt.
+    check("M3 S1 F1\nG0 X60 Z2\nG1 Z-5 F-1\nX50\nZ-8\nX52", "R(60,2) F?(50,2) F?(50,-8) F(52,-8)");
+    check("G0 X60 Z2\nG1 F-1\nG0 X50", "R(60,2) R(50,2)");
+    check("G0 X60 Z2\nM3 S1 F1\nG1 X5X\nZ1\nX50\nZ0", "R(60,2) F?(60,1) F?(50,1) F(50,0)");
+    // Home is a place, and so is what G50 sets.
+    check("G0 X60 Z2\nM98 P9\nG28 U0 W0\nG0 X50", "R(60,2) R?(300,300) R(50,300)");
+    check("G0 X60 Z2\nM98 P9\nG28 U0\nG0 X50\nZ3\nX40", "R(60,2) R?(300,2) R?(50,2) R?(50,3) R(40,3)");
+    check("G0 X60 Z2\nM98 P9\nG50 X200 Z150\nG0 X150", "R(60,2) R(150,150)");
+    check("G0 X60 Z2\nM98 P9\nG53 X200 Z150\nG0 X150", "R(60,2) R?(200,150) R(150,150)");
+    // In systems B and C G91 counts from what is not known.
+    check_with(
+        r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "B"}}"#,
+        "G90 G0 X60 Z2\nM98 P9\nG91 G0 X5\nG90 X50 Z1\nX40",
+        "R(60,2) R?(65,2) R?(50,1) R(40,1)",
+    );
+}
+
+#[test]
+fn what_kind_of_move_comes_is_unknown_until_a_code_says_it() {
+    check("G0 X60 Z2\nM98 P9\nX50 Z1\nX40\nG0 X30\nX20", "R(60,2) R?(50,1) R?(40,1) R(30,1) R(20,1)");
+    check("G0 X60 Z2\nG777 X50\nX40\nX30\nG1 X20 F1 M3 S1", "R(60,2) R?(40,2) R?(30,2) F(20,2)");
+    check("G0 X60 Z2\nG300 (MAKER)\nG0 X50 Z1\nX40", "R(60,2) R?(50,1) R(40,1)");
+}
+
+#[test]
+fn an_unsupported_code_puts_its_own_axes_in_doubt() {
+    check("M3 S1 F1\nG0 X60 Z2\nG31 Z-5\nG0 X50\nZ3\nX40", "R(60,2) R?(50,2) R?(50,3) R(40,3)");
+    check("G0 X60 Z2\nG5.1 Q1\nX50", "R(60,2) R(50,2)");
+    // A mirror image lasts until it is switched off.
+    check("G0 X60 Z2\nG68\nX50 Z1\nX40\nG69\nX30 Z0\nX20", "R(60,2) R?(50,1) R?(40,1) R?(30,0) R(20,0)");
+}
+
+#[test]
+fn cycles_come_back_to_where_they_started() {
+    // A refused block of a cycle leaves the tool where it is.
+    check("M3 S1 F1\nG0 X60 Z2\nG71 P1 Q2 U1\nG0 X50\nZ1", "R(60,2) R(50,2) R(50,1)");
+    // Their own words are no place of the tool.
+    check(
+        "M3 S1 F1\nG0 X60 Z2\nM98 P9\nG90 X50 Z-5\nG0 X62 Z3\nX61",
+        "R(60,2) R?(50,2) F?(50,-5) F?(60,-5) R?(60,2) R?(62,3) R(61,3)",
+    );
+    // What a cycle keeps is in doubt after a refused block of it, until it is named whole or left.
+    check("M3 S1 F1\nG0 X60 Z2\nG90 X55 Z-5X\nX50\nG0 X58", "R(60,2) R?(50,2) F?(60,2) R(58,2)");
+    check("M3 S1 F1\nG0 X60 Z2\nG90 X55 Z-5X\nG90 X50 Z-5", "R(60,2) R(50,2) F(50,-5) F(60,-5) R(60,2)");
+}
+
+#[test]
+fn a_contour_whose_cycle_cannot_be_read_is_no_program() {
+    let program =
+        |cycle: &str| format!("M3 S1 F1\nG0 X60 Z2\nG71 U2 R1\n{cycle}\nN10 G0 X50\nG1 Z-5\nN20 X60\nG0 X61");
+    let good = run("{}", &program("G71 P10 Q20 U0 W0"));
+    assert!(!motions(&good).contains('?'), "{}", motions(&good));
+    check(&program("G71 P10 Q20 U0X"), "R(60,2) R(61,2)");
+}
+
+#[test]
+fn what_comes_from_variables_is_as_doubtful_as_they_are() {
+    check("G0 X60 Z2\n#1=30\n#1=[3\nX#1\nX50\nX40", "R(60,2) R?(30,2) R?(50,2) R(40,2)");
+    check("G0 X60 Z2\n#2=5\nX#2\nX50", "R(60,2) R(5,2) R(50,2)");
+}
+
+#[test]
+fn a_corner_that_does_not_fit_leaves_one_move_in_doubt() {
+    check("M3 S1 F1\nG0 X60 Z2\nG1 Z-5 ,R90\nX80\nZ-9", "R(60,2) F?(80,-5) F(80,-9)");
+}
+
+#[test]
+fn uncertain_cuts_are_not_taken_off_the_part() {
+    let program = |middle: &str| {
+        format!(
+            "O1 (STOCK D=60 LENGTH=50)\nT0101\nG97 S500 M3\nG0 X62 Z2\nG0 X50\nG1 Z-10 F.2\nX62\nG0 Z2\n{middle}\nG0 X40 Z2\nG1 Z-5\nX62\nG0 X100 Z100\nM30"
+        )
+    };
+    let (with, without) = (area(&program("M98 P9\nG1 U-30\nW-10\nU30")), area(&program("")));
+    assert!((with - without).abs() < 1e-6, "{with}, not {without}");
+}
+
+/// Behind a block that was left out it is not known what of the work still stands, but the chuck stands.
+#[test]
+fn what_does_not_depend_on_it_is_still_checked() {
+    let program = |cycle: &str, end: &str| {
+        format!(
+            "O1 (STOCK D=60 LENGTH=50 GRIP=20)\n(TOOL T0101 TYPE=TURNING)\nT0101\nG97 S500 M3\nG0 X62 Z2\n{cycle}\nG0 X50\nG0 {end}\nM30"
+        )
+    };
+    let slugs = |program: &str| {
+        let mut analysis = run("{}", program);
+        analysis.look_at_machine();
+        codes(&analysis)
+    };
+    assert!(slugs(&program("", "Z-5")).contains(&"rapid-through-stock"));
+    assert!(!slugs(&program("G90 X50 Z-9 F-1", "Z-5")).contains(&"rapid-through-stock"));
+    assert!(slugs(&program("G90 X50 Z-9 F-1", "Z-45")).contains(&"tool-into-jaws"));
+}
