@@ -1,0 +1,21 @@
+// Whatever was there before, and however fast it went: the page shows what a fresh one would.
+//
+// PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make it longer, or repeat it; a picture of what was wrong is kept in test-results.
+import { test } from '@playwright/test';
+import { writeFileSync } from 'node:fs';
+import { examples } from './page';
+import { freshLoads, fromEnvironment, switching } from './switching/scenario';
+
+const options = fromEnvironment({ seed: 20, steps: 150, states: 12 });
+const programs = examples.map(({ id }) => id);
+
+test('switching at random always ends at the picture of a fresh start', async ({ page }, info) => {
+  test.setTimeout(60_000 + 20_000 * options.states + 1_000 * options.steps);
+  const keep = (name: string, png: Buffer): void => writeFileSync(info.outputPath(`${name}.png`), png);
+  await switching(page, { ...options, programs, keep });
+});
+
+test('the first program is right after every load', async ({ page }, info) => {
+  test.setTimeout(120_000);
+  await freshLoads(page, 5, (name, png) => writeFileSync(info.outputPath(`${name}.png`), png));
+});
