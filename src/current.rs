@@ -488,6 +488,7 @@ impl Current {
         if let Material::Off(machined) = material {
             machined.compare(run, kept.as_ref());
         }
+        self.show();
     }
 
     /// Marks the strokes of the block the cursor is in.

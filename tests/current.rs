@@ -1,6 +1,5 @@
 //! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
 
-
 use gcode_playground::control::setup::{Setup, Turret};
 use gcode_playground::current::Current;
 use gcode_playground::scene::camera::{Pixel, Size};
@@ -37,9 +36,10 @@ fn seen(current: &mut Current) -> (String, View, Option<(String, View)>) {
     });
     let picture = current.picture();
     let strokes: Vec<_> = picture.scene.strokes().collect();
-    let work = picture.scene.work().map(|work| {
-        (&work.blank, &work.part, &work.obstacles, &work.tool, &work.dangers, &work.compared)
-    });
+    let work = picture
+        .scene
+        .work()
+        .map(|work| (&work.blank, &work.part, &work.obstacles, &work.tool, &work.dangers, &work.compared));
     (format!("{strokes:?} {work:?}"), picture.view.clone(), face)
 }
 
@@ -90,7 +90,9 @@ fn nothing_of_a_run_outlives_it() {
         assert!(current.shop().is_none() && current.face().is_none() && current.fitting().is_none());
         let picture = current.picture();
         assert_ne!(picture.source.run, before.run);
-        assert!(picture.view.hover.is_none() && picture.view.playhead.is_none() && picture.scene.work().is_none());
+        assert!(
+            picture.view.hover.is_none() && picture.view.playhead.is_none() && picture.scene.work().is_none()
+        );
         assert!(current.face_view().highlight.is_empty() && current.face_view().playhead.is_none());
         run(&mut current);
         let after = current.picture().source;
@@ -209,7 +211,12 @@ proptest! {
         current.set_hover(None);
         current.set_turret(None);
         let mut expected = fresh(&text, &setup);
-        prop_assert_eq!(seen(&mut current), seen(&mut expected));
+        let (found, wanted) = (seen(&mut current), seen(&mut expected));
+        prop_assert_eq!(&found.1, &wanted.1);
+        let at = found.0.bytes().zip(wanted.0.bytes()).take_while(|(a, b)| a == b).count();
+        let excerpt = |text: &str| text[at.saturating_sub(60)..text.len().min(at + 60)].to_owned();
+        prop_assert!(found.0 == wanted.0, "{}\n{}", excerpt(&found.0), excerpt(&wanted.0));
+        prop_assert!(found.2 == wanted.2, "the face");
         prop_assert_eq!(current.motions(), expected.motions());
     }
 }

@@ -22,6 +22,13 @@ export function prepare(): void {
   });
 }
 
+/** Waits until the page has started; drivers differ in what they call loaded. */
+export async function ready(): Promise<void> {
+  await customElements.whenDefined('gcode-playground');
+  if (document.readyState !== 'complete') await new Promise((done) => window.addEventListener('load', done, { once: true }));
+  await (document.querySelector('gcode-playground') as Playground).settled;
+}
+
 /** Brings the page on; the last thing it does is what a reader or an author does last. */
 export async function go({ steps, from }: { steps: readonly (Step & { delay: number })[]; from: State | undefined }): Promise<void> {
   const playground = document.querySelector('gcode-playground') as Playground;
@@ -153,6 +160,7 @@ export async function look(): Promise<Look> {
     [copy.width, copy.height] = [width, height];
     const context = copy.getContext('2d', { willReadFrequently: true }) as CanvasRenderingContext2D;
     context.drawImage(canvas, 0, 0);
+    (window as unknown as Record<string, unknown>)[name] = copy;
     const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
     // FNV-1a, a pixel at a time.
     let hash = 0x811c9dc5;
@@ -189,11 +197,7 @@ export async function look(): Promise<Look> {
   return seen;
 }
 
-/** The section as a PNG, to look at what went wrong. */
+/** The section that was looked at last, as a PNG. */
 export function picture(): string {
-  const canvas = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
-  const copy = document.createElement('canvas');
-  [copy.width, copy.height] = [canvas.width, canvas.height];
-  copy.getContext('2d')?.drawImage(canvas, 0, 0);
-  return copy.toDataURL('image/png');
+  return (window as unknown as { section: HTMLCanvasElement | undefined }).section?.toDataURL('image/png') ?? '';
 }

@@ -4,7 +4,7 @@
 // the seed and the steps, and what differs. The pixels are read from the canvas of the page, so they are what is presented, not
 // what the worker believes to have painted.
 
-import { go, look, picture, prepare, type Look } from './in-page';
+import { go, look, picture, prepare, ready, type Look } from './in-page';
 import { pool, random, step, type State, type Step } from './state';
 
 /** What the test needs of an engine. */
@@ -43,6 +43,7 @@ let opened = 0;
 /** Another document each time. */
 async function open(page: Page, program: string): Promise<void> {
   await page.goto(`./?opened=${++opened}#${program}`);
+  await page.evaluate(ready);
 }
 
 /** What a fresh page shows in a state. */
