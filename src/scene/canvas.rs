@@ -101,6 +101,8 @@ impl Painter {
 
     /// Draws everything but what is picked out.
     fn draw_sheet(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        // Paper covers a part of the last row and column of pixels, where nothing of an earlier picture may shine through.
+        self.sheet.clear()?;
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
@@ -111,6 +113,7 @@ impl Painter {
 
     /// Copies the sheet to the screen, and draws what is picked out over it.
     fn draw_screen(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        self.screen.clear()?;
         self.screen.begin(view)?;
         self.screen.copy(&self.sheet)?;
         self.screen.clip(view)?;

@@ -15,6 +15,13 @@ test('switching at random always ends at the picture of a fresh start', async ({
   await switching(page, { ...options, programs, keep });
 });
 
+test('a program chosen right after another one is drawn whole', async ({ page }, info) => {
+  test.setTimeout(120_000);
+  // The pool begins with rough turning and the pattern, which was left half cut.
+  const keep = (name: string, png: Buffer): void => writeFileSync(info.outputPath(`${name}.png`), png);
+  await switching(page, { seed: 3, steps: 30, states: 2, programs, keep });
+});
+
 test('the first program is right after every load', async ({ page }, info) => {
   test.setTimeout(120_000);
   await freshLoads(page, 5, (name, png) => writeFileSync(info.outputPath(`${name}.png`), png));
