@@ -12,6 +12,7 @@ pub mod api;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod control;
+pub mod current;
 pub mod cycles;
 pub mod diagnostics;
 pub mod expand;

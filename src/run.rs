@@ -6,6 +6,7 @@
 mod edit;
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::control::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
@@ -66,8 +67,22 @@ pub struct TextEdit {
     pub insert: Vec<u8>,
 }
 
+/// Tells a run from every other one of this process.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RunId(u64);
+
+impl RunId {
+    /// One that no run has had.
+    fn next() -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self(NEXT.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
 /// A run under way.
 pub struct Run {
+    /// Another one after each edit.
+    id: RunId,
     text: Vec<u8>,
     interpreter: Interpreter,
     block: Block,
@@ -144,6 +159,7 @@ impl Run {
         }
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
+            id: RunId::next(),
             interpreter: Interpreter::new(setup),
             block: Block::default(),
             at: Resume::default(),
@@ -326,6 +342,11 @@ impl Run {
     /// Share of the text that is read, 0 to 1.
     pub fn progress(&self) -> f64 {
         if self.finished { 1.0 } else { f64::from(self.at.byte) / self.text.len().max(1) as f64 }
+    }
+
+    /// Which run it is.
+    pub fn id(&self) -> RunId {
+        self.id
     }
 
     /// Whether the run has ended.

@@ -12,34 +12,24 @@ mod rewrite;
 mod setup;
 mod views;
 
-use std::cell::OnceCell;
-use std::ops::Range;
-
 use js_sys::{Float64Array, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
-use web_sys::OffscreenCanvas;
+use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use crate::api::{self, Places, Summary};
 use crate::control::setup::Setup;
+use crate::current::Current;
 use crate::diagnostics::messages::Language;
 use crate::diagnostics::{rules, sort_by_place};
 use crate::geometry::Point;
 use crate::motion::Chunk;
-use crate::run::{Run, TextEdit};
-use crate::scene::Scene;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
-use crate::scene::outline::Outline;
 use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
-use crate::scene::view::{Mark, View};
-use crate::scene::work::{Moment, Work};
-use crate::shop::Shop;
-use crate::shop::clock::Clock;
 use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
-use crate::text::source::{LineIndex, Span};
 
 /// How near a stroke the pointer must be, CSS pixels.
 const REACH: f64 = 8.0;
@@ -49,28 +39,11 @@ const REACH: f64 = 8.0;
 pub struct Playground {
     setup: Setup,
     language: Language,
-    run: Run,
-    /// Made when first asked for.
-    lines: OnceCell<LineIndex>,
-    outline: Outline,
-    /// The outline is of the motions as they are now.
-    measured: bool,
-    view: View,
+    current: Current,
     painter: Option<Painter>,
-    /// Place of the cursor, UTF-16 offset.
-    cursor: Option<u32>,
+    face_painter: Option<Painter>,
     /// A text that is being handed in.
     incoming: Vec<u8>,
-    /// The program at the machine, once it has run.
-    shop: Option<Shop>,
-    /// The work as it is shown.
-    work: Option<Work>,
-    /// The moment it is shown at.
-    moment: Option<Moment>,
-    /// The face, the turret, dimensions, comparison.
-    views: views::Views,
-    /// The clock of the motions as they are now; made when first asked for.
-    clock: OnceCell<Clock>,
 }
 
 #[wasm_bindgen]
@@ -79,28 +52,13 @@ impl Playground {
     #[wasm_bindgen(constructor)]
     #[allow(clippy::new_without_default, reason = "JavaScript has no Default")]
     pub fn new() -> Playground {
-        let run = Run::new(Vec::new(), Setup::default());
-        let outline = Outline::new();
-        let view =
-            View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
-        let lines = OnceCell::new();
-        let (setup, language) = (Setup::default(), Language::default());
         Playground {
-            setup,
-            language,
-            run,
-            lines,
-            outline,
-            measured: false,
-            view,
+            setup: Setup::default(),
+            language: Language::default(),
+            current: Current::new(Vec::new(), Setup::default()),
             painter: None,
-            cursor: None,
+            face_painter: None,
             incoming: Vec::new(),
-            shop: None,
-            work: None,
-            moment: None,
-            views: views::Views::default(),
-            clock: OnceCell::new(),
         }
     }
 
@@ -136,20 +94,13 @@ impl Playground {
     /// Replaces the text `from..to` (UTF-16 offsets) and runs on from there: what ran before it is kept. Of several
     /// changes of one text the last in the text comes first.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
-        let text = self.run.text();
-        let start = self.lines().byte_at_utf16(text, from) as usize;
-        let end = (self.lines().byte_at_utf16(text, to) as usize).max(start);
-        self.run.edit(TextEdit { start, end, insert: insert.into() });
-        if let Some(lines) = self.lines.get_mut() {
-            lines.edit(self.run.text(), start..end, insert.len());
-        }
-        self.forget();
+        self.current.edit(from, to, insert);
     }
 
     /// The lines `first..end` (from 0) as they are written, each with its line end.
     #[wasm_bindgen(js_name = linesAsWritten)]
     pub fn lines_as_written(&self, first: u32, end: u32) -> String {
-        let (text, lines) = (self.run.text(), self.lines());
+        let (text, lines) = (self.current.run().text(), self.current.lines());
         let start =
             |line: u32| if line < lines.len() { lines.line(text, line).start as usize } else { text.len() };
         String::from_utf8_lossy(&text[start(first)..start(end.max(first))]).into_owned()
@@ -158,15 +109,14 @@ impl Playground {
     /// The line (from 0) an offset is in.
     #[wasm_bindgen(js_name = lineAt)]
     pub fn line_at(&self, offset: u32) -> u32 {
-        self.lines().line_of(self.lines().byte_at_utf16(self.run.text(), offset))
+        self.current.lines().line_of(self.current.lines().byte_at_utf16(self.current.run().text(), offset))
     }
 
     /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is wrong, such as an unknown key.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
-        self.run.set_setup(self.setup.clone());
-        self.forget();
+        self.current.set_setup(self.setup.clone());
         Ok(())
     }
 
@@ -178,47 +128,33 @@ impl Playground {
 
     /// Runs at most so many blocks; true when the run has ended.
     pub fn advance(&mut self, blocks: u32) -> bool {
-        self.measured = false;
-        self.clock = OnceCell::new();
-        self.run.advance(blocks as usize)
+        self.current.advance(blocks as usize)
     }
 
     /// Takes the material of at most so many motions off the blank, once the run has ended; true when there is no more to
     /// do. Messages about what runs into what come with it.
     pub fn machine(&mut self, motions: u32) -> bool {
-        if !self.run.is_finished() {
-            return false;
-        }
-        let shop = self.shop.get_or_insert_with(|| Shop::new(self.run.motions(), self.run.setup()));
-        let done = shop.advance(self.run.motions(), motions as usize);
-        if done && self.work.is_none() {
-            // The outline may still be that of the program before.
-            self.measure();
-            self.show_work();
-            self.machined();
-        }
-        done
+        self.current.machine(motions as usize)
     }
 
     /// Share of the program that has run, 0 to 1.
     pub fn progress(&self) -> f64 {
-        self.run.progress()
+        self.current.run().progress()
     }
 
     /// Ends the run early, after so many seconds; a message says so.
     pub fn stop(&mut self, seconds: f64) {
-        self.measured = false;
-        self.run.stop(seconds);
+        self.current.stop(seconds);
     }
 
     /// Counts of what has run so far.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
         to_js(&Summary {
-            blocks: self.run.blocks() as u32,
-            lines: self.lines().len(),
-            finished: self.run.is_finished(),
-            ..Summary::new(self.run.motions(), self.run.diagnostics())
+            blocks: self.current.run().blocks() as u32,
+            lines: self.current.lines().len(),
+            finished: self.current.run().is_finished(),
+            ..Summary::new(self.current.motions(), self.current.run().diagnostics())
         })
     }
 
@@ -226,13 +162,12 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         let places = self.places();
-        let levels = &self.run.setup().rules;
-        let told = self.run.diagnostics();
-        let findings = self
-            .shop
-            .iter()
-            .flat_map(|shop| rules::machine::diagnostics(shop, self.run.motions(), levels, told));
-        let unit = self.run.state().unit;
+        let run = self.current.run();
+        let (levels, told) = (&run.setup().rules, run.diagnostics());
+        let shop = self.current.shop().into_iter();
+        let findings =
+            shop.flat_map(|shop| rules::machine::diagnostics(shop, self.current.motions(), levels, told));
+        let unit = run.state().unit;
         let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
         sort_by_place(&mut all);
@@ -242,13 +177,15 @@ impl Playground {
 
     /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
     pub fn tokens(&self, first: u32, end: u32) -> Vec<u32> {
-        let end = end.min(self.lines().len());
+        let end = end.min(self.current.lines().len());
         if first >= end {
             return Vec::new();
         }
-        let text = self.run.text();
-        let bytes =
-            (self.lines().line(text, first).start as usize, self.lines().line(text, end - 1).end as usize);
+        let text = self.current.run().text();
+        let bytes = (
+            self.current.lines().line(text, first).start as usize,
+            self.current.lines().line(text, end - 1).end as usize,
+        );
         let places = self.places();
         let found = highlight(text, bytes.0, bytes.1);
         let triple = |(span, class)| {
@@ -261,22 +198,23 @@ impl Playground {
     /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
     #[wasm_bindgen(unchecked_return_type = "Motion[]")]
     pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
-        let motions = self.run.motions();
+        let motions = self.current.motions();
         let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
-        let rows = range
-            .map(|index| api::motion(&motions.get(index), motions.line(index), &self.run.setup().machine));
+        let rows = range.map(|index| {
+            api::motion(&motions.get(index), motions.line(index), &self.current.run().setup().machine)
+        });
         to_js(&rows.collect::<Vec<_>>())
     }
 
     /// Number of chunks the motions are kept in.
     #[wasm_bindgen(js_name = chunkCount)]
     pub fn chunk_count(&self) -> usize {
-        self.run.motions().chunks().len()
+        self.current.motions().chunks().len()
     }
 
     /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
     pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
-        self.run.motions().chunks().get(index).map(MotionChunk::new)
+        self.current.motions().chunks().get(index).map(MotionChunk::new)
     }
 
     /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of anything in this
@@ -284,18 +222,18 @@ impl Playground {
     /// `slice()` what is to be kept. [`Self::chunk`] does that for you.
     #[wasm_bindgen(js_name = chunkView)]
     pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
-        self.run.motions().chunks().get(index).map(view_of)
+        self.current.motions().chunks().get(index).map(view_of)
     }
 
     /// The program with every cycle, corner and compensation written out as plain moves.
     pub fn expand(&self) -> String {
-        crate::expand::expand(self.run.text(), &self.setup)
+        crate::expand::expand(self.current.run().text(), &self.setup)
     }
 
     /// The table of supported codes, first as the control of this program writes them.
     #[wasm_bindgen(unchecked_return_type = "Codes")]
     pub fn codes(&self) -> Result<JsValue, JsValue> {
-        to_js(&api::codes(self.run.code_list(), self.language))
+        to_js(&api::codes(self.current.run().code_list(), self.language))
     }
 
     /// Draws on a canvas from now on.
@@ -307,9 +245,7 @@ impl Playground {
 
     /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
     pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
-        self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
-        self.view.resize(&scene, Size { width, height }, pixel_ratio);
+        self.current.look(|view, scene| view.resize(scene, Size { width, height }, pixel_ratio));
     }
 
     /// Colours of the picture.
@@ -318,60 +254,50 @@ impl Playground {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
     ) -> Result<(), JsValue> {
-        self.view.palette = palette(&colours)?;
+        let palette = palette(&colours)?;
+        self.current.look(|view, _| view.palette = palette);
         Ok(())
     }
 
     /// Shows everything worth looking at.
     pub fn fit(&mut self) {
-        self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
-        self.view.fit(&scene);
+        self.current.look(|view, scene| view.fit(scene));
     }
 
     /// Moves the picture, CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
-        self.measure();
-        self.view.pan(dx, dy);
+        self.current.look(|view, _| view.pan(dx, dy));
     }
 
     /// Makes the picture `factor` times as large about a place, CSS pixels.
     pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
-        self.measure();
-        self.view.zoom(factor, Pixel::new(x, y));
+        self.current.look(|view, _| view.zoom(factor, Pixel::new(x, y)));
     }
 
     /// Lights up the strokes of the block at an offset.
     #[wasm_bindgen(js_name = setCursor)]
     pub fn set_cursor(&mut self, offset: Option<u32>) {
-        self.cursor = offset;
-        // Measuring does it too.
-        if self.measured {
-            self.light_up();
-        }
+        self.current.set_cursor(offset);
     }
 
     /// Marks the stroke under the pointer.
     #[wasm_bindgen(js_name = setHover)]
     pub fn set_hover(&mut self, motion: Option<u32>) {
-        self.view.hover =
-            motion.map(|index| index as usize).filter(|&index| index < self.run.motions().len());
-        self.name_steps();
+        self.current.set_hover(motion.map(|index| index as usize));
     }
 
     /// Length of the whole path, mm.
     #[wasm_bindgen(js_name = pathLength)]
     pub fn path_length(&mut self) -> f64 {
-        self.measure();
-        self.outline.length()
+        self.current.path_length()
     }
 
     /// The stroke at a place of the picture, CSS pixels.
     #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
     pub fn pick(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        self.measure();
-        let scene = Scene::new(self.run.motions(), &self.outline, None);
-        match pick(&scene, self.view.camera(), Pixel::new(x, y), REACH, &self.view.highlight) {
+        let picture = self.current.picture();
+        let (camera, highlight) = (picture.view.camera(), &picture.view.highlight);
+        match pick(&picture.scene, camera, Pixel::new(x, y), REACH, highlight) {
             Some(found) => self.stroke(found.stroke.motion, found.at),
             None => Ok(JsValue::UNDEFINED),
         }
@@ -380,16 +306,15 @@ impl Playground {
     /// Where a place is in the picture: X a diameter in mm, Z in mm; two CSS pixels from the top left corner.
     #[wasm_bindgen(js_name = screenOf)]
     pub fn screen_of(&mut self, x: f64, z: f64) -> Vec<f64> {
-        self.measure();
-        let pixel = self.view.camera().to_screen(Point::new(x / 2.0, z));
+        let pixel = self.current.picture().view.camera().to_screen(Point::new(x / 2.0, z));
         vec![pixel.x, pixel.y]
     }
 
     /// What is left of the blank, when all motions are done; nothing where there is no blank.
     #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
     pub fn part(&self) -> Result<JsValue, JsValue> {
-        match self.shop.as_ref().and_then(Shop::finished) {
-            Some(region) => to_js(&api::Part::new(&region)),
+        match self.current.part() {
+            Some(region) => to_js(&api::Part::new(region)),
             None => Ok(JsValue::UNDEFINED),
         }
     }
@@ -397,128 +322,38 @@ impl Playground {
     /// Time, cutting length and extents: of each tool, and at last of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
-        let (tools, all) = tally(self.run.motions(), &self.run.setup().machine);
+        let (tools, all) = tally(self.current.motions(), &self.current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
     }
 
     /// Paints what has changed, and says when to call again.
     pub fn draw(&mut self) -> Result<Drawn, JsValue> {
-        self.measure();
-        self.show_work();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
-        let Some(painter) = &mut self.painter else { return Ok(Drawn::All) };
-        Ok(match painter.draw(&scene, &self.view)? {
-            Progress::Done => Drawn::All,
-            Progress::UnderWay => Drawn::Part,
-            Progress::Waiting => Drawn::Moved,
-        })
+        let picture = self.current.picture();
+        match &mut self.painter {
+            Some(painter) => Ok(painter.draw(&picture)?.into()),
+            None => Ok(Drawn::All),
+        }
+    }
+
+    /// Takes what was painted since the last time off the canvas, as an image; nothing where nothing was.
+    #[wasm_bindgen(js_name = takeImage)]
+    pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
+        self.painter.as_mut().map_or(Ok(None), Painter::take_image)
     }
 }
 
 impl Playground {
     fn begin(&mut self, text: Vec<u8>) {
-        self.lines = OnceCell::new();
-        self.run = Run::new(text, self.setup.clone());
-        self.forget();
-    }
-
-    /// Forgets what was picked out of the motions, which are others now.
-    fn forget(&mut self) {
-        (self.shop, self.work, self.moment) = (None, None, None);
-        self.clock = OnceCell::new();
-        self.measured = false;
-        self.view.playhead = None;
-        self.view.hover = None;
-        self.view.highlight.clear();
-        self.view.marks.clear();
-        self.forget_views();
-    }
-
-    /// Marks the strokes of the block the cursor is in.
-    fn light_up(&mut self) {
-        let scene = Scene::new(self.run.motions(), &self.outline, None);
-        self.view.marks.clear();
-        self.view.steps.clear();
-        let Some(cursor) = self.cursor else {
-            self.view.highlight.clear();
-            return;
-        };
-        let text = self.run.text();
-        let byte = self.lines().byte_at_utf16(text, cursor);
-        let line = self.lines().line(text, self.lines().line_of(byte.min(text.len() as u32)));
-        let block = block_at(text, line, byte);
-        self.view.highlight = scene.motions_of(block);
-        self.view.marks = marks(&self.run, block, self.view.highlight.first());
-        self.name_steps();
-    }
-
-    /// Measures what has run since the last time; the picture is only measured when it is asked for.
-    fn measure(&mut self) {
-        if self.measured {
-            return;
-        }
-        self.measured = true;
-        self.outline.update(self.run.motions());
-        // Until then the picture that is shown is of the last run, or moved by the user.
-        if self.run.is_finished() {
-            self.outline.settle();
-            self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
-        }
-        self.light_up();
-    }
-
-    /// Brings the work to the moment at which the tool stands.
-    fn show_work(&mut self) {
-        let Some(shop) = &self.shop else { return };
-        let motions = self.run.motions();
-        let scene = Scene::new(motions, &self.outline, None);
-        let place = self.view.playhead.and_then(|playhead| scene.place(playhead));
-        let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
-        if self.work.is_none() || moment != self.moment {
-            self.moment = moment;
-            let first = self.work.is_none();
-            self.work = Work::of(shop, motions, moment).map(|work| self.compared(work));
-            if first && self.run.is_finished() {
-                self.view.follow(&Scene::new(self.run.motions(), &self.outline, self.work.as_ref()));
-            }
-        }
-    }
-
-    fn lines(&self) -> &LineIndex {
-        self.lines.get_or_init(|| LineIndex::new(self.run.text()))
+        self.current.set_text(text, self.setup.clone());
     }
 
     fn places(&self) -> Places<'_> {
-        Places { text: self.run.text(), lines: self.lines() }
+        Places { text: self.current.run().text(), lines: self.current.lines() }
     }
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
-        to_js(&self.places().stroke(self.run.motions(), motion, at, self.language))
+        to_js(&self.places().stroke(self.current.motions(), motion, at, self.language))
     }
-}
-
-/// The places of a cycle that is called in a block: A, and A′ and B of its contour.
-fn marks(run: &Run, block: Span, motions: Option<&Range<usize>>) -> Vec<Mark> {
-    let inside = |span: Span| block.start <= span.start && span.end <= block.end;
-    if let Some(found) = run.landmarks().iter().find(|landmarks| inside(landmarks.span)) {
-        let names = [(found.start, "A"), (found.first, "A′"), (found.last, "B")];
-        return names.into_iter().map(|(at, name)| Mark { at, name }).collect();
-    }
-    let first = motions.map(|range| run.motions().get(range.start)).filter(|motion| motion.cycle.is_some());
-    first.map(|motion| Mark { at: motion.from, name: "A" }).into_iter().collect()
-}
-
-/// The part of a line between the semicolons around a byte.
-fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
-    let bytes = line.of(text);
-    let at = (byte - line.start) as usize;
-    let start = bytes[..at].iter().rposition(|&byte| byte == b';').map_or(0, |found| found + 1);
-    let end = bytes[at..].iter().position(|&byte| byte == b';').map_or(bytes.len(), |found| at + found);
-    // Behind the last semicolon there is often nothing but the cursor: the block before it is meant.
-    if bytes[start..end].trim_ascii().is_empty() && start > 0 {
-        return block_at(text, line, line.start + start as u32 - 1);
-    }
-    Span::new(line.start as usize + start, line.start as usize + end)
 }
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
@@ -535,6 +370,16 @@ pub enum Drawn {
     Part,
     /// The last one was moved along with the camera; call again in the next frame.
     Moved,
+}
+
+impl From<Progress> for Drawn {
+    fn from(progress: Progress) -> Self {
+        match progress {
+            Progress::Done => Self::All,
+            Progress::UnderWay => Self::Part,
+            Progress::Waiting => Self::Moved,
+        }
+    }
 }
 
 /// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].

@@ -9,9 +9,7 @@ use gcode_playground::shop::region::Region;
 fn shop(program: &str, setup: &str) -> Shop {
     let setup = Setup::from_json(setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let mut shop = Shop::new(&analysis.motions, &setup);
-    while !shop.advance(&analysis.motions, 1000) {}
-    shop
+    Shop::done(&analysis.motions, &setup)
 }
 
 fn part(program: &str, setup: &str) -> Region {
@@ -57,8 +55,7 @@ fn check_danger_with(more: &str, program: &str, expected: &[(&str, u32)]) {
     let setup = format!(r#"{{{more} {STOCK}, "tools": {{{TOOLS}}}, "machine": {{{travel}}}}}"#);
     let setup = Setup::from_json(&setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let mut shop = Shop::new(&analysis.motions, &setup);
-    while !shop.advance(&analysis.motions, 1) {}
+    let shop = Shop::done(&analysis.motions, &setup);
     let named = |finding: &gcode_playground::shop::danger::Finding| {
         let name = format!("{:?}", finding.danger);
         (

@@ -294,3 +294,29 @@ fn a_change_of_the_text_makes_another_part() {
     let second = part(&mut playground);
     assert!(first.contains("[0,50]") && second.contains("[0,40]"), "{first} {second}");
 }
+
+/// While material is taken off there is no part, and what is asked for meanwhile changes nothing of the part in the end.
+#[wasm_bindgen_test]
+fn there_is_no_part_before_all_material_is_off() {
+    let text = |value: Result<JsValue, JsValue>| {
+        js_sys::JSON::stringify(&value.expect("a value")).map(String::from).unwrap_or_default()
+    };
+    let whole = |interrupted: bool| {
+        let mut playground = Playground::new();
+        playground.set_text("G0 X60 Z2\n".to_owned() + &"G90 X50 Z-30 F1\nX46\nX40\n".repeat(20));
+        while !playground.advance(100) {}
+        let mut slices = 0;
+        while !playground.machine(1) {
+            slices += 1;
+            if interrupted {
+                assert!(playground.part().expect("no part").is_undefined());
+                assert_eq!(text(playground.section()), "[]");
+                playground.fit();
+                let _ = playground.draw();
+            }
+        }
+        assert!(slices > 100, "{slices}");
+        (text(playground.part()), text(playground.section()), playground.screen_of(40.0, -30.0))
+    };
+    assert_eq!(whole(true), whole(false));
+}

@@ -10,7 +10,7 @@ use gcode_playground::scene::face::Face;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
-use gcode_playground::shop::Shop;
+use gcode_playground::shop::{Machining, Shop};
 
 use crate::page::Stop;
 
@@ -40,8 +40,7 @@ impl Outcome {
         while !run.advance(usize::MAX) {}
         let mut analysis = run.into_analysis();
         if stop == Some(Stop::Part) {
-            let mut shop = Shop::new(&analysis.motions, &analysis.setup);
-            shop.stop();
+            let shop = Machining::new(&analysis.motions, &analysis.setup).stop();
             let levels = &analysis.setup.rules;
             let found = rules::machine::diagnostics(&shop, &analysis.motions, levels, &analysis.diagnostics);
             analysis.diagnostics.extend(found);

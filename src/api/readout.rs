@@ -9,9 +9,8 @@ use crate::control::setup::ToolKind;
 use crate::diagnostics::messages::Language;
 use crate::geometry::Point;
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
-use crate::shop::Shop;
 use crate::shop::clock::{Clock, Playhead, stop_at};
-use crate::shop::fitting::Known;
+use crate::shop::fitting::{Fitting, Known};
 use crate::shop::timing::{self, Total};
 
 #[cfg(target_arch = "wasm32")]
@@ -110,19 +109,19 @@ pub struct Shown<'a> {
     pub motions: &'a Motions,
     /// Their clock.
     pub clock: &'a Clock,
-    /// The machine and the tools; nothing before the run has ended.
-    pub shop: Option<&'a Shop>,
+    /// The tools; nothing before the run has ended.
+    pub fitting: Option<&'a Fitting>,
 }
 
 impl Readout {
     /// The readout at a place of the program, where the tip is at `at`.
     pub fn new(shown: &Shown, playhead: Playhead, at: Point, language: Language) -> Self {
-        let Shown { places, motions, clock, shop } = shown;
+        let Shown { places, motions, clock, fitting } = shown;
         let motion = motions.get(playhead.motion);
         let (reading, whole) = (clock.at(motions, playhead), clock.whole());
         let machine = clock.machine();
         let rpm = timing::speed_at(&motion.process, machine, at.x);
-        let fitted = shop.map(|shop| shop.fitting().tool(&motion));
+        let fitted = fitting.map(|fitting| fitting.tool(&motion));
         Self {
             share: if whole.pace > 0.0 { reading.pace / whole.pace } else { playhead.share },
             stroke: places.stroke(motions, playhead.motion, at, language),

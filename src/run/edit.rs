@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Origin, Run, TextEdit};
+use super::{Origin, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::control::origin;
 use crate::control::setup::notes::{self, Notes};
@@ -76,6 +76,7 @@ impl Before {
 impl Run {
     /// Begins a run of the changed text. Bytes outside of the text are not counted.
     pub fn edit(&mut self, edit: TextEdit) {
+        self.id = RunId::next();
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;

@@ -12,11 +12,12 @@ mod sheet;
 use std::ops::Range;
 
 use wasm_bindgen::JsValue;
-use web_sys::OffscreenCanvas;
+use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use super::camera::{Pixel, XPlus};
 use super::ink::Ink;
 use super::marks::{arrow_heads, insert};
+use super::source::{Picture, Source};
 use super::view::View;
 use super::work::{ToolOutline, Work};
 use super::{Place, Scene, Stroke, StrokeStyle};
@@ -44,11 +45,14 @@ pub struct Painter {
     /// The highlighted motions as paths.
     picked: Option<(Vec<Range<usize>>, Paths)>,
     painted: Option<Painted>,
+    /// Something was painted since the image was taken.
+    is_new: bool,
 }
 
 /// What the last picture showed.
 #[derive(Clone, Debug, PartialEq)]
 struct Painted {
+    source: Source,
     view: View,
     work: Option<u64>,
     outline: u64,
@@ -61,14 +65,16 @@ impl Painter {
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let sheet = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let screen = Pen::new(canvas)?;
-        Ok(Self { screen, sheet, strokes: StrokeLayer::new()?, picked: None, painted: None })
+        Ok(Self { screen, sheet, strokes: StrokeLayer::new()?, picked: None, painted: None, is_new: false })
     }
 
     /// Paints what has changed since the last time; a picture of many strokes takes several calls.
-    pub fn draw(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
+    pub fn draw(&mut self, picture: &Picture) -> Result<Progress, JsValue> {
+        let Picture { scene, view, source } = picture;
         let progress = self.strokes.update(scene, view)?;
         let now = Painted {
-            view: view.clone(),
+            source: *source,
+            view: (*view).clone(),
             work: scene.work().map(Work::id),
             outline: scene.outline().id(),
             strokes: self.strokes.version(),
@@ -82,13 +88,21 @@ impl Painter {
                 self.draw_sheet(scene, view)?;
             }
             self.draw_screen(scene, view)?;
+            self.is_new = true;
         }
         self.painted = Some(now);
         Ok(progress)
     }
 
+    /// Takes what was painted since the last time off the canvas; nothing where nothing was.
+    pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
+        std::mem::take(&mut self.is_new).then(|| self.screen.take_image()).transpose()
+    }
+
     /// Draws everything but what is picked out.
     fn draw_sheet(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        // Paper covers a part of the last row and column of pixels, where nothing of an earlier picture may shine through.
+        self.sheet.clear()?;
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;
         self.sheet.clip(view)?;
@@ -99,6 +113,7 @@ impl Painter {
 
     /// Copies the sheet to the screen, and draws what is picked out over it.
     fn draw_screen(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        self.screen.clear()?;
         self.screen.begin(view)?;
         self.screen.copy(&self.sheet)?;
         self.screen.clip(view)?;
@@ -277,7 +292,7 @@ impl Painter {
 impl Painted {
     /// Whether the sheet under what is picked out is the same.
     fn has_same_sheet(&self, now: &Painted) -> bool {
-        let image = |painted: &Painted| (painted.work, painted.outline, painted.strokes);
+        let image = |painted: &Painted| (painted.source, painted.work, painted.outline, painted.strokes);
         self.view.shows_same_ground(&now.view) && image(self) == image(now)
     }
 }

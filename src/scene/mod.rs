@@ -17,6 +17,7 @@ pub mod palette;
 pub mod pick;
 pub mod plot;
 pub mod ruler;
+pub mod source;
 pub mod steps;
 pub mod svg;
 pub mod view;

@@ -1,7 +1,8 @@
 //! What happens at the machine: the part that appears, the time it takes, and what runs into what.
 //!
-//! In: the motions and the setup. Out: [`Shop`], with the work at any moment and the findings. Comes after the control and
-//! before the picture; must not know the text of the program.
+//! In: the motions and the setup. Out: [`Machining`], which takes the material off in slices and can show nothing of it, and in
+//! the end the [`Shop`], with the work at any moment and the findings. Comes after the control and before the picture; must
+//! not know the text of the program.
 
 pub mod assumed;
 pub mod blank;
@@ -28,7 +29,7 @@ use fitting::Fitting;
 use part::Part;
 use region::Region;
 
-/// A program at the machine.
+/// A program at the machine, once all its material is off or a bound was met: there is no half-cut part to be shown.
 #[derive(Clone, Debug)]
 pub struct Shop {
     fitting: Fitting,
@@ -57,7 +58,22 @@ pub enum Full {
     },
 }
 
-impl Shop {
+/// A program whose material is being taken off. Nobody sees the work, or what runs into what, before all of it is off.
+#[derive(Clone, Debug)]
+pub struct Machining {
+    shop: Shop,
+}
+
+/// How far the taking off of material has come.
+#[derive(Debug)]
+pub enum Advanced {
+    /// There is more to take off.
+    UnderWay(Machining),
+    /// All is off, or a bound was met.
+    Done(Shop),
+}
+
+impl Machining {
     /// Fits out a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
@@ -65,18 +81,49 @@ impl Shop {
         let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
         let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
-        Self { fitting, part, watch, machine: setup.machine, limits, full, motions: motions.len() }
+        let shop =
+            Shop { fitting, part, watch, machine: setup.machine, limits, full, motions: motions.len() };
+        Self { shop }
     }
 
+    /// Takes the material of at most so many motions off.
+    pub fn advance(mut self, motions: &Motions, count: usize) -> Advanced {
+        if self.shop.take_off(motions, count) { Advanced::Done(self.shop) } else { Advanced::UnderWay(self) }
+    }
+
+    /// Takes no more material off.
+    pub fn stop(mut self) -> Shop {
+        let done = self.shop.part.as_ref().map_or(0, Part::done);
+        self.shop.full.get_or_insert(Full::Stopped { done, all: self.shop.motions });
+        self.shop
+    }
+
+    /// Share of the motions whose material is off, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        let done = self.shop.part.as_ref().map_or(0, Part::done);
+        if self.shop.motions == 0 { 1.0 } else { done as f64 / self.shop.motions as f64 }
+    }
+
+    /// Tools and blank.
+    pub fn fitting(&self) -> &Fitting {
+        &self.shop.fitting
+    }
+}
+
+impl Shop {
     /// A program with all its material off.
     pub fn done(motions: &Motions, setup: &Setup) -> Self {
-        let mut shop = Self::new(motions, setup);
-        shop.advance(motions, usize::MAX);
-        shop
+        let mut machining = Machining::new(motions, setup);
+        loop {
+            match machining.advance(motions, usize::MAX) {
+                Advanced::UnderWay(more) => machining = more,
+                Advanced::Done(shop) => return shop,
+            }
+        }
     }
 
     /// Takes the material of at most so many motions off; true once all are done, or a bound is met.
-    pub fn advance(&mut self, motions: &Motions, count: usize) -> bool {
+    fn take_off(&mut self, motions: &Motions, count: usize) -> bool {
         let Some(part) = &mut self.part else { return true };
         for _ in 0..count {
             let index = part.done();
@@ -93,24 +140,12 @@ impl Shop {
         self.full.is_some() || part.done() >= motions.len()
     }
 
-    /// Takes no more material off.
-    pub fn stop(&mut self) {
-        let done = self.part.as_ref().map_or(0, Part::done);
-        self.full.get_or_insert(Full::Stopped { done, all: self.motions });
-    }
-
-    /// Share of the motions whose material is off, 0 to 1.
-    pub fn progress(&self, motions: &Motions) -> f64 {
-        let done = self.part.as_ref().map_or(0, Part::done);
-        if motions.is_empty() { 1.0 } else { done as f64 / motions.len() as f64 }
-    }
-
     /// The bound that was met.
     pub fn full(&self) -> Option<Full> {
         self.full
     }
 
-    /// What runs into what, as far as motions are done.
+    /// What runs into what; as far as motions are done, where a bound was met.
     pub fn findings(&self) -> &[Finding] {
         &self.watch.findings
     }

@@ -11,17 +11,13 @@ impl Playground {
     /// nothing to say.
     #[wasm_bindgen(js_name = decimalNotice)]
     pub fn decimal_notice(&self) -> Option<String> {
-        api::decimal_notice(&self.run, self.language)
+        api::decimal_notice(self.current.run(), self.language)
     }
 
     /// Decides what numbers without a point count anew, for the text as it is: after a paste or a click, not while somebody
-    /// types. True when that makes the program run again.
+    /// types. The run begins again where that is something else.
     #[wasm_bindgen(js_name = decideDecimalRule)]
-    pub fn decide_decimal_rule(&mut self) -> bool {
-        let again = self.run.decide_again();
-        if again {
-            self.forget();
-        }
-        again
+    pub fn decide_decimal_rule(&mut self) {
+        self.current.decide_decimal_rule();
     }
 }

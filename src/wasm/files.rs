@@ -12,34 +12,34 @@ use crate::export::{csv, dxf, stl};
 use crate::scene::Scene;
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::outline::Outline;
+use crate::scene::source::Picture;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
-use crate::shop::Shop;
-use crate::shop::region::Region;
 
 #[wasm_bindgen]
 impl Playground {
     /// The drawing as an SVG file, all of it.
     pub fn svg(&mut self) -> String {
-        self.finish_part();
+        self.current.finish_part();
         self.drawing(Ground::AsSystem)
     }
 
     /// All motions as a table.
     pub fn csv(&self) -> String {
-        csv::csv(self.run.motions(), &self.run.setup().machine)
+        csv::csv(self.current.motions(), &self.current.run().setup().machine)
     }
 
     /// The program card as an HTML file to print, in the language of the messages.
     pub fn card(&mut self) -> String {
-        self.finish_part();
-        let motions = self.run.motions();
+        self.current.finish_part();
+        let run = self.current.run();
+        let motions = run.motions();
         let drawing = (motions.len() <= card::MOST_DRAWN).then(|| self.drawing(Ground::Paper));
         let card = Card {
-            text: self.run.text(),
+            text: run.text(),
             motions,
-            setup: self.run.setup(),
-            codes: self.run.code_list(),
+            setup: run.setup(),
+            codes: run.code_list(),
             drawing: drawing.as_deref(),
         };
         card.html(self.language)
@@ -47,23 +47,24 @@ impl Playground {
 
     /// The profile of the finished part as a DXF file; nothing where there is no part.
     pub fn dxf(&mut self) -> Option<String> {
-        dxf::dxf(&self.finish_part()?)
+        self.current.finish_part();
+        dxf::dxf(self.current.part()?)
     }
 
     /// The finished part as an STL file; nothing where there is no part.
     pub fn stl(&mut self) -> Option<Vec<u8>> {
-        stl::stl(&self.finish_part()?)
+        self.current.finish_part();
+        stl::stl(self.current.part()?)
     }
 
     /// Paints the picture as it is shown on another canvas, so many device pixels a CSS pixel.
     pub fn paint(&mut self, canvas: OffscreenCanvas, pixel_ratio: f64) -> Result<(), JsValue> {
-        self.measure();
-        self.show_work();
-        let scene = Scene::new(self.run.motions(), &self.outline, self.work.as_ref());
-        let mut view = self.view.clone();
+        self.current.finish_part();
+        let Picture { scene, view, source } = self.current.picture();
+        let mut view = view.clone();
         view.resize(&scene, view.camera().size(), pixel_ratio);
         let mut painter = Painter::new(canvas)?;
-        while painter.draw(&scene, &view)? != Progress::Done {}
+        while painter.draw(&Picture { scene, view: &view, source })? != Progress::Done {}
         Ok(())
     }
 
@@ -71,27 +72,16 @@ impl Playground {
     /// yet.
     #[wasm_bindgen(unchecked_return_type = "SectionPiece[]")]
     pub fn section(&mut self) -> Result<JsValue, JsValue> {
-        self.measure();
-        self.show_work();
-        let shown = self.shop.as_ref().filter(|_| self.work.is_some()).and_then(|shop| match self.moment {
-            Some(at) => shop.part_at(self.run.motions(), at.motion, at.share),
-            None => shop.finished(),
-        });
+        let shown = self.current.part_shown();
         to_js(&shown.map(|region| api::section(&region)).unwrap_or_default())
     }
 }
 
 impl Playground {
-    /// Takes off what is still to be taken off.
-    fn finish_part(&mut self) -> Option<Region> {
-        while self.run.is_finished() && !self.machine(u32::MAX) {}
-        self.shop.as_ref().and_then(Shop::finished)
-    }
-
     fn drawing(&self, ground: Ground) -> String {
-        let motions = self.run.motions();
+        let motions = self.current.motions();
         let outline = Outline::of(motions);
-        let work = self.shop.as_ref().and_then(|shop| Work::of(shop, motions, None));
+        let work = self.current.shop().and_then(|shop| Work::of(shop, motions, None));
         svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { ground, ..SvgOptions::default() })
     }
 }

@@ -4,8 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::{Readout, Shown};
-use crate::scene::Scene;
-use crate::shop::clock::{Clock, Playhead, Stops};
+use crate::shop::clock::{Playhead, Stops};
 use crate::shop::steps::{Direction, Unit, step};
 
 /// How far one step goes.
@@ -45,20 +44,20 @@ impl Playground {
     /// Seconds of the whole animation at the pace of the machine, some of them assumed.
     #[wasm_bindgen(js_name = animationSeconds)]
     pub fn animation_seconds(&self) -> f64 {
-        self.clock().whole().pace
+        self.current.clock().whole().pace
     }
 
     /// Shows all strokes and no tool.
     #[wasm_bindgen(js_name = showWhole)]
     pub fn show_whole(&mut self) {
-        self.view.playhead = None;
+        self.current.put(None);
     }
 
     /// Puts the tool where so much of the animation has been shown: 0 to 1.
     pub fn seek(&mut self, share: f64) {
-        let clock = self.clock();
-        let place = clock.place(self.run.motions(), share * clock.whole().pace);
-        self.put(place);
+        let clock = self.current.clock();
+        let place = clock.place(self.current.motions(), share * clock.whole().pace);
+        self.current.put(Some(place));
     }
 
     /// Lets the tool go on for so many seconds of the animation, or to a stop of the program.
@@ -67,9 +66,9 @@ impl Playground {
             StopSwitch::NotOptional => Stops::NotOptional,
             _ => Stops::All,
         };
-        let from = self.view.playhead.unwrap_or(Playhead::START);
-        let place = self.clock().play(self.run.motions(), from, seconds, stops);
-        self.put(place);
+        let from = self.current.view().playhead.unwrap_or(Playhead::START);
+        let place = self.current.clock().play(self.current.motions(), from, seconds, stops);
+        self.current.put(Some(place));
     }
 
     /// Puts the tool at the end of the step before or behind it.
@@ -83,32 +82,20 @@ impl Playground {
             StepDirection::Previous => Direction::Previous,
             _ => Direction::Next,
         };
-        let place = step(self.run.motions(), self.view.playhead, unit, direction);
-        self.put(place);
+        let place = step(self.current.motions(), self.current.view().playhead, unit, direction);
+        self.current.put(Some(place));
     }
 
     /// What is read off where the tool is.
     #[wasm_bindgen(unchecked_return_type = "Readout | undefined")]
     pub fn readout(&mut self) -> Result<JsValue, JsValue> {
-        self.measure();
-        let motions = self.run.motions();
-        let scene = Scene::new(motions, &self.outline, None);
-        let Some((playhead, place)) =
-            self.view.playhead.and_then(|playhead| Some((playhead, scene.place(playhead)?)))
-        else {
-            return Ok(JsValue::UNDEFINED);
+        let Some((playhead, place)) = self.current.place() else { return Ok(JsValue::UNDEFINED) };
+        let shown = Shown {
+            places: self.places(),
+            motions: self.current.motions(),
+            clock: self.current.clock(),
+            fitting: self.current.fitting(),
         };
-        let shown = Shown { places: self.places(), motions, clock: self.clock(), shop: self.shop.as_ref() };
         to_js(&Readout::new(&shown, playhead, place.at, self.language))
-    }
-}
-
-impl Playground {
-    fn put(&mut self, place: Playhead) {
-        self.view.playhead = Some(place).filter(|_| !self.run.motions().is_empty());
-    }
-
-    fn clock(&self) -> &Clock {
-        self.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
     }
 }

@@ -12,8 +12,8 @@ impl Playground {
     /// selection, UTF-16 offsets: where there is much, what is near it is looked at.
     #[wasm_bindgen(unchecked_return_type = "Rewriting[]")]
     pub fn rewritings(&self, from: u32, to: u32) -> Result<JsValue, JsValue> {
-        let (text, places) = (self.run.text(), self.places());
-        let byte = |offset: u32| self.lines().byte_at_utf16(text, offset) as usize;
+        let (text, places) = (self.current.run().text(), self.places());
+        let byte = |offset: u32| self.current.lines().byte_at_utf16(text, offset) as usize;
         let start = byte(from);
         let selection = Some(Span::new(start, byte(to).max(start)));
         let found = offers(text, &self.setup, selection);

@@ -5,7 +5,6 @@ use wasm_bindgen::prelude::*;
 use super::{Playground, to_js};
 use crate::api::setup::{Fitted, SetupPlace, Subject};
 use crate::control::setup::draft::Entry;
-use crate::shop::Shop;
 use crate::shop::assumed::guessed;
 use crate::shop::fitting::Fitting;
 
@@ -17,9 +16,10 @@ impl Playground {
     /// Which of stock and tools are given, and which are assumed.
     #[wasm_bindgen(unchecked_return_type = "Fitted")]
     pub fn fitting(&self) -> Result<JsValue, JsValue> {
-        match &self.shop {
-            Some(shop) => to_js(&Fitted::new(shop.fitting(), self.language)),
-            None => to_js(&Fitted::new(&Fitting::new(self.run.motions(), self.run.setup()), self.language)),
+        let run = self.current.run();
+        match self.current.fitting() {
+            Some(fitting) => to_js(&Fitted::new(fitting, self.language)),
+            None => to_js(&Fitted::new(&Fitting::new(run.motions(), run.setup()), self.language)),
         }
     }
 
@@ -49,7 +49,7 @@ impl Playground {
     ) -> Result<JsValue, JsValue> {
         let entries: Vec<Entry> =
             keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
-        let (text, places) = (self.run.text(), self.places());
+        let (text, places) = (self.current.run().text(), self.places());
         let keep = SetupPlace::of(&keep);
         self.about_setup(|subject| to_js(&subject.answer(&entries, keep, json, text, &places)))
     }
@@ -57,26 +57,24 @@ impl Playground {
     /// Share of the material that has been taken off, 0 to 1.
     #[wasm_bindgen(js_name = machiningProgress)]
     pub fn machining_progress(&self) -> f64 {
-        self.shop.as_ref().map_or(0.0, |shop| shop.progress(self.run.motions()))
+        self.current.machining_progress()
     }
 
     /// Ends the taking off of material; a message says so.
     #[wasm_bindgen(js_name = stopMachining)]
     pub fn stop_machining(&mut self) {
-        if let Some(shop) = &mut self.shop {
-            Shop::stop(shop);
-        }
+        self.current.stop_machining();
     }
 }
 
 impl Playground {
     fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
-        let guessed = guessed(self.run.motions());
-        let given = self.run.as_given();
+        let run = self.current.run();
+        let (guessed, given) = (guessed(run.motions()), run.as_given());
         answer(&Subject {
             given: &given,
             page: &self.setup,
-            notes: self.run.notes(),
+            notes: run.notes(),
             guessed: &guessed,
             decimal: self.run.decimal_rule(),
             language: self.language,

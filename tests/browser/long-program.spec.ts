@@ -37,13 +37,13 @@ async function watch(page: Page): Promise<void> {
     Reflect.set(window, 'answers', answers);
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { kind, revision } = message as { kind?: string; revision?: number };
+      const { kind, run, text } = message as { kind?: string; run?: number; text?: { kind: string } };
       const sent = performance.now();
-      if (kind === 'edit') {
-        const heard = ({ data }: MessageEvent<{ kind: string; report?: { revision: number } }>): void => {
+      if (kind === 'run' && text?.kind === 'edit') {
+        const heard = ({ data }: MessageEvent<{ kind: string; run: number }>): void => {
           if (data.kind !== 'report') return;
           this.removeEventListener('message', heard);
-          if (data.report?.revision === revision) answers.push(performance.now() - sent);
+          if (data.run === run) answers.push(performance.now() - sent);
         };
         this.addEventListener('message', heard);
       }

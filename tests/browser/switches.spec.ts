@@ -108,13 +108,14 @@ test('lines taken out while a long text is still looked through hide no switch',
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
       Reflect.apply(post, this, [message, ...rest]);
-      const { kind, pieces } = message as { kind?: string; pieces?: string[] };
-      if (kind !== 'text' || (pieces?.join('').length ?? 0) < 200_000) return;
+      const { run, text } = message as { run?: number; text?: { kind: string; pieces?: string[] } };
+      if (text?.kind !== 'text' || (text.pieces?.join('').length ?? 0) < 200_000) return;
       this.addEventListener('message', ({ data }: MessageEvent<{ kind: string; inText?: unknown }>) => {
         if (data.kind === 'switches') Reflect.set(window, 'switchesTold', data.inText);
       });
       Reflect.apply(post, this, [{ kind: 'stop' }]);
-      Reflect.apply(post, this, [{ kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }], revision: -1 }]);
+      const edit = { kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }] };
+      Reflect.apply(post, this, [{ kind: 'run', run, text: edit, framing: 'keep' }]);
     };
   });
   await open(page);

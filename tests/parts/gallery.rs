@@ -119,14 +119,13 @@ pub fn compare(
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     let plain = analyze(program.text.as_bytes(), &setup);
-    let plain_shop = Shop::new(&plain.motions, &setup);
-    let stock = plain_shop
-        .fitting()
+    let fitting = Fitting::new(&plain.motions, &setup);
+    let stock = fitting
         .stock()
         .map_or(Stock { diameter: 60.0, bore: 0.0, face: 0.0, length: 60.0, grip: None }, |(stock, _)| stock);
     setup.stock = Some(stock);
     let mut given: Vec<(u16, Reach)> = Vec::new();
-    for fitted in plain_shop.fitting().tools() {
+    for fitted in fitting.tools() {
         if let Some((tool, reach)) = tool.map(|tool| tool(fitted.tool.kind.expect("a kind"))) {
             let name = format!("T{:02}{:02}", fitted.station, fitted.station);
             if setup.tools.insert(name, tool).is_none() {

@@ -2,7 +2,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
-use gcode_playground::shop::Shop;
+use gcode_playground::shop::fitting::Fitting;
 
 use crate::fixtures::all;
 
@@ -10,12 +10,12 @@ use crate::fixtures::all;
 fn guess(program: &str, setup: &str) -> String {
     let setup = Setup::from_json(setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let shop = Shop::new(&analysis.motions, &setup);
-    let stock = shop.fitting().stock().map_or("nothing".to_owned(), |(stock, _)| {
+    let fitting = Fitting::new(&analysis.motions, &setup);
+    let stock = fitting.stock().map_or("nothing".to_owned(), |(stock, _)| {
         let hollow = if stock.bore > 0.0 { format!(" bore {:.1}", stock.bore) } else { String::new() };
         format!("⌀{:.1}{hollow}, {} to {:.1}", stock.diameter, stock.face, stock.back())
     });
-    let tools = shop.fitting().tools().map(|fitted| {
+    let tools = fitting.tools().map(|fitted| {
         let tool = &fitted.tool;
         let kind = tool.kind.map_or("unnamed", |kind| kind.name());
         let mut line = format!("T{:02} {kind}", fitted.station);

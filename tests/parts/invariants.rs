@@ -3,8 +3,8 @@
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
 use gcode_playground::motion::Motions;
-use gcode_playground::shop::Shop;
 use gcode_playground::shop::region::Region;
+use gcode_playground::shop::{Advanced, Machining, Shop};
 use proptest::prelude::*;
 
 use crate::gallery::compare;
@@ -87,8 +87,13 @@ proptest! {
     fn slices_do_not_matter(program in program(60), slice in 1usize..50) {
         let (motions, setup) = run(&program);
         let whole = Shop::done(&motions, &setup);
-        let mut sliced = Shop::new(&motions, &setup);
-        while !sliced.advance(&motions, slice) {}
+        let mut machining = Machining::new(&motions, &setup);
+        let sliced = loop {
+            match machining.advance(&motions, slice) {
+                Advanced::UnderWay(more) => machining = more,
+                Advanced::Done(shop) => break shop,
+            }
+        };
         prop_assert_eq!(whole.finished(), sliced.finished());
         prop_assert_eq!(whole.findings(), sliced.findings());
     }

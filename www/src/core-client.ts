@@ -1,10 +1,11 @@
 // The page's end of the line to the worker.
 //
-// In: commands and typed questions. Out: the worker's events, and promises of answers. Watches that the
-// worker answers at all; one that is silent for 15 s, or has failed, is ended and reported as lost.
+// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the worker's events, and
+// promises of answers, of the newest run only: whatever belongs to an earlier one ends here. Watches that the worker answers
+// at all; one that is silent for 15 s, or has failed, is ended and reported as lost.
 // Must not know: what the commands mean, or what is on the page.
 
-import type { Command, Question, QuestionKind, Questions, WorkerEvent } from './protocol';
+import { counts, OF_THE_RUN, type Answer, type Command, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type WorkerEvent } from './protocol';
 
 const SILENCE_LIMIT_MS = 15_000;
 /** After the computer slept the timer may ring before the answer that is already there is read. */
@@ -12,20 +13,44 @@ const GRACE_MS = 1_000;
 
 export type Loss = { readonly kind: 'silent' } | { readonly kind: 'crashed' | 'load-failed'; readonly reason: string };
 
+/** What reaches the page beside answers and pictures. */
+export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
+
 export interface CoreListener {
-  event(event: WorkerEvent): void;
+  /** Of the newest run. */
+  event(event: Heard): void;
+  /** Shows pictures of the newest run that the worker knows; the images are the listener's. */
+  pictures(pictures: Pictures): void;
+  /** Something that may change what is shown is under way. */
+  unsettled(): void;
+  /** The worker has heard all that was sent, and there is nothing more to show of the newest run. */
+  settled(run: number): void;
   /** The worker is gone; nothing sent to this client is answered any more. */
   lost(loss: Loss): void;
 }
 
+/** A question under way. */
+interface Waiting {
+  readonly about: QuestionKind;
+  readonly resolve: (answer: never) => void;
+}
+
+/** Grows with every change of text or setup, whichever worker it goes to. */
+let newestRun = 0;
+
 export class CoreClient {
   readonly #worker: Worker;
   readonly #listener: CoreListener;
-  readonly #waiting = new Map<number, (answer: never) => void>();
+  readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
   #ready = false;
   #ended = false;
   #watch: ReturnType<typeof setTimeout> | undefined;
+  /** The run that the page wants, and the last one the worker was told of. */
+  #run = ++newestRun;
+  #told = 0;
+  /** Messages sent that may change what is shown. */
+  #sent = 0;
 
   constructor(listener: CoreListener) {
     this.#listener = listener;
@@ -34,20 +59,40 @@ export class CoreClient {
     this.#worker.onerror = (error) => this.#lose({ kind: 'load-failed', reason: error.message || 'worker' });
   }
 
-  send(command: Command): void {
-    if (this.#ended) return;
-    const what = command.kind === 'on-face' ? command.what : command;
-    this.#worker.postMessage(command, what.kind === 'canvas' ? [what.canvas] : []);
-    this.#watchOver();
+  /** The number of the run that the page wants. */
+  get run(): number {
+    return this.#run;
   }
 
-  /** The promise stays open for ever when the worker is lost: whoever waits is told by `lost`. */
-  ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Questions[K]['answer']> {
+  /** Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker is told a little later. */
+  outdate(): void {
+    if (this.#run === this.#told) this.#run = ++newestRun;
+    this.#listener.unsettled();
+  }
+
+  /** Begins the run of what has changed. */
+  begin(change: RunChange): void {
+    this.outdate();
+    this.#told = this.#run;
+    this.send({ kind: 'run', run: this.#run, ...change });
+  }
+
+  send(command: Command): void {
+    if (this.#ended) return;
+    this.#post(command);
+    if (command.kind !== 'shown') this.#watchOver();
+  }
+
+  /**
+   * The promise stays open for ever when the worker is lost: whoever waits is told by `lost`. What is asked about a run is
+   * answered with `undefined` once there is another one.
+   */
+  ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K>> {
     return new Promise((resolve) => {
       if (this.#ended) return;
       const question: Question<K> = { kind: 'question', id: this.#nextId++, about, ask };
-      this.#waiting.set(question.id, resolve as (answer: never) => void);
-      this.#worker.postMessage(question);
+      this.#waiting.set(question.id, { about, resolve: resolve as (answer: never) => void });
+      this.#post(question);
       if (about !== 'ping') this.#watchOver();
     });
   }
@@ -59,12 +104,36 @@ export class CoreClient {
     this.#worker.terminate();
   }
 
+  #post(message: Command | Question): void {
+    if (counts(message)) {
+      this.#sent++;
+      this.#listener.unsettled();
+    }
+    this.#worker.postMessage(message);
+  }
+
   #receive(event: WorkerEvent): void {
-    if (this.#ended) return;
+    if (this.#ended) {
+      if (event.kind === 'pictures') close(event.pictures);
+      return;
+    }
     switch (event.kind) {
-      case 'answer':
-        this.#waiting.get(event.id)?.(event.answer as never);
+      case 'answer': {
+        const waiting = this.#waiting.get(event.id);
         this.#waiting.delete(event.id);
+        if (waiting === undefined) return;
+        const overtaken = OF_THE_RUN[waiting.about] && event.run !== this.#run;
+        waiting.resolve((overtaken ? undefined : event.answer) as never);
+        return;
+      }
+      case 'pictures':
+        // A change that the worker has not been told of yet leaves the last picture as it is.
+        if (event.run === this.#told) this.#listener.pictures(event.pictures);
+        else close(event.pictures);
+        this.send({ kind: 'shown' });
+        return;
+      case 'settled':
+        if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
         return;
       case 'crashed':
       case 'load-failed':
@@ -73,11 +142,10 @@ export class CoreClient {
       case 'ready':
         this.#ready = true;
         this.#watchOver();
-        break;
+        return;
       default:
-        break;
+        if (event.run === this.#run) this.#listener.event(event);
     }
-    this.#listener.event(event);
   }
 
   /** One ping at a time, and only while there is something the worker has to do. */
@@ -99,6 +167,11 @@ export class CoreClient {
   }
 }
 
+function close({ section, face }: Pictures): void {
+  section?.close();
+  face?.close();
+}
+
 /**
  * Asks with the newest value only: while one question is under way, later ones replace each other,
  * so a fast pointer never builds a queue.
@@ -106,11 +179,11 @@ export class CoreClient {
 export class Newest<K extends QuestionKind> {
   readonly #client: CoreClient;
   readonly #about: K;
-  readonly #answered: (answer: Questions[K]['answer']) => void;
+  readonly #answered: (answer: Answer<K>) => void;
   #busy = false;
   #next: { readonly ask: Questions[K]['ask'] } | undefined;
 
-  constructor(client: CoreClient, about: K, answered: (answer: Questions[K]['answer']) => void) {
+  constructor(client: CoreClient, about: K, answered: (answer: Answer<K>) => void) {
     this.#client = client;
     this.#about = about;
     this.#answered = answered;

@@ -1,7 +1,7 @@
 // The drawing: its canvas, what hand and keyboard do to it, the legend and the tooltip.
 //
 // In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below.
-// The canvas itself is painted in the worker; this file hands it over and never touches its pixels.
+// The pictures are painted in the worker, and come as images.
 // Must not know: how a stroke is found, or what it means.
 
 import { icon, make, name, perFrame, unbroken } from './dom';
@@ -44,7 +44,8 @@ export class Drawing {
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
-  #canvas = make('canvas');
+  readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
+  readonly #shown = this.#canvas.getContext('bitmaprenderer');
   #strings: Strings;
   #summary: Summary | undefined;
   #stroke: Stroke | undefined;
@@ -78,6 +79,8 @@ export class Drawing {
     this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
     this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
     this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
+    this.#holder.append(this.#canvas);
+    this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);
     this.strings = strings;
   }
@@ -115,13 +118,11 @@ export class Drawing {
     return colours;
   }
 
-  /** A canvas can be handed over only once, so each worker gets a new one. */
-  handOverCanvas(): OffscreenCanvas {
-    this.#canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
-    this.#holder.replaceChildren(this.#canvas);
-    this.#listen(this.#canvas);
-    this.#showSummary();
-    return this.#canvas.transferControlToOffscreen();
+  /** Shows a picture in place of the one before. */
+  show(image: ImageBitmap): void {
+    const { width, height } = image;
+    if (this.#canvas.width !== width || this.#canvas.height !== height) [this.#canvas.width, this.#canvas.height] = [width, height];
+    this.#shown?.transferFromImageBitmap(image);
   }
 
   /** CSS pixels of the canvas's top left corner in the window. */

@@ -17,9 +17,13 @@
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the text as it is
 // in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for
 // automation
+//   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language, size and colours of
+//                              now is shown, the part with all its material off included; with the number of the run. Numbers
+//                              grow with every change of text or setup. Nothing settles in a tab that nobody sees.
 //   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window; locateOnFace(x, c) of the face.
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
 //   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
+//   gcode-settled detail {run}: as `settled`, each time
 //   gcode-switch  detail {blockSkip, program}      gcode-setup  detail {setup}: the attribute follows the form
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
@@ -30,7 +34,7 @@
 
 import { AssumedStock } from './assumed-stock';
 import { CodesDialog } from './codes';
-import { CoreClient, Newest, type Loss } from './core-client';
+import { CoreClient, Newest, type Heard, type Loss } from './core-client';
 import { make } from './dom';
 import { acceptFiles } from './drop';
 import { dimensionText } from './dimension';
@@ -47,11 +51,12 @@ import { Notice } from './notice';
 import { Pasting } from './pasting';
 import { Playback } from './playback';
 import { Problems } from './problems';
-import type { Came, FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary, WorkerEvent } from './protocol';
+import type { Came, FileFormat, Readout, Report, Rewriting, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Stroke, Summary } from './protocol';
 import type { CanvasCommand } from './protocol-views';
 import { RewriteDialog } from './rewrite';
 import { SetupBar } from './setup-bar';
 import { SetupDialog, type SetupEntries } from './setup-form';
+import { Settling } from './settling';
 import { SolidDialog } from './solid';
 import { initialProgram, mergedSetup, neutralSetup, switchesSet } from './start';
 import { StatusLine } from './status-line';
@@ -120,12 +125,19 @@ export class GcodePlayground extends HTMLElement {
   #sending: ReturnType<typeof setTimeout> | undefined;
   #opening: Promise<unknown> | undefined;
   #cursorKnown = false;
+  /** Why the setup could not even be sent. */
+  #setupUnreadable: string | undefined;
   /** UTF-16 units of the program before the last change. */
   #lengthBefore = 0;
   #hovered: number | undefined;
   #running: number | undefined;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
-  readonly #showPalette = (): void => this.#line?.client.send({ kind: 'palette', palette: this.#drawing.palette });
+  readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
+  /** What has changed since the last run was begun. */
+  #changes: { readonly framing: 'fit' | 'keep' } | undefined;
+  /** The worker knows the setup as it is. */
+  #setupSent = false;
+  readonly #showPalette = (): void => this.#client?.send({ kind: 'palette', palette: this.#drawing.palette });
   /** What was set before the element was in a document. */
   #early: OpenedProgram | undefined;
 
@@ -133,7 +145,7 @@ export class GcodePlayground extends HTMLElement {
     if (this.#editor === undefined) this.#build();
     this.#dark.addEventListener('change', this.#showPalette);
     this.#connect();
-    this.#sendText();
+    this.#runWanted('keep');
   }
 
   disconnectedCallback(): void {
@@ -148,7 +160,12 @@ export class GcodePlayground extends HTMLElement {
     if (before === now || this.#editor === undefined) return;
     if (attribute === 'language') this.#showLanguage();
     else if (attribute === 'theme') this.#showPalette();
-    else this.#sendSetup();
+    else this.#setupChanged();
+  }
+
+  /** Resolved with the number of the run once all there is to show of it is shown. */
+  get settled(): Promise<number> {
+    return this.#settling.promise;
   }
 
   get value(): string {
@@ -249,16 +266,18 @@ export class GcodePlayground extends HTMLElement {
 
   /** Where the place X (a diameter), Z in mm is drawn, in the window's CSS pixels. */
   async locate(x: number, z: number): Promise<{ clientX: number; clientY: number }> {
-    if (this.#line === undefined) throw new Error('the playground is not in a document');
-    const place = await this.#line.client.ask('locate', { x, z });
+    const client = this.#client;
+    if (client === undefined) throw new Error('the playground is not in a document');
+    const place = await client.ask('locate', { x, z });
     const origin = this.#drawing.origin;
     return { clientX: origin.x + place.x, clientY: origin.y + place.y };
   }
 
   /** The same of the end face: X a diameter, C in mm. */
   async locateOnFace(x: number, c: number): Promise<{ clientX: number; clientY: number }> {
-    if (this.#line === undefined) throw new Error('the playground is not in a document');
-    const place = await this.#line.client.ask('locateOnFace', { x, c });
+    const client = this.#client;
+    if (client === undefined) throw new Error('the playground is not in a document');
+    const place = await client.ask('locateOnFace', { x, c });
     const origin = this.#face.origin;
     return { clientX: origin.x + place.x, clientY: origin.y + place.y };
   }
@@ -303,8 +322,7 @@ export class GcodePlayground extends HTMLElement {
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final');
     this.#lengthBefore = editor.length;
     this.#cursorKnown = false;
-    this.#line?.client.send({ kind: 'fit' });
-    this.#sendText();
+    this.#textChanged('fit');
   }
 
   // ---- building -----------------------------------------------------------------------------------
@@ -321,7 +339,7 @@ export class GcodePlayground extends HTMLElement {
       },
       cursorMoved: () => {
         this.#cursorKnown = true;
-        if (this.#sending === undefined) this.#line?.client.send({ kind: 'cursor', offset: editor.cursor });
+        if (this.#sending === undefined) this.#client?.send({ kind: 'cursor', offset: editor.cursor });
       },
       viewMoved: () => void this.#askTokens(),
       fileChanged: () => (this.#fileBar.file = this.#editor?.file),
@@ -331,10 +349,10 @@ export class GcodePlayground extends HTMLElement {
       },
     }));
     this.#drawing = new Drawing(texts, {
-      resized: (size) => this.#line?.client.send({ kind: 'resize', size }),
-      fit: () => this.#line?.client.send({ kind: 'fit' }),
-      pan: (dx, dy) => this.#line?.client.send({ kind: 'pan', dx, dy }),
-      zoom: (factor, x, y) => this.#line?.client.send({ kind: 'zoom', factor, x, y }),
+      resized: (size) => this.#client?.send({ kind: 'resize', size }),
+      fit: () => this.#client?.send({ kind: 'fit' }),
+      pan: (dx, dy) => this.#client?.send({ kind: 'pan', dx, dy }),
+      zoom: (factor, x, y) => this.#client?.send({ kind: 'zoom', factor, x, y }),
       pointed: (x, y) => {
         this.#line?.pointer.ask({ x, y });
         this.#line?.edge.ask({ x, y });
@@ -342,7 +360,7 @@ export class GcodePlayground extends HTMLElement {
       left: () => {
         this.#line?.pointer.forget();
         this.#line?.edge.forget();
-        this.#line?.client.send({ kind: 'leave-edge' });
+        this.#client?.send({ kind: 'leave-edge' });
         this.#drawing.showEdge(undefined);
         this.#showHovered(undefined);
       },
@@ -352,7 +370,7 @@ export class GcodePlayground extends HTMLElement {
     this.#buildViews(texts);
     this.#playback = new Playback(texts, {
       play: async (from, seconds, pace, stops) => {
-        const place = await this.#line?.client.ask('play', { from, seconds, pace, stops });
+        const place = await this.#client?.ask('play', { from, seconds, pace, stops });
         this.#askSection();
         this.#markRunning(place);
         return place;
@@ -362,7 +380,7 @@ export class GcodePlayground extends HTMLElement {
         editor.follow();
         // The block is shown even if it is the same one.
         this.#running = undefined;
-        void this.#line?.client.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+        void this.#client?.ask('step', { unit, direction }).then((place) => this.#showTool(place));
       },
       wholePath: () => this.#line?.tool.ask({ share: undefined }),
     });
@@ -376,7 +394,7 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#status = new StatusLine(texts, {
       stopped: () => {
-        this.#line?.client.send({ kind: 'stop' });
+        this.#client?.send({ kind: 'stop' });
         editor.focus();
       },
       change: () => void this.#openSetup('control'),
@@ -389,10 +407,10 @@ export class GcodePlayground extends HTMLElement {
     });
     this.#setupBar = new SetupBar(texts, () => void this.#openSetup());
     const readSetup = async (entries: SetupEntries): Promise<SetupAnswer | undefined> =>
-      this.#line?.client.ask('read-setup', { ...entries, json: this.setup ?? '{}' });
+      this.#client?.ask('read-setup', { ...entries, json: this.setup ?? '{}' });
     this.#setupForm = new SetupDialog(texts, {
       read: readSetup,
-      another: async (word) => this.#line?.client.ask('another-tool', { word }),
+      another: async (word) => this.#client?.ask('another-tool', { word }),
       kept: (answer, place) => this.#keepSetup(answer, place),
     });
     this.#assumedStock = new AssumedStock(texts, {
@@ -417,7 +435,7 @@ export class GcodePlayground extends HTMLElement {
     this.#exports = new Exports(texts, { chosen: (format) => void this.#export(format) });
     this.#solid = new SolidDialog(texts, { wanted: () => this.#askSection() });
     this.#pasting = new Pasting(texts, {
-      client: () => this.#line?.client,
+      client: () => this.#client,
       editor: () => this.#editor,
       language: () => this.language,
       taken: () => (this.#came = 'at-once'),
@@ -455,7 +473,7 @@ export class GcodePlayground extends HTMLElement {
 
   /** The end face beside the section, and the row that chooses between them. */
   #buildViews(texts: Strings): void {
-    const onFace = (what: CanvasCommand): void => this.#line?.client.send({ kind: 'on-face', what });
+    const onFace = (what: CanvasCommand): void => this.#client?.send({ kind: 'on-face', what });
     this.#face = new Drawing(
       texts,
       {
@@ -474,9 +492,9 @@ export class GcodePlayground extends HTMLElement {
     );
     this.#views = new Views(texts, {
       chosen: (pictures) => this.#showPictures(pictures),
-      turned: (side) => this.#line?.client.send({ kind: 'turret', side }),
-      kept: () => this.#line?.client.send({ kind: 'keep' }),
-      ended: () => this.#line?.client.send({ kind: 'end-comparison' }),
+      turned: (side) => this.#client?.send({ kind: 'turret', side }),
+      kept: () => this.#client?.send({ kind: 'keep' }),
+      ended: () => this.#client?.send({ kind: 'end-comparison' }),
     });
     this.#pictures = make('div', { className: 'pictures' }, this.#drawing.element, this.#face.element);
     this.#showPictures('section');
@@ -504,54 +522,54 @@ export class GcodePlayground extends HTMLElement {
 
   // ---- the worker ---------------------------------------------------------------------------------
 
+  /** The line to the worker, which then knows all that was changed before. */
+  get #client(): CoreClient | undefined {
+    this.#beginRun();
+    return this.#line?.client;
+  }
+
   #connect(): void {
     const client = new CoreClient({
       event: (event) => this.#heard(event),
+      pictures: ({ section, face }) => {
+        if (section !== undefined) this.#drawing.show(section);
+        if (face !== undefined) this.#face.show(face);
+      },
+      unsettled: () => this.#settling.unsettle(),
+      settled: (run) => this.#settling.settle(run),
       lost: (loss) => this.#lost(loss),
     });
     this.#line = {
       client,
       pointer: new Newest(client, 'pick', (stroke) => this.#showHovered(stroke)),
       tool: new Newest(client, 'seek', (place) => this.#showTool(place)),
-      section: new Newest(client, 'section', (pieces) => (this.#solid.section = pieces)),
+      section: new Newest(client, 'section', (pieces) => {
+        if (pieces !== undefined) this.#solid.section = pieces;
+      }),
       onFace: new Newest(client, 'pickOnFace', (stroke) => this.#showHovered(stroke, this.#face)),
       edge: new Newest(client, 'dimension', (edge) =>
         this.#drawing.showEdge(edge === undefined ? undefined : dimensionText(this.#strings, edge))),
     };
     this.#editor?.unsend();
     client.send({ kind: 'language', tag: this.language });
-    client.send({
-      kind: 'canvas',
-      canvas: this.#drawing.handOverCanvas(),
-      size: this.#drawing.size,
-      palette: this.#drawing.palette,
-    });
-    const { size, palette } = this.#face;
-    client.send({ kind: 'on-face', what: { kind: 'canvas', canvas: this.#face.handOverCanvas(), size, palette } });
-    this.#sendSetup();
+    client.send({ kind: 'canvas', size: this.#drawing.size, palette: this.#drawing.palette });
+    client.send({ kind: 'on-face', what: { kind: 'canvas', size: this.#face.size } });
+    this.#setupSent = false;
   }
 
-  #heard(event: WorkerEvent): void {
+  #heard(event: Heard): void {
     switch (event.kind) {
       case 'report':
-        if (event.report.revision === this.#editor?.revision) this.#showReport(event.report);
+        this.#showReport(event.report);
         break;
       case 'progress':
-        if (event.revision === this.#editor?.revision) this.#status.progress(event.work, event.done);
+        this.#status.progress(event.work, event.done);
         break;
       case 'views':
         this.#views.state = event.views;
         break;
       case 'switches':
         this.#switches.inText = event.inText;
-        break;
-      case 'setup-rejected':
-        this.#notice.show(this.#strings.setupRejected(event.reason), 'setup');
-        break;
-      case 'setup-accepted':
-        this.#notice.hide('setup');
-        break;
-      default:
         break;
     }
   }
@@ -578,6 +596,8 @@ export class GcodePlayground extends HTMLElement {
   /** What is typed quickly goes together. */
   #textEdited(how: 'edited' | 'undone' = 'edited'): void {
     this.#followSetup(how);
+    // What comes of the text as it was is of no use from here on.
+    this.#outdate();
     clearTimeout(this.#sending);
     this.#sending = setTimeout(() => {
       this.#sendText();
@@ -586,26 +606,64 @@ export class GcodePlayground extends HTMLElement {
   }
 
   #sendText(): void {
-    clearTimeout(this.#sending);
-    this.#sending = undefined;
-    const editor = this.#editor;
-    if (editor === undefined || this.#line === undefined) return;
-    this.#playback.pause();
-    const cursor = this.#cursorKnown ? editor.cursor : undefined;
-    const unsent = editor.takeUnsent();
-    if (unsent !== undefined) this.#line.client.send({ ...unsent, revision: editor.revision, cursor, came: this.#came });
-    this.#came = 'typed';
-    this.#notice.hide('core');
-    this.#notice.hide('program');
-    void this.#askTokens();
+    this.#textChanged();
+    this.#beginRun();
   }
 
-  #sendSetup(): void {
+  /** The text is another one: at the end of this turn a run of it begins. */
+  #textChanged(framing: 'fit' | 'keep' = 'keep'): void {
+    clearTimeout(this.#sending);
+    this.#sending = undefined;
+    this.#runWanted(framing);
+    this.#notice.hide('core');
+    this.#notice.hide('program');
+  }
+
+  #setupChanged(): void {
+    this.#setupSent = false;
+    this.#runWanted('keep');
+  }
+
+  /** What is changed in one go is run in one go. */
+  #runWanted(framing: 'fit' | 'keep'): void {
+    const before = this.#changes;
+    this.#changes = { framing: before?.framing === 'fit' ? 'fit' : framing };
+    this.#outdate();
+    if (before === undefined) queueMicrotask(() => this.#beginRun());
+  }
+
+  /** What belongs to the run that was shown must not meet the text or the setup of now. */
+  #outdate(): void {
+    this.#line?.client.outdate();
+    this.#playback.pause();
+    this.#drawing.showTip(undefined);
+    this.#drawing.showEdge(undefined);
+    this.#face.showTip(undefined);
+    if (this.#hovered === undefined) return;
+    this.#hovered = undefined;
+    if (this.#editor !== undefined) this.#editor.hovered = undefined;
+  }
+
+  #beginRun(): void {
+    const [changes, client, editor] = [this.#changes, this.#line?.client, this.#editor];
+    if (changes === undefined || client === undefined || editor === undefined) return;
+    this.#changes = undefined;
+    const setup = this.#setupSent ? undefined : this.#mergedSetup();
+    this.#setupSent = true;
+    const text = editor.takeUnsent();
+    const came = this.#came;
+    this.#came = 'typed';
+    client.begin({ setup, text, came, framing: changes.framing, cursor: this.#cursorKnown ? editor.cursor : undefined });
+    if (text !== undefined) void this.#askTokens();
+  }
+
+  /** The setup as the attributes have it; nothing where it cannot be read. */
+  #mergedSetup(): string | undefined {
     const { control, blockSkip, program } = this;
     const merged = mergedSetup(this.setup, { control, blockSkip, program });
     this.#switches.state = switchesSet(merged);
-    if (merged.kind === 'unreadable') this.#notice.show(this.#strings.setupRejected(merged.reason), 'setup');
-    else this.#line?.client.send({ kind: 'setup', json: merged.json });
+    this.#setupUnreadable = merged.kind === 'unreadable' ? merged.reason : undefined;
+    return merged.kind === 'setup' ? merged.json : undefined;
   }
 
   async #askTokens(): Promise<void> {
@@ -617,16 +675,16 @@ export class GcodePlayground extends HTMLElement {
     if (lines === undefined) return;
     const { revision } = editor;
     const tokens = await line.client.ask('tokens', lines);
-    if (editor.revision === revision) editor.tokens = tokens;
+    if (tokens !== undefined && editor.revision === revision) editor.tokens = tokens;
   }
 
   async #clicked(about: 'pick' | 'pickOnFace', x: number, y: number, keepFocus: boolean): Promise<void> {
-    const stroke = await this.#line?.client.ask(about, { x, y });
+    const stroke = await this.#client?.ask(about, { x, y });
     if (stroke === undefined) return;
     this.#cursorKnown = true;
     this.#editor?.select(stroke);
     if (!keepFocus) this.#editor?.focus();
-    this.#line?.client.send({ kind: 'cursor', offset: stroke.from });
+    this.#client?.send({ kind: 'cursor', offset: stroke.from });
     this.#fire('gcode-select', { stroke });
   }
 
@@ -641,7 +699,7 @@ export class GcodePlayground extends HTMLElement {
     }
     const { revision } = editor;
     const written = await line.client.ask('expand', undefined);
-    if (editor.revision === revision) this.#writtenOut.show(written, editor.text);
+    if (written !== undefined && editor.revision === revision) this.#writtenOut.show(written, editor.text);
   }
 
   async #offerRewritings(): Promise<void> {
@@ -654,7 +712,7 @@ export class GcodePlayground extends HTMLElement {
     }
     const { revision } = editor;
     const rewritings = await line.client.ask('rewritings', editor.selection);
-    if (editor.revision === revision) this.#rewrite.show(rewritings);
+    if (rewritings !== undefined && editor.revision === revision) this.#rewrite.show(rewritings);
   }
 
   #writeAsCycle({ edits, cycle }: Rewriting): void {
@@ -675,7 +733,7 @@ export class GcodePlayground extends HTMLElement {
       this.#sendText();
       this.#changed();
     }
-    const content = await this.#line?.client.ask('export', { format });
+    const content = await this.#client?.ask('export', { format });
     if (content === undefined) {
       this.#notice.show(this.#strings.noPartToExport);
       return;
@@ -688,7 +746,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   async #showCodes(): Promise<void> {
-    const codes = await this.#line?.client.ask('codes', undefined);
+    const codes = await this.#client?.ask('codes', undefined);
     if (codes !== undefined) this.#codes.show(codes);
   }
 
@@ -743,7 +801,7 @@ export class GcodePlayground extends HTMLElement {
       this.#sendText();
       this.#changed();
     }
-    return this.#line?.client.ask('setup-form', undefined);
+    return this.#client?.ask('setup-form', undefined);
   }
 
   #keepSetup({ setup, edits }: SetupAnswer, place: SetupPlace): void {
@@ -789,7 +847,12 @@ export class GcodePlayground extends HTMLElement {
   // ---- showing ------------------------------------------------------------------------------------
 
   #showReport(report: Report): void {
-    const { summary, diagnostics, fitted, decimal, stage } = report;
+    const { summary, diagnostics, fitted, decimal, stage, views, switches } = report;
+    const setupRejected = this.#setupUnreadable ?? report.setupRejected;
+    if (setupRejected === undefined) this.#notice.hide('setup');
+    else this.#notice.show(this.#strings.setupRejected(setupRejected), 'setup');
+    if (views !== undefined) this.#views.state = views;
+    if (switches !== undefined) this.#switches.inText = switches;
     this.#status.show(summary, decimal);
     this.#drawing.summary = summary;
     this.#setupBar.fitted = this.#assumedStock.fitted = fitted;
@@ -797,9 +860,11 @@ export class GcodePlayground extends HTMLElement {
     this.#askSection();
     this.#problems.diagnostics = diagnostics;
     // The path was there before, and the reader may be playing it.
-    if (stage !== 'part') {
+    if (stage === 'whole' || stage === 'path') {
       this.#playback.program(summary.motions, summary.optionalStops);
       this.#showTool(undefined);
+    } else if (stage === 'again' && this.#playback.place !== undefined) {
+      void this.#client?.ask('readout', undefined).then((place) => this.#showTool(place));
     }
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
     this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
@@ -809,7 +874,7 @@ export class GcodePlayground extends HTMLElement {
     where.showTip(stroke);
     if (stroke?.motion === this.#hovered) return;
     this.#hovered = stroke?.motion;
-    this.#line?.client.send({ kind: 'hover', motion: stroke?.motion });
+    this.#client?.send({ kind: 'hover', motion: stroke?.motion });
     if (this.#editor !== undefined) this.#editor.hovered = stroke;
   }
 
@@ -837,7 +902,7 @@ export class GcodePlayground extends HTMLElement {
       shown.strings = texts;
     }
     if (this.#editor !== undefined) this.#editor.language = language;
-    this.#line?.client.send({ kind: 'language', tag: language });
+    this.#client?.send({ kind: 'language', tag: language });
     if (this.#codes.open) void this.#showCodes();
   }
 

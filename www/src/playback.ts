@@ -127,6 +127,10 @@ export class Playback {
     this.#slider.setAttribute('aria-valuetext', spoken);
   }
 
+  get place(): Readout | undefined {
+    return this.#place;
+  }
+
   get playing(): boolean {
     return this.#frame !== undefined;
   }

@@ -1,6 +1,6 @@
 // What the page and the worker say to each other about the views beside the section: part of protocol.ts.
 
-import type { Comparison, Dimension, Palette, Stroke } from '../pkg/gcode_playground.js';
+import type { Comparison, Dimension, Stroke } from '../pkg/gcode_playground.js';
 import type { Size } from './protocol';
 
 export type { Comparison, Dimension };
@@ -10,7 +10,8 @@ export type TurretSide = 'front' | 'rear';
 
 /** What happens to a canvas; pan in CSS pixels. */
 export type CanvasCommand =
-  | { readonly kind: 'canvas'; readonly canvas: OffscreenCanvas; readonly size: Size; readonly palette: Palette }
+  /** Pictures of this size are wanted from now on. */
+  | { readonly kind: 'canvas'; readonly size: Size }
   | { readonly kind: 'resize'; readonly size: Size }
   | { readonly kind: 'fit' }
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }

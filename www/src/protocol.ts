@@ -1,7 +1,9 @@
 // What the page and the worker say to each other: the only things that cross between the two threads.
 //
-// Down go commands (state, no answer) and questions (each with an id and exactly one answer);
-// up come events. The interpreter's own types are taken from its generated package, never written again.
+// Down go commands (state, no answer) and questions (each with an id and exactly one answer); up come events. Every change of
+// text or setup begins a run with a number of its own, and whatever comes up names the run it belongs to: what belongs to an
+// earlier one than the page has asked for is dropped by core-client.ts, the one place where it arrives.
+// The interpreter's own types are taken from its generated package, never written again.
 // Must not know: how either side does its work.
 
 import type {
@@ -23,13 +25,14 @@ export interface Size {
 }
 
 export type Command =
-  | { readonly kind: 'canvas'; readonly canvas: OffscreenCanvas; readonly size: Size; readonly palette: Palette }
+  /** Pictures of this size are wanted from now on. */
+  | { readonly kind: 'canvas'; readonly size: Size; readonly palette: Palette }
   | { readonly kind: 'resize'; readonly size: Size }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: string }
-  | { readonly kind: 'setup'; readonly json: string }
-  /** `revision` comes back with the report, so that a report on older text can be told apart. */
-  | (TextCommand & { readonly revision: number; readonly cursor: number | undefined; readonly came: Came })
+  | BeginRun
+  /** The last picture is on the page: there is room for the next one. */
+  | { readonly kind: 'shown' }
   /** Ends the run under way. */
   | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
@@ -42,6 +45,22 @@ export type Command =
 
 /** How a change came: of what was put in at once the interpreter concludes anew how its numbers are meant. */
 export type Came = 'typed' | 'at-once';
+
+/** What of text and setup has changed since the run before; numbers of runs grow. */
+export interface BeginRun extends RunChange {
+  readonly kind: 'run';
+  readonly run: number;
+}
+
+export interface RunChange {
+  /** JSON. */
+  readonly setup: string | undefined;
+  readonly text: TextCommand | undefined;
+  readonly came: Came;
+  readonly cursor: number | undefined;
+  /** Another program is shown whole, wherever the one before was looked at. */
+  readonly framing: 'fit' | 'keep';
+}
 
 /** Offsets are those of the text before; of several changes the last in the text comes first. */
 export interface TextChange {
@@ -83,6 +102,8 @@ export interface Questions extends ViewQuestions {
   /** The tool is put where so much of the animation has been shown, 0 to 1; without that, the whole path is shown. */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  /** Where the tool is, in the language of now. */
+  readout: { ask: undefined; answer: Readout | undefined };
   /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
   locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
   expand: { ask: undefined; answer: WrittenOut };
@@ -111,6 +132,16 @@ export interface SetupTyped {
 
 export type QuestionKind = keyof Questions;
 
+/** Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The others' hold as they are. */
+export const OF_THE_RUN = {
+  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, expand: true, rewritings: true, section: true,
+  pickOnFace: true, dimension: true, 'read-setup': true,
+  ping: false, locate: false, locateOnFace: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
+  'setup-form': false, 'another-tool': false,
+} as const satisfies Readonly<Record<QuestionKind, boolean>>;
+
+export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true ? Questions[K]['answer'] | undefined : Questions[K]['answer'];
+
 export interface Question<K extends QuestionKind = QuestionKind> {
   readonly kind: 'question';
   readonly id: number;
@@ -121,28 +152,51 @@ export interface Question<K extends QuestionKind = QuestionKind> {
 /** What takes a noticeable time: the program is run, then the material taken off. */
 export type Work = 'run' | 'part';
 
-/** What one finished run has found. */
+/** What a run has found: all of it, so that nothing of an earlier report is needed. */
 export interface Report {
-  readonly revision: number;
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
   readonly fitted: Fitted;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
-  /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before. */
-  readonly stage: 'whole' | 'path' | 'part';
+  /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before; or what was told, in another language. */
+  readonly stage: 'whole' | 'path' | 'part' | 'again';
+  /** Why the setup that was sent last is not the one it ran under. */
+  readonly setupRejected: string | undefined;
+  /** Known once all material is off. */
+  readonly views: ViewsState | undefined;
+  /** Known once all of the text was looked at; a long one is told of later. */
+  readonly switches: SwitchesInText | undefined;
 }
 
-export type WorkerEvent =
+/** What was painted; a picture that has not changed is left out. */
+export interface Pictures {
+  readonly section: ImageBitmap | undefined;
+  readonly face: ImageBitmap | undefined;
+}
+
+/** What is told of the worker itself. */
+export type LifeEvent =
   | { readonly kind: 'ready' }
   | { readonly kind: 'load-failed'; readonly reason: string }
-  | { readonly kind: 'report'; readonly report: Report }
-  /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
-  | { readonly kind: 'progress'; readonly revision: number; readonly work: Work; readonly done: number }
-  | { readonly kind: 'views'; readonly views: ViewsState }
-  | { readonly kind: 'switches'; readonly inText: SwitchesInText }
-  | { readonly kind: 'setup-rejected'; readonly reason: string }
-  | { readonly kind: 'setup-accepted' }
-  | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown }
   /** The interpreter threw: this worker is of no further use. */
   | { readonly kind: 'crashed'; readonly reason: string };
+
+/** What is told of a run. */
+export type RunEvent =
+  | { readonly kind: 'report'; readonly report: Report }
+  /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
+  | { readonly kind: 'progress'; readonly work: Work; readonly done: number }
+  | { readonly kind: 'views'; readonly views: ViewsState }
+  | { readonly kind: 'switches'; readonly inText: SwitchesInText }
+  | { readonly kind: 'pictures'; readonly pictures: Pictures }
+  /** The run has ended, all material is off, and its last picture is shown; so many messages of the page were heard by then. */
+  | { readonly kind: 'settled'; readonly heard: number }
+  | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
+
+export type WorkerEvent = LifeEvent | (RunEvent & { readonly run: number });
+
+/** Whether a message may change what is shown: these are counted on both sides, so that the page knows what was heard. */
+export function counts(message: Command | Question): boolean {
+  return message.kind !== 'shown' && !(message.kind === 'question' && message.about === 'ping');
+}

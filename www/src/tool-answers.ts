@@ -5,7 +5,7 @@
 import type { Playground, Readout } from '../pkg/gcode_playground.js';
 import type { Questions } from './protocol';
 
-type About = 'play' | 'seek' | 'step';
+type About = 'play' | 'seek' | 'step' | 'readout';
 
 export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Readout | undefined } = {
   play(core, { from, seconds, pace, stops }) {
@@ -23,4 +23,5 @@ export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Quest
     core.step(unit, direction);
     return core.readout();
   },
+  readout: (core) => core.readout(),
 };

@@ -4,6 +4,7 @@
 // Must not know: when things are drawn.
 
 import { Drawn, type Playground } from '../pkg/gcode_playground.js';
+import type { Pictures } from './protocol';
 import type { CanvasCommand, ViewCommand, ViewQuestions, ViewsState } from './protocol-views';
 
 /** Carries out a command; true where what there is to see may have changed. */
@@ -30,7 +31,7 @@ export function doView(core: Playground, command: ViewCommand): boolean {
 function doOnFace(core: Playground, command: CanvasCommand): void {
   switch (command.kind) {
     case 'canvas':
-      core.attachFaceCanvas(command.canvas);
+      core.attachFaceCanvas(new OffscreenCanvas(1, 1));
       core.resizeFace(command.size.width, command.size.height, command.size.pixelRatio);
       break;
     case 'resize':
@@ -74,8 +75,14 @@ export function viewsState(core: Playground): ViewsState {
   return { face: core.hasFace(), turret: core.turret(), comparison: core.comparison() };
 }
 
-/** Paints both pictures; the one that is not done says what is still to be done. */
+/** Paints both pictures of the run that is current; the one that is not done says what is still to be done. */
 export function drawAll(core: Playground): Drawn {
   const [section, face] = [core.draw(), core.drawFace()];
   return section === Drawn.All ? face : section;
+}
+
+/** Takes what was painted since the last time. */
+export function takePictures(core: Playground): Pictures | undefined {
+  const pictures = { section: core.takeImage(), face: core.takeFaceImage() };
+  return pictures.section === undefined && pictures.face === undefined ? undefined : pictures;
 }

@@ -1,18 +1,22 @@
 // The interpreter's own thread: owns the `Playground`, its text and the canvas it draws on.
 //
-// In: commands and questions of protocol.ts. Out: its events. A program is run in slices, and between
-// slices the messages that have come in are read, so newer text ends an older run at once.
+// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to: `tell` is the only
+// door. A program is run in slices, and between slices the messages that have come in are read, so newer text ends an older run
+// at once. Pictures cross as images, one at a time: the next one leaves when the page has shown the last, so that "settled" is
+// what the page shows, not what was painted here.
 // Must not know: the page, the editor, or anything of what the program means.
 
 import init, { Drawn, Playground } from '../pkg/gcode_playground.js';
-import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import { mayTellOfSwitches, SwitchFinder, type SwitchesInText } from './switches-in-text';
 import { fileOf } from './worker-files';
-import type {
-  Command, Question, QuestionKind, Questions, TextChange, WorkerEvent, WrittenOut,
+import {
+  counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Questions, type Report, type RunEvent, type TextChange, type TextCommand,
+  type Work, type WrittenOut,
 } from './protocol';
+import type { ViewCommand } from './protocol-views';
 import { handIn } from './text-in';
 import { piecesOf, programsIn } from './worker-paste';
-import { answerView, doView, drawAll, viewsState } from './worker-views';
+import { answerView, doView, drawAll, takePictures, viewsState } from './worker-views';
 import { toolAnswers } from './tool-answers';
 
 const BLOCKS_PER_SLICE = 20_000;
@@ -27,31 +31,49 @@ const COLOUR_LIMIT = 200_000;
 /** Motions whose material is taken off in one go, and how long a report waits for the part. */
 const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
+/** Longer than this nobody looks at the picture of the run before: the path is shown without the part. */
+const SHOW_PATH_AFTER_MS = 300;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
 const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom', 'on-face', 'turret']);
 
-interface Run {
+/** How long something has been going on, and when that was told last. */
+interface Going {
   readonly startedAt: number;
   lastProgressAt: number;
 }
 
+/** How far the current run is. */
+type Stage =
+  | ({ readonly kind: 'running' } & Going)
+  /** Material is being taken off; whether the path has been reported before the part is there, and its picture shown. */
+  | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
+  | { readonly kind: 'done' };
+
+/** Whether a picture is wanted: once there is one of the whole run, or of as much as there is. */
+type Wanted = 'no' | 'when-whole' | 'now';
+
 let core: Playground | undefined;
-let revision = 0;
+/** The number of the current run, as the page counts them. */
+let run = 0;
+let stage: Stage = { kind: 'done' };
+/** Why the setup that was sent last was not taken. */
+let setupRejected: string | undefined;
 /** Looks for switches in the text; undefined when all of it was looked at. */
 let looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
-let switchesTold = '';
-let run: Run | undefined;
-/** The newest run has ended and been reported; its messages can be asked for again in another language. */
-let reported = false;
-let drawWanted = false;
+let switches: SwitchesInText | undefined;
+let drawWanted: Wanted = 'no';
+let frameAsked = false;
 /** A picture of very many strokes is under way. */
 let drawing = false;
-/** Material is being taken off the blank. */
-let machining: Run | undefined;
-/** The path has been reported before the part was there. */
-let pathReported = false;
+/** The page has not shown the last picture yet. */
+let onTheWay = false;
+/** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
+let heard = 0;
+let settledAt = -1;
+/** What has to wait until there is all of the part. */
+const onceWhole: (() => void)[] = [];
 
 /** Messages that came before the interpreter was loaded. */
 const early: (Command | Question)[] = [];
@@ -74,21 +96,26 @@ async function load(): Promise<void> {
     await init({ module_or_path: new URL('../pkg/gcode_playground_bg.wasm', import.meta.url) });
     core = new Playground();
   } catch (error) {
-    send({ kind: 'load-failed', reason: describe(error) });
+    tellOfLife({ kind: 'load-failed', reason: describe(error) });
     return;
   }
-  send({ kind: 'ready' });
+  tellOfLife({ kind: 'ready' });
   for (const message of early.splice(0)) guarded(() => receive(message));
 }
 
 function receive(message: Command | Question): void {
   if (core === undefined) return;
+  if (counts(message)) heard++;
   switch (message.kind) {
     case 'question':
-      void reply(message.id, answer(core, message));
+      ask(core, message);
+      return;
+    case 'shown':
+      onTheWay = false;
+      present(core);
       return;
     case 'canvas':
-      core.attachCanvas(message.canvas);
+      core.attachCanvas(new OffscreenCanvas(1, 1));
       core.setPalette(message.palette);
       core.resize(message.size.width, message.size.height, message.size.pixelRatio);
       break;
@@ -100,21 +127,11 @@ function receive(message: Command | Question): void {
       break;
     case 'language':
       core.setLanguage(message.tag);
-      if (reported) report(core);
+      if (isTold()) report(core, 'again');
       break;
-    case 'setup':
-      changeSetup(core, message.json);
-      break;
-    case 'text':
-      handIn(core, message.pieces);
-      lookForSwitches();
-      changed(core, message);
-      break;
-    case 'edit':
-      for (const change of message.changes) edit(core, change);
-      if (message.came === 'at-once') core.decideDecimalRule();
-      changed(core, message);
-      break;
+    case 'run':
+      begin(core, message);
+      return;
     case 'stop':
       stop(core);
       break;
@@ -124,12 +141,14 @@ function receive(message: Command | Question): void {
     case 'hover':
       core.setHover(message.motion);
       break;
+    case 'keep':
+      whenWhole(() => core !== undefined && view(core, message));
+      break;
     case 'on-face':
     case 'turret':
-    case 'keep':
     case 'end-comparison':
     case 'leave-edge':
-      if (doView(core, message)) send({ kind: 'views', views: viewsState(core) });
+      view(core, message);
       break;
     case 'fit':
       core.fit();
@@ -141,16 +160,32 @@ function receive(message: Command | Question): void {
       core.zoom(message.factor, message.x, message.y);
       break;
   }
-  // Of a run under way there is only a part to draw: what was there stays until it has ended, or the reader moves it.
-  if (run === undefined || MOVES.has(message.kind)) wantDraw();
+  // What was there stays until the run is whole, unless the reader moves it.
+  wantDraw(MOVES.has(message.kind) ? 'now' : 'when-whole');
+}
+
+function view(playground: Playground, command: ViewCommand): void {
+  if (doView(playground, command) && stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
 }
 
 type Answer = Questions[QuestionKind]['answer'];
 
+function ask(playground: Playground, question: Question): void {
+  const now = (): void => void reply(question.id, answer(playground, question));
+  // A file of a part of a program would pass for all of it.
+  if (question.about === 'export') whenWhole(now);
+  else now();
+}
+
+function whenWhole(act: () => void): void {
+  if (stage.kind === 'done') act();
+  else onceWhole.push(act);
+}
+
 /** What is there at once is sent at once: answers keep the order of their questions. */
 function reply(id: number, answer: Answer | Promise<Answer>): void | Promise<void> {
-  if (!(answer instanceof Promise)) return send({ kind: 'answer', id, answer });
-  return answer.then((late) => send({ kind: 'answer', id, answer: late }));
+  if (!(answer instanceof Promise)) return tell({ kind: 'answer', id, answer });
+  return answer.then((late) => tell({ kind: 'answer', id, answer: late }));
 }
 
 function answer(playground: Playground, question: Question): Answer | Promise<Answer> {
@@ -165,14 +200,16 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
       const { x, y } = question.ask as Questions['pick']['ask'];
       return playground.pick(x, y);
     }
+    case 'readout':
+      return toolAnswers.readout(playground, undefined);
     case 'play':
-      wantDraw();
+      wantDraw('now');
       return toolAnswers.play(playground, question.ask as Questions['play']['ask']);
     case 'seek':
-      wantDraw();
+      wantDraw('now');
       return toolAnswers.seek(playground, question.ask as Questions['seek']['ask']);
     case 'step':
-      wantDraw();
+      wantDraw('now');
       return toolAnswers.step(playground, question.ask as Questions['step']['ask']);
     case 'locate': {
       const { x, z } = question.ask as Questions['locate']['ask'];
@@ -182,7 +219,7 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
     case 'pickOnFace':
     case 'dimension':
     case 'locateOnFace':
-      if (question.about === 'dimension') wantDraw();
+      if (question.about === 'dimension') wantDraw('when-whole');
       return answerView(playground, question.about, question.ask as Questions[typeof question.about]['ask']);
     case 'expand':
       return writtenOut(playground);
@@ -213,24 +250,45 @@ function answer(playground: Playground, question: Question): Answer | Promise<An
   }
 }
 
+// ---- from one run to the next ---------------------------------------------------------------------
+
+function begin(playground: Playground, change: BeginRun): void {
+  run = change.run;
+  // A setup that is not taken leaves the run as it was, and so the tool in its place.
+  playground.showWhole();
+  if (change.framing === 'fit') {
+    playground.fit();
+    playground.fitFace();
+  }
+  if (change.setup !== undefined) changeSetup(playground, change.setup);
+  if (change.text !== undefined) changeText(playground, change.text, change.came);
+  playground.setCursor(change.cursor);
+  const now = performance.now();
+  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
+  // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
+  drawing = false;
+  drawWanted = 'no';
+  queueSlice();
+}
+
 function changeSetup(playground: Playground, json: string): void {
   try {
     playground.setSetup(json);
+    setupRejected = undefined;
   } catch (reason) {
     if (reason instanceof WebAssembly.RuntimeError) throw reason;
-    send({ kind: 'setup-rejected', reason: describe(reason) });
-    return;
+    setupRejected = describe(reason);
   }
-  send({ kind: 'setup-accepted' });
-  wantRun();
 }
 
-// ---- the text -------------------------------------------------------------------------------------
-
-function changed(playground: Playground, message: Command & { readonly kind: 'text' | 'edit' }): void {
-  revision = message.revision;
-  playground.setCursor(message.cursor);
-  wantRun();
+function changeText(playground: Playground, text: TextCommand, came: Came): void {
+  if (text.kind === 'edit') {
+    for (const change of text.changes) edit(playground, change);
+    if (came === 'at-once') playground.decideDecimalRule();
+  } else {
+    handIn(playground, text.pieces);
+    lookForSwitches();
+  }
 }
 
 function edit(playground: Playground, { from, to, insert }: TextChange): void {
@@ -243,6 +301,7 @@ function edit(playground: Playground, { from, to, insert }: TextChange): void {
 }
 
 function lookForSwitches(): void {
+  switches = undefined;
   looking = { finder: new SwitchFinder(), nextLine: 0 };
 }
 
@@ -255,32 +314,21 @@ function lookOn(playground: Playground): void {
   looking.nextLine += LINES_PER_LOOK;
   if (playground.linesAsWritten(looking.nextLine, looking.nextLine + 1) !== '') return;
   looking = undefined;
-  const inText = finder.found;
-  const told = JSON.stringify(inText);
-  if (told !== switchesTold) send({ kind: 'switches', inText });
-  switchesTold = told;
+  switches = finder.found;
+  // A report that is still to come tells of them.
+  if (isTold()) tell({ kind: 'switches', inText: switches });
 }
 
 // ---- the run --------------------------------------------------------------------------------------
 
-/** The interpreter has begun a run: by a text, an edit or a setup. */
-function wantRun(): void {
-  const now = performance.now();
-  run = { startedAt: now, lastProgressAt: now };
-  machining = undefined;
-  pathReported = false;
-  reported = false;
-  queueSlice();
-}
-
 function stop(playground: Playground): void {
-  if (machining !== undefined) {
+  if (stage.kind === 'machining') {
     playground.stopMachining();
-    machine(playground, machining);
+    machine(playground, stage);
+  } else if (stage.kind === 'running') {
+    playground.stop(Math.round((performance.now() - stage.startedAt) / 100) / 10);
+    end(playground);
   }
-  if (run === undefined) return;
-  playground.stop(Math.round((performance.now() - run.startedAt) / 100) / 10);
-  end(playground);
 }
 
 function queueSlice(): void {
@@ -291,70 +339,78 @@ function queueSlice(): void {
 
 function slice(): void {
   if (core === undefined) return;
-  if (run !== undefined) advance(core, run);
+  if (stage.kind === 'running') advance(core, stage);
   else if (drawing) draw(core);
-  else if (machining !== undefined) machine(core, machining);
+  else if (stage.kind === 'machining') machine(core, stage);
   else lookOn(core);
-  if (run !== undefined || drawing || machining !== undefined || looking !== undefined) queueSlice();
+  if (stage.kind !== 'done' || drawing || looking !== undefined) queueSlice();
 }
 
-function advance(playground: Playground, current: Run): void {
+function advance(playground: Playground, going: Going): void {
   const ended = playground.advance(BLOCKS_PER_SLICE);
   const now = performance.now();
   if (ended) end(playground);
-  else if (now - current.startedAt > RUN_LIMIT_MS) stop(playground);
-  else if (now - current.startedAt > PROGRESS_AFTER_MS && now - current.lastProgressAt > PROGRESS_EVERY_MS) {
-    current.lastProgressAt = now;
-    send({ kind: 'progress', revision, work: 'run', done: playground.progress() });
-  }
+  else if (now - going.startedAt > RUN_LIMIT_MS) stop(playground);
+  else tellProgress(going, 'run', () => playground.progress());
+}
+
+function tellProgress(going: Going, work: Work, done: () => number): void {
+  const now = performance.now();
+  if (now - going.startedAt <= PROGRESS_AFTER_MS || now - going.lastProgressAt <= PROGRESS_EVERY_MS) return;
+  going.lastProgressAt = now;
+  tell({ kind: 'progress', work, done: done() });
 }
 
 function end(playground: Playground): void {
-  run = undefined;
   lookOn(playground);
   const now = performance.now();
-  machining = { startedAt: now, lastProgressAt: now };
+  const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
+  stage = machining;
   machine(playground, machining);
-  // What takes longer than a blink is told of when it is there.
-  if (machining !== undefined) report(playground);
 }
 
 /** Takes some more material off; the part, and what runs into what, are there when all of it is. */
-function machine(playground: Playground, current: Run): void {
+function machine(playground: Playground, machining: Stage & { kind: 'machining' }): void {
   const enough = performance.now() + WAIT_FOR_PART_MS;
   let done = false;
-  while (!done && performance.now() < enough) done = playground.machine(MOTIONS_PER_SLICE);
-  if (!done) {
-    const now = performance.now();
-    if (now - current.startedAt > PROGRESS_AFTER_MS && now - current.lastProgressAt > PROGRESS_EVERY_MS) {
-      current.lastProgressAt = now;
-      send({ kind: 'progress', revision, work: 'part', done: playground.machiningProgress() });
-    }
-    queueSlice();
+  do done = playground.machine(MOTIONS_PER_SLICE);
+  while (!done && performance.now() < enough);
+  if (done) {
+    stage = { kind: 'done' };
+    for (const late of onceWhole.splice(0)) late();
+    report(playground, machining.pathTold ? 'part' : 'whole');
+    wantDraw('now');
     return;
   }
-  machining = undefined;
-  report(playground);
-  wantDraw();
+  // What takes longer than a blink is told of when it is there.
+  if (!machining.pathTold) {
+    machining.pathTold = true;
+    report(playground, 'path');
+  }
+  if (!machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) wantDraw('now');
+  tellProgress(machining, 'part', () => playground.machiningProgress());
+  queueSlice();
 }
 
-function report(playground: Playground): void {
-  const stage = machining !== undefined ? 'path' : pathReported ? 'part' : 'whole';
-  // In another language it is all told anew.
-  pathReported = stage === 'path';
-  reported = true;
-  send({
+/** The current run has been reported. */
+function isTold(): boolean {
+  return stage.kind === 'done' ? run > 0 : stage.kind === 'machining' && stage.pathTold;
+}
+
+function report(playground: Playground, told: Report['stage']): void {
+  tell({
     kind: 'report',
     report: {
-      revision,
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       fitted: playground.fitting(),
       decimal: playground.decimalNotice(),
-      stage,
+      stage: told,
+      setupRejected,
+      views: stage.kind === 'done' ? viewsState(playground) : undefined,
+      switches,
     },
   });
-  send({ kind: 'views', views: viewsState(playground) });
 }
 
 // ---- written out ----------------------------------------------------------------------------------
@@ -374,34 +430,57 @@ function writtenOut(playground: Playground): WrittenOut {
 
 // ---- the rest -------------------------------------------------------------------------------------
 
-function wantDraw(): void {
-  if (drawWanted) return;
-  drawWanted = true;
+function wantDraw(how: Exclude<Wanted, 'no'>): void {
+  if (drawWanted !== 'now') drawWanted = how;
+  if (frameAsked) return;
+  frameAsked = true;
   requestAnimationFrame(() => {
-    drawWanted = false;
+    frameAsked = false;
+    const wanted = drawWanted;
+    drawWanted = 'no';
+    const ready = stage.kind === 'done' || (stage.kind === 'machining' && stage.pathShown);
     guarded(() => {
-      if (core !== undefined) draw(core);
+      if (core !== undefined && (wanted === 'now' || (wanted === 'when-whole' && ready))) draw(core);
     });
   });
 }
 
 function draw(playground: Playground): void {
+  if (stage.kind === 'machining') stage.pathShown = true;
   const drawn = drawAll(playground);
   drawing = drawn === Drawn.Part;
   if (drawing) queueSlice();
-  if (drawn === Drawn.Moved) wantDraw();
+  if (drawn === Drawn.Moved) wantDraw('now');
+  present(playground);
+}
+
+/** Hands what was painted to the page, unless it has not shown the last picture yet. */
+function present(playground: Playground): void {
+  if (onTheWay) return;
+  const pictures = takePictures(playground);
+  if (pictures === undefined) return;
+  onTheWay = true;
+  tell({ kind: 'pictures', pictures }, [pictures.section, pictures.face].filter((image) => image !== undefined));
+}
+
+/** Once nothing is left to do, and the page has shown all there is. */
+function settle(): void {
+  const busy = stage.kind !== 'done' || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
+  if (core === undefined || busy || settledAt === heard) return;
+  settledAt = heard;
+  tell({ kind: 'settled', heard });
 }
 
 /** A panic leaves the interpreter unusable: say so once, and take no further message. */
 function guarded(step: () => void): void {
   try {
     step();
+    settle();
   } catch (error) {
     core = undefined;
-    run = undefined;
+    stage = { kind: 'done' };
     drawing = false;
-    machining = undefined;
-    send({ kind: 'crashed', reason: describe(error) });
+    tellOfLife({ kind: 'crashed', reason: describe(error) });
   }
 }
 
@@ -409,6 +488,11 @@ function describe(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-function send(event: WorkerEvent): void {
+/** Whatever is told of a run names it. */
+function tell(event: RunEvent, images: ImageBitmap[] = []): void {
+  self.postMessage({ ...event, run }, { transfer: images });
+}
+
+function tellOfLife(event: LifeEvent): void {
   self.postMessage(event);
 }

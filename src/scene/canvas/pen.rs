@@ -4,7 +4,7 @@
 
 use js_sys::Array;
 use wasm_bindgen::{Clamped, JsCast, JsValue};
-use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
+use web_sys::{ImageBitmap, ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
 
 use super::super::camera::{BOTTOM_RULER, LEFT_RULER, Pixel};
 use super::super::view::View;
@@ -44,6 +44,11 @@ impl Pen {
         self.context.set_global_alpha(1.0);
         self.context.set_line_join("round");
         self.page(view)
+    }
+
+    /// Takes the picture off the canvas, which is blank then.
+    pub fn take_image(&self) -> Result<ImageBitmap, JsValue> {
+        self.canvas.transfer_to_image_bitmap()
     }
 
     /// From here on, places are CSS pixels.

@@ -1,0 +1,513 @@
+//! The run that is current, with all that is known of it, and how it is looked at.
+//!
+//! In: the text, its edits and the setup; slices of time; where the reader looks and what the reader picks out. Out:
+//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: whatever is
+//! worked out of a run goes when the next one begins (`Current::begin` takes the value apart, so that a new field has to say
+//! what becomes of it), and nothing of the part is there before all its material is off ([`crate::shop::Machining`]). Must not
+//! know of canvases, nor of JavaScript.
+
+mod machined;
+mod picked;
+
+use std::cell::OnceCell;
+
+use crate::control::setup::{Setup, Turret};
+use crate::geometry::Point;
+use crate::motion::Motions;
+use crate::run::{Run, TextEdit};
+use crate::scene::camera::{Pixel, Size, XPlus};
+use crate::scene::face::Face;
+use crate::scene::outline::Outline;
+use crate::scene::source::{Picture, Source, Stage};
+use crate::scene::steps::labels;
+use crate::scene::view::View;
+use crate::scene::{Place, Plane, Scene};
+use crate::shop::clock::{Clock, Playhead};
+use crate::shop::compare::Comparison;
+use crate::shop::feature::{self, Feature};
+use crate::shop::fitting::Fitting;
+use crate::shop::region::Region;
+use crate::shop::{Advanced, Machining, Shop};
+use crate::text::source::LineIndex;
+use machined::{Kept, Machined};
+
+/// The current run and how it is looked at.
+pub struct Current {
+    run: Run,
+    /// Made when first asked for.
+    lines: OnceCell<LineIndex>,
+    outline: Outline,
+    /// The outline is of the motions as they are now.
+    measured: bool,
+    /// The clock of the motions as they are now; made when first asked for.
+    clock: OnceCell<Clock>,
+    material: Material,
+    view: View,
+    face_view: View,
+    /// Place of the cursor, UTF-16 offset.
+    cursor: Option<u32>,
+    /// The side the reader has turned the turret to; that of the setup where nothing is chosen.
+    turret: Option<Turret>,
+    /// The part that later ones are laid over.
+    kept: Option<Kept>,
+}
+
+/// What has become of the blank.
+enum Material {
+    /// Nothing yet: the program has to run first.
+    Untouched,
+    /// It is being taken off, which nobody sees.
+    UnderWay(Machining),
+    /// It is off.
+    Off(Box<Machined>),
+}
+
+impl Current {
+    /// Begins a run; its picture is 300 × 150 CSS pixels large, as a canvas is.
+    pub fn new(text: Vec<u8>, setup: Setup) -> Self {
+        let (run, outline) = (Run::new(text, setup), Outline::new());
+        let view =
+            View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
+        let face_view = View::new(
+            &Scene::new(run.motions(), &outline, None).on(Plane::Face),
+            Size { width: 300.0, height: 300.0 },
+        );
+        Self {
+            run,
+            lines: OnceCell::new(),
+            outline,
+            measured: false,
+            clock: OnceCell::new(),
+            material: Material::Untouched,
+            view,
+            face_view,
+            cursor: None,
+            turret: None,
+            kept: None,
+        }
+    }
+
+    // ---- from one run to the next ---------------------------------------------------------------------
+
+    /// Begins a run of another text.
+    pub fn set_text(&mut self, text: Vec<u8>, setup: Setup) {
+        self.begin(|run, lines| {
+            *lines = OnceCell::new();
+            *run = Run::new(text, setup);
+        });
+    }
+
+    /// Begins a run of the same text under another setup.
+    pub fn set_setup(&mut self, setup: Setup) {
+        self.begin(|run, _| run.set_setup(setup));
+    }
+
+    /// Decides what numbers without a point count anew, for the text as it is; the run begins again where that is
+    /// something else.
+    pub fn decide_decimal_rule(&mut self) {
+        self.begin(|run, _| {
+            run.decide_again();
+        });
+    }
+
+    /// Begins a run of the text with `from..to` (UTF-16 offsets) replaced; what ran before that place is taken over.
+    pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
+        let text = self.run.text();
+        let start = self.lines().byte_at_utf16(text, from) as usize;
+        let end = (self.lines().byte_at_utf16(text, to) as usize).max(start);
+        self.begin(|run, lines| {
+            run.edit(TextEdit { start, end, insert: insert.into() });
+            if let Some(lines) = lines.get_mut() {
+                lines.edit(run.text(), start..end, insert.len());
+            }
+        });
+    }
+
+    /// The only way from one run to the next: what belongs to the run goes, what belongs to the reader stays.
+    fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
+        let Self { run, lines, outline, measured, clock, material, view, face_view, cursor, turret, kept } =
+            self;
+        change(run, lines);
+        *measured = false;
+        *clock = OnceCell::new();
+        *material = Material::Untouched;
+        // Strokes are picked out by their numbers, which are those of other strokes now.
+        for view in [view, face_view] {
+            *view = view.bare(None);
+        }
+        // The outline keeps the boxes of the motions that stayed, and finds out itself which those are.
+        let _: (&Outline, &Option<u32>, &Option<Turret>, &Option<Kept>) = (outline, cursor, turret, kept);
+    }
+
+    /// Runs at most so many blocks; true when the run has ended.
+    pub fn advance(&mut self, blocks: usize) -> bool {
+        if !self.run.is_finished() {
+            self.grown();
+            self.run.advance(blocks);
+        }
+        self.run.is_finished()
+    }
+
+    /// Ends the run early, after so many seconds; a message says so.
+    pub fn stop(&mut self, seconds: f64) {
+        self.grown();
+        self.run.stop(seconds);
+    }
+
+    /// There are more motions than there were.
+    fn grown(&mut self) {
+        self.measured = false;
+        self.clock = OnceCell::new();
+    }
+
+    // ---- the material ---------------------------------------------------------------------------------
+
+    /// Takes the material of at most so many motions off, once the run has ended; true when all is off.
+    pub fn machine(&mut self, motions: usize) -> bool {
+        if !self.run.is_finished() {
+            return false;
+        }
+        match std::mem::replace(&mut self.material, Material::Untouched) {
+            Material::Off(machined) => self.material = Material::Off(machined),
+            Material::Untouched => {
+                let machining = Machining::new(self.run.motions(), self.run.setup());
+                self.take_off(machining, motions);
+            }
+            Material::UnderWay(machining) => self.take_off(machining, motions),
+        }
+        matches!(self.material, Material::Off(_))
+    }
+
+    fn take_off(&mut self, machining: Machining, motions: usize) {
+        match machining.advance(self.run.motions(), motions) {
+            Advanced::UnderWay(machining) => self.material = Material::UnderWay(machining),
+            Advanced::Done(shop) => self.machined(shop),
+        }
+    }
+
+    /// Takes no more material off; a message says so.
+    pub fn stop_machining(&mut self) {
+        match std::mem::replace(&mut self.material, Material::Untouched) {
+            Material::UnderWay(machining) => self.machined(machining.stop()),
+            other => self.material = other,
+        }
+    }
+
+    /// Takes off what is still to be taken off, of a program that has run.
+    pub fn finish_part(&mut self) {
+        while self.run.is_finished() && !self.machine(usize::MAX) {}
+    }
+
+    /// Share of the material that has been taken off, 0 to 1.
+    pub fn machining_progress(&self) -> f64 {
+        match &self.material {
+            Material::Untouched => 0.0,
+            Material::UnderWay(machining) => machining.progress(),
+            Material::Off(_) => 1.0,
+        }
+    }
+
+    fn machined(&mut self, shop: Shop) {
+        // The outline may still be that of the program before.
+        self.measure();
+        let mut machined = Machined::new(shop, self.run.motions());
+        machined.compare(&self.run, self.kept.as_ref());
+        self.material = Material::Off(Box::new(machined));
+        self.view.edge.clear();
+        self.show();
+        self.turn();
+        let (scene, view) = self.face_scene();
+        view.follow(&scene);
+    }
+
+    // ---- what is known --------------------------------------------------------------------------------
+
+    /// The run.
+    pub fn run(&self) -> &Run {
+        &self.run
+    }
+
+    /// The motions so far.
+    pub fn motions(&self) -> &Motions {
+        self.run.motions()
+    }
+
+    /// The lines of the text.
+    pub fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(self.run.text()))
+    }
+
+    /// How far the run is.
+    pub fn stage(&self) -> Stage {
+        match &self.material {
+            Material::Off(_) => Stage::Whole,
+            Material::Untouched | Material::UnderWay(_) if self.run.is_finished() => Stage::Path,
+            Material::Untouched | Material::UnderWay(_) => Stage::Running,
+        }
+    }
+
+    /// The program at the machine, once all material is off.
+    pub fn shop(&self) -> Option<&Shop> {
+        self.machined_part().map(Machined::shop)
+    }
+
+    /// Tools and blank, once the program has run and material is taken off.
+    pub fn fitting(&self) -> Option<&Fitting> {
+        match &self.material {
+            Material::Untouched => None,
+            Material::UnderWay(machining) => Some(machining.fitting()),
+            Material::Off(machined) => Some(machined.shop().fitting()),
+        }
+    }
+
+    /// The part with all material off; nothing where there is no blank, or a bound was met.
+    pub fn part(&self) -> Option<&Region> {
+        self.machined_part()?.part()
+    }
+
+    /// What is left of the blank at the moment that is shown.
+    pub fn part_shown(&mut self) -> Option<Region> {
+        self.show();
+        self.machined_part()?.part_shown(self.run.motions())
+    }
+
+    /// The end face, where anything moves on it.
+    pub fn face(&self) -> Option<&Face> {
+        self.machined_part()?.face()
+    }
+
+    /// Where the part differs from the one that was kept.
+    pub fn comparison(&self) -> Option<&Comparison> {
+        self.machined_part()?.comparison()
+    }
+
+    /// The clock of the motions.
+    pub fn clock(&self) -> &Clock {
+        self.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
+    }
+
+    /// Length of the whole path, mm.
+    pub fn path_length(&mut self) -> f64 {
+        self.measure();
+        self.outline.length()
+    }
+
+    fn machined_part(&self) -> Option<&Machined> {
+        match &self.material {
+            Material::Off(machined) => Some(machined),
+            Material::Untouched | Material::UnderWay(_) => None,
+        }
+    }
+
+    // ---- how it is looked at --------------------------------------------------------------------------
+
+    /// How the section is looked at.
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// How the end face is looked at.
+    pub fn face_view(&self) -> &View {
+        &self.face_view
+    }
+
+    /// Changes how the section is looked at.
+    pub fn look(&mut self, change: impl FnOnce(&mut View, &Scene)) {
+        self.show();
+        let (scene, view) = self.section_scene();
+        change(view, &scene);
+    }
+
+    /// Changes how the end face is looked at.
+    pub fn look_at_face(&mut self, change: impl FnOnce(&mut View, &Scene)) {
+        self.show();
+        let (scene, view) = self.face_scene();
+        change(view, &scene);
+    }
+
+    /// Lights up the strokes of the block at an offset.
+    pub fn set_cursor(&mut self, offset: Option<u32>) {
+        self.cursor = offset;
+        // Measuring does it too.
+        if self.measured {
+            self.light_up();
+        }
+    }
+
+    /// Marks a stroke, that under the pointer.
+    pub fn set_hover(&mut self, motion: Option<usize>) {
+        self.view.hover = motion.filter(|&index| index < self.run.motions().len());
+        self.name_steps();
+    }
+
+    /// Puts the tool somewhere; nothing shows all strokes and no tool.
+    pub fn put(&mut self, playhead: Option<Playhead>) {
+        self.view.playhead = playhead.filter(|_| !self.run.motions().is_empty());
+    }
+
+    /// Where the tool is.
+    pub fn place(&mut self) -> Option<(Playhead, Place)> {
+        self.measure();
+        let playhead = self.view.playhead?;
+        Some((playhead, self.scene().place(playhead)?))
+    }
+
+    /// Puts the turret on a side; nothing leaves it where the setup has it.
+    pub fn set_turret(&mut self, turret: Option<Turret>) {
+        self.turret = turret;
+        self.turn();
+    }
+
+    /// The side the turret is drawn on.
+    pub fn turret(&self) -> Turret {
+        self.turret.unwrap_or(self.run.setup().machine.turret)
+    }
+
+    /// Keeps the part of this program, if there is one, to lay those of later runs over it.
+    pub fn keep(&mut self) {
+        if self.part().is_some() {
+            self.kept = Some(Kept::of(&self.run));
+            self.compare();
+        }
+    }
+
+    /// Ends the comparison.
+    pub fn end_comparison(&mut self) {
+        self.kept = None;
+        self.compare();
+    }
+
+    /// Marks the edge of the part within `reach` (mm) of a place of the section, and says what it is.
+    pub fn mark_edge(&mut self, at: Pixel, reach: f64) -> Option<Feature> {
+        let camera = *self.view.camera();
+        let pointer = camera.to_world(at);
+        let place = Point::new(pointer.x.abs(), pointer.z);
+        let feature = match (self.machined_part(), self.view.playhead) {
+            (Some(machined), None) => {
+                let part = machined.part();
+                part.and_then(|part| feature::at(part, machined.threads(), place, reach / camera.scale()))
+            }
+            _ => None,
+        };
+        let side = if pointer.x < 0.0 { -1.0 } else { 1.0 };
+        let corners = feature.iter().flat_map(|feature| &feature.corners);
+        self.view.edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
+        feature
+    }
+
+    /// Marks no edge.
+    pub fn leave_edge(&mut self) {
+        self.view.edge.clear();
+    }
+
+    // ---- the pictures ---------------------------------------------------------------------------------
+
+    /// The strokes of the section, without the work.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene::new(self.run.motions(), &self.outline, None)
+    }
+
+    /// The section as it is to be painted.
+    pub fn picture(&mut self) -> Picture<'_> {
+        self.show();
+        let source = self.source();
+        let (scene, view) = self.section_scene();
+        Picture { scene, view, source }
+    }
+
+    /// The end face as it is to be painted, where anything moves on it.
+    pub fn face_picture(&mut self) -> Option<Picture<'_>> {
+        self.show();
+        self.face()?;
+        let source = self.source();
+        let (scene, view) = self.face_scene();
+        Some(Picture { scene, view, source })
+    }
+
+    fn source(&self) -> Source {
+        Source { run: self.run.id(), stage: self.stage() }
+    }
+
+    fn section_scene(&mut self) -> (Scene<'_>, &mut View) {
+        let Self { run, outline, material, view, .. } = self;
+        let work = match material {
+            Material::Off(machined) => machined.work(),
+            Material::Untouched | Material::UnderWay(_) => None,
+        };
+        (Scene::new(run.motions(), outline, work), view)
+    }
+
+    fn face_scene(&mut self) -> (Scene<'_>, &mut View) {
+        let Self { run, outline, material, face_view, .. } = self;
+        let scene = match material {
+            Material::Off(machined) => machined.face_scene(),
+            Material::Untouched | Material::UnderWay(_) => None,
+        };
+        // Where nothing moves on the face there is nothing to fit it to either.
+        let nothing = || Scene::new(run.motions(), outline, None).on(Plane::Face);
+        (scene.unwrap_or_else(nothing), face_view)
+    }
+
+    /// Brings everything that is shown to where the tool stands.
+    fn show(&mut self) {
+        self.measure();
+        let place = self.view.playhead.and_then(|playhead| self.scene().place(playhead));
+        let Self { run, material, view, face_view, .. } = self;
+        let Material::Off(machined) = material else { return };
+        machined.show(run.motions(), place);
+        let Some(face) = machined.face() else { return };
+        face_view.palette = view.palette.clone();
+        face_view.playhead = place.map(|place| face.playhead(place));
+        face_view.hover = view.hover.and_then(|motion| face.own(motion));
+        face_view.highlight.clear();
+        for own in view.highlight.iter().flat_map(|range| range.clone().filter_map(|motion| face.own(motion)))
+        {
+            match face_view.highlight.last_mut() {
+                Some(last) if last.end == own => last.end += 1,
+                _ => face_view.highlight.push(own..own + 1),
+            }
+        }
+    }
+
+    /// Measures what has run since the last time; the picture is only measured when it is asked for.
+    fn measure(&mut self) {
+        if self.measured {
+            return;
+        }
+        self.measured = true;
+        self.outline.update(self.run.motions());
+        // Until then the picture that is shown is of the last run, or moved by the reader.
+        if self.run.is_finished() {
+            self.outline.settle();
+            let (scene, view) = self.section_scene();
+            view.follow(&scene);
+        }
+        self.light_up();
+    }
+
+    fn turn(&mut self) {
+        let x_plus = XPlus::from(self.turret());
+        let (scene, view) = self.section_scene();
+        view.turn(&scene, x_plus);
+    }
+
+    fn compare(&mut self) {
+        let Self { run, material, kept, .. } = self;
+        if let Material::Off(machined) = material {
+            machined.compare(run, kept.as_ref());
+        }
+        self.show();
+    }
+
+    /// Marks the strokes of the block the cursor is in.
+    fn light_up(&mut self) {
+        let picked = self.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
+        (self.view.highlight, self.view.marks) = picked.unwrap_or_default();
+        self.name_steps();
+    }
+
+    /// Labels the steps of the pass that is picked out.
+    fn name_steps(&mut self) {
+        self.view.steps = labels(self.run.motions(), &self.view.highlight, self.view.hover);
+    }
+}

@@ -1,0 +1,115 @@
+//! What there is once all material of a run is off.
+//!
+//! In: the [`Shop`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
+//! work as it is shown at a moment.
+
+use crate::control::setup::Setup;
+use crate::motion::Motions;
+use crate::run::Run;
+use crate::scene::face::Face;
+use crate::scene::work::{Moment, Work};
+use crate::scene::{Place, Scene};
+use crate::shop::Shop;
+
+use crate::shop::compare::{Comparison, parts};
+use crate::shop::feature::{Thread, threads};
+use crate::shop::region::Region;
+
+/// A program whose part was kept for comparison.
+pub(super) struct Kept {
+    motions: Motions,
+    setup: Setup,
+}
+
+/// A run with all its material off.
+pub(super) struct Machined {
+    shop: Shop,
+    part: Option<Region>,
+    threads: Vec<Thread>,
+    face: Option<Face>,
+    comparison: Option<Comparison>,
+    shown: Option<Shown>,
+}
+
+/// The work at a moment; where there is none, when all is done.
+struct Shown {
+    moment: Option<Moment>,
+    work: Option<Work>,
+    face_work: Option<Work>,
+}
+
+impl Kept {
+    pub(super) fn of(run: &Run) -> Self {
+        Self { motions: run.motions().clone(), setup: run.setup().clone() }
+    }
+}
+
+impl Machined {
+    pub(super) fn new(shop: Shop, motions: &Motions) -> Self {
+        let part = shop.finished();
+        let threads = threads(motions, shop.fitting());
+        let face = Face::of(motions, &shop);
+        Self { shop, part, threads, face, comparison: None, shown: None }
+    }
+
+    /// Lays the part over the one that was kept, or ends that.
+    pub(super) fn compare(&mut self, run: &Run, kept: Option<&Kept>) {
+        self.comparison = kept.and_then(|kept| {
+            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), run.setup())]);
+            Some(Comparison::of(&first?, &second?))
+        });
+        self.shown = None;
+    }
+
+    /// Brings the work to the moment at which the tool is at a place.
+    pub(super) fn show(&mut self, motions: &Motions, place: Option<Place>) {
+        let moment = place.map(|place| Moment { motion: place.motion, share: place.fraction, tip: place.at });
+        if self.shown.as_ref().is_some_and(|shown| shown.moment == moment) {
+            return;
+        }
+        let work = Work::of(&self.shop, motions, moment);
+        let work = work.map(|work| match &self.comparison {
+            Some(comparison) if moment.is_none() => work.compared_with(comparison),
+            _ => work,
+        });
+        let face_work = self.face.as_ref().and_then(|face| face.work(&self.shop, place));
+        self.shown = Some(Shown { moment, work, face_work });
+    }
+
+    pub(super) fn shop(&self) -> &Shop {
+        &self.shop
+    }
+
+    pub(super) fn part(&self) -> Option<&Region> {
+        self.part.as_ref()
+    }
+
+    pub(super) fn threads(&self) -> &[Thread] {
+        &self.threads
+    }
+
+    pub(super) fn face(&self) -> Option<&Face> {
+        self.face.as_ref()
+    }
+
+    pub(super) fn comparison(&self) -> Option<&Comparison> {
+        self.comparison.as_ref()
+    }
+
+    pub(super) fn work(&self) -> Option<&Work> {
+        self.shown.as_ref()?.work.as_ref()
+    }
+
+    pub(super) fn face_scene(&self) -> Option<Scene<'_>> {
+        let work = self.shown.as_ref().and_then(|shown| shown.face_work.as_ref());
+        self.face.as_ref().map(|face| face.scene(work))
+    }
+
+    /// What is left of the blank at the moment that is shown.
+    pub(super) fn part_shown(&self, motions: &Motions) -> Option<Region> {
+        match self.shown.as_ref()?.moment {
+            Some(at) => self.shop.part_at(motions, at.motion, at.share),
+            None => self.part.clone(),
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What the cursor picks out of a run: the strokes of its block, and the named places of its cycle.
+//!
+//! In: a run and an offset in its text. Out: ranges of motions, and marks.
+
+use std::ops::Range;
+
+use crate::run::Run;
+use crate::scene::Scene;
+use crate::scene::view::Mark;
+use crate::text::source::{LineIndex, Span};
+
+/// The motions of the block at a UTF-16 offset, and the places of its cycle.
+pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (Vec<Range<usize>>, Vec<Mark>) {
+    let text = run.text();
+    let byte = lines.byte_at_utf16(text, offset);
+    let line = lines.line(text, lines.line_of(byte.min(text.len() as u32)));
+    let block = block_at(text, line, byte);
+    let motions = scene.motions_of(block);
+    let marks = marks(run, block, motions.first());
+    (motions, marks)
+}
+
+/// The places of a cycle that is called in a block: A, and A′ and B of its contour.
+fn marks(run: &Run, block: Span, motions: Option<&Range<usize>>) -> Vec<Mark> {
+    let inside = |span: Span| block.start <= span.start && span.end <= block.end;
+    if let Some(found) = run.landmarks().iter().find(|landmarks| inside(landmarks.span)) {
+        let names = [(found.start, "A"), (found.first, "A′"), (found.last, "B")];
+        return names.into_iter().map(|(at, name)| Mark { at, name }).collect();
+    }
+    let first = motions.map(|range| run.motions().get(range.start)).filter(|motion| motion.cycle.is_some());
+    first.map(|motion| Mark { at: motion.from, name: "A" }).into_iter().collect()
+}
+
+/// The part of a line between the semicolons around a byte.
+fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
+    let bytes = line.of(text);
+    let at = (byte - line.start) as usize;
+    let start = bytes[..at].iter().rposition(|&byte| byte == b';').map_or(0, |found| found + 1);
+    let end = bytes[at..].iter().position(|&byte| byte == b';').map_or(bytes.len(), |found| at + found);
+    // Behind the last semicolon there is often nothing but the cursor: the block before it is meant.
+    if bytes[start..end].trim_ascii().is_empty() && start > 0 {
+        return block_at(text, line, line.start + start as u32 - 1);
+    }
+    Span::new(line.start as usize + start, line.start as usize + end)
+}

@@ -1,0 +1,203 @@
+// What the switching test does inside the page. Each function is sent to the browser as source, so it uses nothing from outside
+// itself, and its argument and result are JSON.
+
+import type { State, Step } from './state';
+
+interface Playground extends HTMLElement {
+  value: string;
+  setup: string | null;
+  readonly settled: Promise<number>;
+}
+
+/** What a page shows, in words and as fingerprints of pixels. */
+export type Look = Readonly<Record<string, string>>;
+
+/** Runs before the scripts of each page: one that neither keeps anything for the next one nor leaves anything out of what it reports. */
+export function prepare(): void {
+  localStorage.clear();
+  // The page would keep the program when it is left.
+  Storage.prototype.setItem = () => undefined;
+  document.addEventListener('gcode-report', (event) => {
+    (window as unknown as { report: unknown }).report = (event as CustomEvent).detail;
+  });
+}
+
+/** Waits until the page has started; drivers differ in what they call loaded. */
+export async function ready(): Promise<void> {
+  await customElements.whenDefined('gcode-playground');
+  if (document.readyState !== 'complete') await new Promise((done) => window.addEventListener('load', done, { once: true }));
+  await (document.querySelector('gcode-playground') as Playground).settled;
+}
+
+/** Brings the page on; the last thing it does is what a reader or an author does last. */
+export async function go({ steps, from }: { steps: readonly (Step & { delay: number })[]; from: State | undefined }): Promise<void> {
+  const playground = document.querySelector('gcode-playground') as Playground;
+  const root = playground.shadowRoot as ShadowRoot;
+  const found = <E extends HTMLElement>(selector: string): E => root.querySelector(selector) as E;
+  const sleep = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
+  const key = (on: HTMLElement, name: string, held: KeyboardEventInit = {}): void => {
+    on.dispatchEvent(new KeyboardEvent('keydown', { key: name, code: name, bubbles: true, composed: true, cancelable: true, ...held }));
+  };
+  const choose = (id: string, value: string): void => {
+    const select = document.getElementById(id) as HTMLSelectElement;
+    select.value = value;
+    select.dispatchEvent(new Event('change', { bubbles: true }));
+  };
+  let now = from;
+
+  const load = (state: State): void => {
+    choose('example', state.program);
+    const [program, setup] = [playground.value, playground.setup];
+    const lines = program.split('\n');
+    if (state.setup === 'thick blank') {
+      playground.setup = JSON.stringify({ ...JSON.parse(setup ?? '{}'), stock: { diameter: 180, length: 220, face: 1 } });
+    } else if (state.setup === 'empty') playground.setup = '{}';
+    const content = found<HTMLElement>('.written .cm-content');
+    switch (state.text) {
+      case 'as it is':
+        break;
+      case 'line typed':
+        content.focus();
+        key(content, 'Home', { ctrlKey: true });
+        key(content, 'Enter');
+        break;
+      case 'character deleted':
+        content.focus();
+        key(content, 'Home', { ctrlKey: true });
+        for (let line = 0; line < 3; line++) key(content, 'ArrowDown');
+        key(content, 'Delete');
+        break;
+      case 'line doubled': {
+        const middle = Math.floor(lines.length / 2);
+        playground.value = [...lines.slice(0, middle), lines[middle], ...lines.slice(middle)].join('\n');
+        break;
+      }
+      case 'half':
+        playground.value = lines.slice(0, Math.ceil(lines.length / 2)).join('\n');
+        break;
+    }
+  };
+
+  for (const step of steps) {
+    if ('to' in step) {
+      const to = step.to;
+      const same = now !== undefined && to.program === now.program && to.text === now.text && to.setup === now.setup;
+      if (!same) load(to);
+      if (to.language !== now?.language) choose('language', to.language);
+      if (to.theme !== now?.theme) choose('theme', to.theme);
+      if (to.turret !== now?.turret) {
+        // The button shows where the turret is, which the setup may say: it is turned until it is where it should be.
+        for (let turn = 0; turn < 3; turn++) {
+          await playground.settled;
+          const button = found<HTMLButtonElement>('.views > button.level');
+          if ((button.getAttribute('aria-pressed') === 'true') === (to.turret === 'front') && turn > 0) break;
+          button.click();
+        }
+      }
+      now = to;
+    } else {
+      const canvas = found<HTMLCanvasElement>('canvas');
+      switch (step.detour) {
+        case 'zoomed and fitted':
+          key(canvas, '+');
+          key(canvas, 'ArrowLeft');
+          await sleep(step.delay);
+          key(canvas, 'Home');
+          break;
+        case 'stepped':
+          key(playground, 'F9');
+          await sleep(step.delay);
+          key(playground, 'F9', { ctrlKey: true });
+          break;
+        case 'pointed': {
+          const { left, top, width, height } = canvas.getBoundingClientRect();
+          for (const share of [0.3, 0.5, 0.6]) {
+            canvas.dispatchEvent(new PointerEvent('pointermove', {
+              pointerType: 'mouse', clientX: left + share * width, clientY: top + share * height, bubbles: true, composed: true,
+            }));
+            await sleep(step.delay / 3);
+          }
+          canvas.dispatchEvent(new PointerEvent('pointerleave', { pointerType: 'mouse' }));
+          break;
+        }
+        case 'kept':
+          found<HTMLButtonElement>('.views > button.small:not([hidden])').click();
+          await sleep(step.delay);
+          await playground.settled;
+          for (const button of root.querySelectorAll<HTMLButtonElement>('.views > button.small:not([hidden])')) {
+            if (button.previousElementSibling?.hasAttribute('hidden') === true) button.click();
+          }
+          break;
+      }
+    }
+    await sleep(step.delay);
+  }
+  await playground.settled;
+  // The tool may still stand where a step has put it.
+  const whole = found<HTMLButtonElement>('.playback .place > button.quiet');
+  if (!whole.hidden) whole.click();
+}
+
+/** Waits until the page has settled, and looks at it. */
+export async function look(): Promise<Look> {
+  const playground = document.querySelector('gcode-playground') as Playground;
+  const root = playground.shadowRoot as ShadowRoot;
+  const late = new Promise<never>((_, reject) => {
+    setTimeout(() => reject(new Error('the page has not settled within 30 s')), 30_000);
+  });
+  await Promise.race([playground.settled, late]);
+  const seen: Record<string, string> = {};
+  const words = (selector: string): string => [...root.querySelectorAll<HTMLElement>(selector)].map((part) => (part.hidden ? '' : part.innerText)).join('\n');
+  for (const [index, canvas] of [...root.querySelectorAll<HTMLCanvasElement>('.pictures canvas')].entries()) {
+    const { width, height } = canvas;
+    const shown = canvas.getBoundingClientRect();
+    const name = index === 0 ? 'section' : 'face';
+    if (shown.width === 0) {
+      seen[name] = 'hidden';
+      continue;
+    }
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [width, height];
+    const context = copy.getContext('2d', { willReadFrequently: true }) as CanvasRenderingContext2D;
+    context.drawImage(canvas, 0, 0);
+    (window as unknown as Record<string, unknown>)[name] = copy;
+    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
+    // FNV-1a, a pixel at a time.
+    let hash = 0x811c9dc5;
+    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 0x01000193);
+    seen[name] = `${width} × ${height}, shown ${shown.width} × ${shown.height}: ${(hash >>> 0).toString(16)}`;
+  }
+  const report = (window as unknown as { report: { summary: unknown; diagnostics: unknown } | undefined }).report;
+  seen['text'] = playground.value;
+  seen['summary'] = JSON.stringify(report?.summary);
+  seen['messages'] = JSON.stringify(report?.diagnostics);
+  seen['problems'] = words('[part=problems]');
+  seen['status'] = words('[part=status]');
+  seen['read-out'] = words('[part=readout]');
+  seen['views'] = words('.views > button.level') + String(root.querySelector('.views > button.level')?.getAttribute('aria-pressed'));
+  seen['legend'] = words('[part=legend]');
+  seen['setup'] = words('[part=setup]');
+  // The motions as the page itself saves them.
+  const save = HTMLAnchorElement.prototype.click;
+  const { createObjectURL } = URL;
+  const table = root.querySelectorAll<HTMLButtonElement>('[part=export-menu] > button')[3];
+  if (root.querySelector<HTMLButtonElement>('.export-button')?.disabled === false) {
+    const saved = new Promise<Blob>((resolve) => {
+      URL.createObjectURL = (blob) => {
+        resolve(blob as Blob);
+        return 'about:blank';
+      };
+      HTMLAnchorElement.prototype.click = () => undefined;
+    });
+    table?.click();
+    seen['motions'] = await (await Promise.race([saved, late])).text();
+    HTMLAnchorElement.prototype.click = save;
+    URL.createObjectURL = createObjectURL;
+  }
+  return seen;
+}
+
+/** The section that was looked at last, as a PNG. */
+export function picture(): string {
+  return (window as unknown as { section: HTMLCanvasElement | undefined }).section?.toDataURL('image/png') ?? '';
+}

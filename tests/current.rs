@@ -1,0 +1,222 @@
+//! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
+
+use gcode_playground::control::setup::{Setup, Turret};
+use gcode_playground::current::Current;
+use gcode_playground::scene::camera::{Pixel, Size};
+use gcode_playground::scene::source::Stage;
+use gcode_playground::scene::view::View;
+use gcode_playground::shop::Shop;
+use gcode_playground::shop::clock::Playhead;
+use proptest::prelude::*;
+
+const SIZE: Size = Size { width: 800.0, height: 600.0 };
+
+fn program(id: &str) -> (String, Setup) {
+    let read = |file: &str| std::fs::read_to_string(format!("tests/programs/{id}/{file}")).expect("a file");
+    (read("program.nc"), Setup::from_json(&read("setup.json")).expect("a setup"))
+}
+
+fn run(current: &mut Current) {
+    while !current.advance(7) {}
+    while !current.machine(3) {}
+}
+
+fn fresh(text: &str, setup: &Setup) -> Current {
+    let mut current = Current::new(text.as_bytes().to_vec(), setup.clone());
+    current.look(|view, scene| view.resize(scene, SIZE, 1.0));
+    run(&mut current);
+    current
+}
+
+/// All that a painter draws: strokes, blank, part, dangers, and how it is looked at.
+fn seen(current: &mut Current) -> (String, View, Option<(String, View)>) {
+    let face = current.face_picture().map(|picture| {
+        let work = picture.scene.work().map(|work| (&work.blank, &work.part));
+        (format!("{:?} {work:?}", picture.scene.strokes().collect::<Vec<_>>()), picture.view.clone())
+    });
+    let picture = current.picture();
+    let strokes: Vec<_> = picture.scene.strokes().collect();
+    let work = picture
+        .scene
+        .work()
+        .map(|work| (&work.blank, &work.part, &work.obstacles, &work.tool, &work.dangers, &work.compared));
+    (format!("{strokes:?} {work:?}"), picture.view.clone(), face)
+}
+
+/// A picture that is asked for while material is taken off shows no half-cut part, neither then nor later.
+#[test]
+fn a_half_cut_part_is_never_shown() {
+    let (text, setup) = program("s003-g71");
+    let mut current = Current::new(text.into_bytes(), setup);
+    while !current.advance(10) {}
+    let mut slices = 0;
+    loop {
+        assert_eq!(current.stage(), Stage::Path);
+        let picture = current.picture();
+        assert!(picture.scene.work().is_none() && picture.source.stage == Stage::Path);
+        assert!(current.part().is_none() && current.part_shown().is_none() && current.shop().is_none());
+        if current.machine(1) {
+            break;
+        }
+        slices += 1;
+    }
+    assert!(slices > 50, "only {slices} slices");
+    let whole = Shop::done(current.motions(), current.run().setup()).finished().expect("a blank");
+    assert_eq!(current.part(), Some(&whole));
+    assert_eq!(current.part_shown(), Some(whole));
+    let picture = current.picture();
+    assert!(picture.source.stage == Stage::Whole && picture.scene.work().is_some());
+}
+
+/// Whatever begins another run takes all that was known of the last one away, and gives the run another name.
+#[test]
+fn nothing_of_a_run_outlives_it() {
+    type Change = fn(&mut Current);
+    let changes: [Change; 3] = [
+        |current| current.set_text(b"G0 X50 Z2\nG1 Z-20 F0.2\n".to_vec(), Setup::default()),
+        |current| current.set_setup(Setup::default()),
+        |current| current.edit(0, 1, "("),
+    ];
+    for change in changes {
+        let (text, setup) = program("s002-g121-square");
+        let mut current = fresh(&text, &setup);
+        current.set_cursor(Some(120));
+        current.set_hover(Some(3));
+        current.put(Some(Playhead { motion: 5, share: 0.5 }));
+        assert!(current.face_picture().is_some());
+        let before = current.picture().source;
+        change(&mut current);
+        assert_eq!(current.stage(), Stage::Running);
+        assert!(current.shop().is_none() && current.face().is_none() && current.fitting().is_none());
+        let picture = current.picture();
+        assert_ne!(picture.source.run, before.run);
+        assert!(
+            picture.view.hover.is_none() && picture.view.playhead.is_none() && picture.scene.work().is_none()
+        );
+        assert!(current.face_view().highlight.is_empty() && current.face_view().playhead.is_none());
+        run(&mut current);
+        let after = current.picture().source;
+        assert!(after.stage == Stage::Whole && after.run != before.run);
+    }
+}
+
+/// A program whose run was stopped has a clock of all motions that it has.
+#[test]
+fn the_clock_of_a_stopped_run_knows_all_its_motions() {
+    let text = "G99 M3 S500\n".to_owned() + &"G1 X50 Z-1 F0.2\nX60 Z0\n".repeat(3000);
+    let mut current = Current::new(text.into_bytes(), Setup::default());
+    current.advance(4000);
+    let _ = current.clock();
+    current.stop(1.0);
+    let whole = current.clock().whole().pace;
+    let fresh = gcode_playground::shop::clock::Clock::new(current.motions(), &current.run().setup().machine);
+    assert!((whole - fresh.whole().pace).abs() < 1e-9, "{whole}, not {}", fresh.whole().pace);
+}
+
+/// What may happen between one run and the next, and between two slices of one.
+#[derive(Clone, Debug)]
+enum Act {
+    Program(usize),
+    Setup(usize),
+    Edit { from: u32, insert: &'static str },
+    Advance(usize),
+    Machine(usize),
+    StopMachining,
+    Draw,
+    Put(usize, f64),
+    Hover(u32),
+    Turn(bool),
+    Zoom,
+    Keep,
+    Export,
+}
+
+const PROGRAMS: [&str; 5] = ["s003-g71", "s003-g73", "s002-g121-square", "s001-o6003", "s000-o0002"];
+
+fn act() -> impl Strategy<Value = Act> {
+    prop_oneof![
+        2 => (0..PROGRAMS.len()).prop_map(Act::Program),
+        1 => (0..PROGRAMS.len()).prop_map(Act::Setup),
+        2 => (0u32..300, prop_oneof![Just("X"), Just("1"), Just("\n"), Just("(x)"), Just("")])
+            .prop_map(|(from, insert)| Act::Edit { from, insert }),
+        4 => (1usize..40).prop_map(Act::Advance),
+        4 => (1usize..60).prop_map(Act::Machine),
+        1 => Just(Act::StopMachining),
+        5 => Just(Act::Draw),
+        1 => ((0usize..40), (0.0f64..1.0)).prop_map(|(motion, share)| Act::Put(motion, share)),
+        1 => (0u32..40).prop_map(Act::Hover),
+        1 => any::<bool>().prop_map(Act::Turn),
+        1 => Just(Act::Zoom),
+        1 => Just(Act::Keep),
+        1 => Just(Act::Export),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// However it was come by, a state looks as if it had been begun afresh.
+    #[test]
+    fn whatever_was_there_before_a_run_looks_as_if_begun_afresh(acts in prop::collection::vec(act(), 1..40)) {
+        let all: Vec<_> = PROGRAMS.iter().map(|id| program(id)).collect();
+        let (mut text, mut setup) = all[0].clone();
+        let mut current = fresh(&text, &setup);
+        for act in &acts {
+            match *act {
+                Act::Program(index) => {
+                    (text, setup) = all[index].clone();
+                    current.set_text(text.clone().into_bytes(), setup.clone());
+                }
+                Act::Setup(index) => {
+                    setup = all[index].1.clone();
+                    current.set_setup(setup.clone());
+                }
+                Act::Edit { from, insert } => {
+                    let from = (from as usize).min(text.len());
+                    let to = (from + 1 - insert.len().min(1)).min(text.len());
+                    text.replace_range(from..to, insert);
+                    current.edit(from as u32, to as u32, insert);
+                }
+                Act::Advance(blocks) => { current.advance(blocks); }
+                Act::Machine(motions) => { current.machine(motions); }
+                // A part that was given up stays so until the next run.
+                Act::StopMachining => {
+                    if current.shop().is_none() {
+                        current.stop_machining();
+                        current.set_text(text.clone().into_bytes(), setup.clone());
+                    }
+                }
+                Act::Draw => { seen(&mut current); }
+                Act::Put(motion, share) => {
+                    let motion = motion.min(current.motions().len().saturating_sub(1));
+                    current.put(Some(Playhead { motion, share }));
+                    seen(&mut current);
+                }
+                Act::Hover(motion) => current.set_hover(Some(motion as usize)),
+                Act::Turn(front) => {
+                    current.set_turret(Some(if front { Turret::Front } else { Turret::Rear }));
+                }
+                Act::Zoom => {
+                    current.look(|view, _| view.zoom(1.5, Pixel::new(100.0, 100.0)));
+                    seen(&mut current);
+                    current.look(|view, scene| view.fit(scene));
+                }
+                Act::Keep => current.keep(),
+                Act::Export => current.finish_part(),
+            }
+        }
+        run(&mut current);
+        current.end_comparison();
+        current.put(None);
+        current.set_hover(None);
+        current.set_turret(None);
+        let mut expected = fresh(&text, &setup);
+        let (found, wanted) = (seen(&mut current), seen(&mut expected));
+        prop_assert_eq!(&found.1, &wanted.1);
+        let at = found.0.bytes().zip(wanted.0.bytes()).take_while(|(a, b)| a == b).count();
+        let excerpt = |text: &str| text[at.saturating_sub(60)..text.len().min(at + 60)].to_owned();
+        prop_assert!(found.0 == wanted.0, "{}\n{}", excerpt(&found.0), excerpt(&wanted.0));
+        prop_assert!(found.2 == wanted.2, "the face");
+        prop_assert_eq!(current.motions(), expected.motions());
+    }
+}
