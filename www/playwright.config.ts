@@ -1,13 +1,20 @@
-// Browser tests: the built page in a real Chromium, found by role and text. Run `npm run build` first.
+// Browser tests: the built page in three engines, found by role and text. Run `npm run build` first.
+// tests/browser/README.md says which tests run where, and how to run one of them in one engine.
 // PLAYGROUND_CHROMIUM names an installed Chrome or Chromium; without it Playwright's own is used.
 import { defineConfig } from '@playwright/test';
+import type { WorkerOptions } from '../tests/browser/engines/options';
 
 const PORT = 4317;
+const SERVER = `http://127.0.0.1:${PORT}/`;
 const executablePath = process.env['PLAYGROUND_CHROMIUM'];
 
-export default defineConfig({
+/** Tests that need Playwright's own page; tests/browser/README.md says why. */
+const CHROMIUM_ONLY = ['long-program', 'phone', 'playing-smoothly', 'solid'].map((name) => `**/${name}.spec.ts`);
+
+export default defineConfig<object, WorkerOptions>({
   testDir: '../tests/browser',
   outputDir: 'test-results',
+  globalSetup: './test-finder.ts',
   timeout: 60_000,
   expect: { timeout: 10_000 },
   retries: 0,
@@ -15,11 +22,12 @@ export default defineConfig({
   reporter: 'list',
   webServer: {
     command: `npm run preview -- --port ${PORT} --strictPort --host 127.0.0.1`,
-    url: `http://127.0.0.1:${PORT}/`,
+    url: SERVER,
     timeout: 30_000,
   },
   use: {
-    baseURL: `http://127.0.0.1:${PORT}/`,
+    baseURL: SERVER,
+    server: SERVER,
     browserName: 'chromium',
     locale: 'en-US',
     viewport: { width: 1440, height: 900 },
@@ -31,4 +39,9 @@ export default defineConfig({
       ],
     },
   },
+  projects: [
+    { name: 'chromium', use: { engine: 'chromium' } },
+    { name: 'firefox', use: { engine: 'firefox' }, testIgnore: CHROMIUM_ONLY },
+    { name: 'webkit', use: { engine: 'webkit' }, testIgnore: CHROMIUM_ONLY },
+  ],
 });

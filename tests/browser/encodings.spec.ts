@@ -1,5 +1,5 @@
 // Files as they come from machines and old editors: they read well, and saving gives the same bytes back.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { editor, open, openFile, status, value } from './page';
