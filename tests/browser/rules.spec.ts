@@ -100,7 +100,9 @@ test('on a phone a page fits', async ({ page }) => {
   await page.setViewportSize({ width: 400, height: 800 });
   for (const name of ['index', 'rapid-through-stock']) {
     await page.goto(`./rules/ru/${name}.html`);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(400);
+    expect(await page.evaluate(() => innerWidth)).toBe(400);
+    const { wide, seen } = await page.evaluate(() => ({ wide: document.documentElement.scrollWidth, seen: document.documentElement.clientWidth }));
+    expect(wide).toBe(seen);
   }
 });
 

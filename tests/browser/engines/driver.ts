@@ -23,8 +23,10 @@ export interface Tab {
   /** Each character as a key, down and up. */
   typeKeys(text: string): Promise<void>;
   mouseMove(x: number, y: number): Promise<void>;
-  mouseDown(clickCount: number): Promise<void>;
-  mouseUp(clickCount: number): Promise<void>;
+  mouseDown(): Promise<void>;
+  mouseUp(): Promise<void>;
+  /** Moves there and clicks so many times, as one act. */
+  click(x: number, y: number, times: number): Promise<void>;
   wheel(x: number, y: number, deltaX: number, deltaY: number): Promise<void>;
   /** Chooses a file for the input that the expression gives. */
   chooseFile(expression: string, path: string): Promise<void>;

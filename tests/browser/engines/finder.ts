@@ -59,8 +59,16 @@ function visible(element: Element): boolean {
   return width > 0 && height > 0 && element.checkVisibility({ visibilityProperty: true });
 }
 
+/** `getRole` knows of headers of columns only. */
+function roleOf(element: Element): string | null {
+  const header = element instanceof HTMLTableCellElement && element.tagName === 'TH' && !element.hasAttribute('role');
+  return header && element.scope.startsWith('row') ? 'rowheader' : getRole(element);
+}
+
 /** Whether who listens to the page is told of an element. */
 function accessible(element: Element): boolean {
+  // Options are drawn by the system, and told with their list.
+  if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement) return accessible(element.parentElement);
   for (let at: Element | null = element; at !== null; at = parentOf(at)) if (at.getAttribute('aria-hidden') === 'true') return false;
   return element.checkVisibility({ visibilityProperty: true });
 }
@@ -90,7 +98,7 @@ function matches(element: Element, step: Step): boolean {
       return element.matches(step.css);
     case 'role':
       return (
-        getRole(element) === step.role &&
+        roleOf(element) === step.role &&
         (step.hidden || accessible(element)) &&
         (step.level === undefined || element.matches(`h${step.level}, [aria-level='${step.level}']`)) &&
         (step.name === undefined || fits(step.name, computeAccessibleName(element, { hidden: step.hidden })))

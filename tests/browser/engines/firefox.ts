@@ -29,6 +29,11 @@ export async function firefox(viewport: { width: number; height: number }): Prom
   };
 }
 
+/** What puppeteer calls a key; for it, `Space` is no key but a place. */
+function named(key: string): KeyInput {
+  return (key === 'Space' ? ' ' : key === '\n' ? 'Enter' : key) as KeyInput;
+}
+
 function end(browser: Browser): void {
   browser.process()?.kill('SIGKILL');
 }
@@ -62,22 +67,25 @@ class FirefoxTab implements Tab {
     return this.page.evaluate(expression);
   }
   keyDown(key: string): Promise<void> {
-    return this.page.keyboard.down(key as KeyInput);
+    return this.page.keyboard.down(named(key));
   }
   keyUp(key: string): Promise<void> {
-    return this.page.keyboard.up(key as KeyInput);
+    return this.page.keyboard.up(named(key));
   }
   async typeKeys(text: string): Promise<void> {
-    for (const each of text) await this.page.keyboard.press((each === '\n' ? 'Enter' : each) as KeyInput);
+    for (const each of text) await this.page.keyboard.press(named(each));
   }
   mouseMove(x: number, y: number): Promise<void> {
     return this.page.mouse.move(x, y);
   }
-  mouseDown(clickCount: number): Promise<void> {
-    return this.page.mouse.down({ clickCount });
+  mouseDown(): Promise<void> {
+    return this.page.mouse.down();
   }
-  mouseUp(clickCount: number): Promise<void> {
-    return this.page.mouse.up({ clickCount });
+  mouseUp(): Promise<void> {
+    return this.page.mouse.up();
+  }
+  click(x: number, y: number, times: number): Promise<void> {
+    return this.page.mouse.click(x, y, { count: times });
   }
   async wheel(_x: number, _y: number, deltaX: number, deltaY: number): Promise<void> {
     await this.page.mouse.wheel({ deltaX, deltaY });

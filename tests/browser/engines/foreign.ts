@@ -1,6 +1,6 @@
 // A page of an engine that Playwright does not drive, made of its driver and of `finder`, which runs in the page.
-import { readdirSync, writeFileSync } from 'node:fs';
-import { mkdtemp, rm } from 'node:fs/promises';
+import { readdirSync, statSync, writeFileSync } from 'node:fs';
+import { copyFile, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
@@ -119,9 +119,7 @@ export class ForeignLocator extends Finder implements Locator {
   }
   async dblclick(): Promise<void> {
     const { x, y } = await this.ready('click');
-    await this.owner.mouse.click(x, y);
-    await this.owner.tab.mouseDown(2);
-    await this.owner.tab.mouseUp(2);
+    await this.owner.tab.click(x, y, 2);
   }
   async hover(): Promise<void> {
     const { x, y } = await this.ready('hover');
@@ -189,7 +187,6 @@ export class ForeignPage extends Finder implements Page {
   readonly mouse: Mouse;
   private readonly listeners: ((error: Error) => void)[] = [];
   private readonly popups: ForeignPage[] = [];
-  private readonly saved = new Set<string>();
   private folder: Promise<string> | undefined;
   private address = '';
 
@@ -268,7 +265,7 @@ export class ForeignPage extends Finder implements Page {
   async waitForEvent(event: 'download' | 'popup'): Promise<Download | Page> {
     const end = Date.now() + PATIENCE;
     for (;;) {
-      const found = event === 'popup' ? await this.popup() : this.download();
+      const found = event === 'popup' ? await this.popup() : await this.download();
       if (found !== undefined) return found;
       if (Date.now() > end) throw new Error(`there was no ${event}`);
       await pause(PAUSE);
@@ -281,13 +278,19 @@ export class ForeignPage extends Finder implements Page {
     this.popups.push(page);
     return page;
   }
-  /** The next file that lies complete in the folder of saved files. */
-  private download(): Download | undefined {
+  /** The next file that lies complete in the folder of saved files: at rest for a while, an empty one for long. */
+  private async download(): Promise<Download | undefined> {
     const names = readdirSync(this.tab.downloads);
-    const name = names.find((each) => !this.saved.has(each) && !/\.(part|wkdownload)$/.test(each) && !names.includes(`${each}.part`));
+    const name = names.find((each) => {
+      if (/\.(part|wkdownload)$/.test(each) || names.includes(`${each}.part`)) return false;
+      const { size, mtimeMs } = statSync(join(this.tab.downloads, each));
+      return Date.now() - mtimeMs > (size === 0 ? 1500 : 150);
+    });
     if (name === undefined) return undefined;
-    this.saved.add(name);
-    const path = join(this.tab.downloads, name);
+    // The folder is emptied, lest the next file be given another name.
+    const path = join(await mkdtemp(join(await this.scratch(), 'saved-')), name);
+    await copyFile(join(this.tab.downloads, name), path);
+    await rm(join(this.tab.downloads, name));
     return { suggestedFilename: () => name, path: () => Promise.resolve(path) };
   }
 
@@ -322,12 +325,11 @@ function mouse(tab: Tab): Mouse {
   };
   return {
     move,
-    down: () => tab.mouseDown(1),
-    up: () => tab.mouseUp(1),
-    click: async (toX, toY) => {
-      await move(toX, toY);
-      await tab.mouseDown(1);
-      await tab.mouseUp(1);
+    down: () => tab.mouseDown(),
+    up: () => tab.mouseUp(),
+    click: (toX, toY) => {
+      [x, y] = [Math.floor(toX), Math.floor(toY)];
+      return tab.click(x, y, 1);
     },
     wheel: (deltaX, deltaY) => tab.wheel(x, y, deltaX, deltaY),
   };
