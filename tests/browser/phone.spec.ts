@@ -66,3 +66,11 @@ test('the table of codes in Chinese and Russian, in the dark and on a phone', as
   expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await context.close();
 });
+
+test('on a phone a page of a rule fits', async ({ page }) => {
+  await page.setViewportSize({ width: 400, height: 800 });
+  for (const name of ['index', 'rapid-through-stock']) {
+    await page.goto(`./rules/ru/${name}.html`);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(400);
+  }
+});

@@ -96,16 +96,6 @@ test('the list of all rules leads to each of them', async ({ page }) => {
   await expect(list.getByRole('heading', { level: 1 })).toHaveText('Все правила');
 });
 
-test('on a phone a page fits', async ({ page }) => {
-  await page.setViewportSize({ width: 400, height: 800 });
-  for (const name of ['index', 'rapid-through-stock']) {
-    await page.goto(`./rules/ru/${name}.html`);
-    expect(await page.evaluate(() => innerWidth)).toBe(400);
-    const { wide, seen } = await page.evaluate(() => ({ wide: document.documentElement.scrollWidth, seen: document.documentElement.clientWidth }));
-    expect(wide).toBe(seen);
-  }
-});
-
 test('the link of a problem stands beside it, its repair below', async ({ page }) => {
   await open(page);
   await type(page, 'GO1 X5\nM30');

@@ -21,11 +21,10 @@ const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf';
 
 type Json = Record<string, unknown>;
 
-/** What runs for one worker: the display, the driver, and the relay in front of the server of the page. */
+/** What runs for one worker: the display and the driver. */
 interface Machine {
   readonly display: string;
   readonly downloads: string;
-  readonly relay: Relay;
   call(method: 'GET' | 'POST' | 'DELETE', path: string, body?: Json): Promise<unknown>;
 }
 
@@ -50,7 +49,6 @@ export async function webkit(viewport: { width: number; height: number }, server
       WEBKIT_DISABLE_DMABUF_RENDERER: process.env['WEBKIT_DISABLE_DMABUF_RENDERER'] ?? '1',
     });
     started.push(driver);
-    const front = await relay(server);
     const call = async (method: string, path: string, body?: Json): Promise<unknown> => {
       const answer = await fetch(`http://127.0.0.1:${port}${path}`, {
         method,
@@ -65,13 +63,20 @@ export async function webkit(viewport: { width: number; height: number }, server
       if (!answer.ok) throw new Error(`WebKit: ${method} ${path}: ${JSON.stringify(value)}`);
       return value;
     };
-    const machine: Machine = { display, downloads, relay: front, call };
+    const machine: Machine = { display, downloads, call };
     await listening(machine, driver);
+    const session = await begin(machine);
     return {
-      open: () => session(machine, viewport),
+      open: async () => {
+        for (const name of await readdir(downloads)) await rm(join(downloads, name));
+        // A relay of its own is an origin of its own, in which nothing is stored.
+        const tab = new WebKitTab(machine, session, session.window, await relay(server));
+        await tab.resize(viewport.width, viewport.height);
+        return tab;
+      },
       close: async () => {
         process.off('exit', kill);
-        front.close();
+        await machine.call('DELETE', session.path).catch(() => undefined);
         await Promise.all(started.reverse().map(ended));
         await rm(folder, { recursive: true, force: true, maxRetries: 5 });
       },
@@ -144,9 +149,16 @@ async function listening({ call }: Machine, driver: ChildProcess): Promise<void>
   }
 }
 
-async function session(machine: Machine, viewport: { width: number; height: number }): Promise<Tab> {
-  for (const name of await readdir(machine.downloads)) await rm(join(machine.downloads, name));
-  machine.relay.scripts.length = 0;
+/** The browser, with one window. */
+interface Session {
+  readonly path: string;
+  readonly window: string;
+  /** The windows that are known, and the one that hears the calls. */
+  readonly windows: Set<string>;
+  current: string;
+}
+
+async function begin(machine: Machine): Promise<Session> {
   const { sessionId } = (await machine.call('POST', '/session', {
     capabilities: {
       alwaysMatch: {
@@ -157,15 +169,7 @@ async function session(machine: Machine, viewport: { width: number; height: numb
   })) as { sessionId: string };
   const path = `/session/${sessionId}`;
   const window = (await machine.call('GET', `${path}/window`)) as string;
-  const tab = new WebKitTab(machine, path, window, { current: window, known: new Set([window]) });
-  await tab.resize(viewport.width, viewport.height);
-  return tab;
-}
-
-/** The windows of a session: which one hears the calls, and which are known. */
-interface Windows {
-  current: string;
-  readonly known: Set<string>;
+  return { path, window, windows: new Set([window]), current: window };
 }
 
 class WebKitTab implements Tab {
@@ -173,32 +177,32 @@ class WebKitTab implements Tab {
 
   constructor(
     private readonly machine: Machine,
-    private readonly path: string,
+    private readonly session: Session,
     private readonly window: string,
-    private readonly windows: Windows,
+    private readonly relay: Relay,
   ) {
     this.downloads = machine.downloads;
   }
 
   private async call(method: 'GET' | 'POST' | 'DELETE', path: string, body?: Json): Promise<unknown> {
-    if (this.windows.current !== this.window) {
-      await this.machine.call('POST', `${this.path}/window`, { handle: this.window });
-      this.windows.current = this.window;
+    if (this.session.current !== this.window) {
+      await this.machine.call('POST', `${this.session.path}/window`, { handle: this.window });
+      this.session.current = this.window;
     }
-    return this.machine.call(method, `${this.path}${path}`, body);
+    return this.machine.call(method, `${this.session.path}${path}`, body);
   }
 
   async goto(address: string): Promise<void> {
-    await this.call('POST', '/url', { url: this.machine.relay.inFront(address) });
+    await this.call('POST', '/url', { url: this.relay.inFront(address) });
   }
   async reload(): Promise<void> {
     await this.call('POST', '/refresh', {});
   }
   async url(): Promise<string> {
-    return this.machine.relay.behind((await this.call('GET', '/url')) as string);
+    return this.relay.behind((await this.call('GET', '/url')) as string);
   }
   addInitScript(source: string): Promise<void> {
-    this.machine.relay.scripts.push(source);
+    this.relay.scripts.push(source);
     return Promise.resolve();
   }
   async evaluate(expression: string): Promise<unknown> {
@@ -247,14 +251,17 @@ class WebKitTab implements Tab {
   }
 
   async resize(width: number, height: number): Promise<void> {
-    for (let [w, h, tries] = [width, height, 0]; tries < 20; tries++, await pause(50)) {
-      await this.call('POST', '/window/rect', { x: 0, y: 0, width: w, height: h });
-      const [innerWidth, innerHeight] = (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
-      if (innerWidth === width && innerHeight === height) return;
+    let seen: [number, number] = [0, 0];
+    let [barsWide, barsHigh] = [0, 0];
+    for (let tries = 0; tries < 20; tries++, await pause(50)) {
+      await this.call('POST', '/window/rect', { x: 0, y: 0, width: width + barsWide, height: height + barsHigh });
+      seen = (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
+      if (seen[0] === width && seen[1] === height) return;
       // The bars around the page take the rest.
-      [w, h] = [w + width - innerWidth, h + height - innerHeight];
+      const window = (await this.call('GET', '/window/rect')) as { width: number; height: number };
+      [barsWide, barsHigh] = [window.width - seen[0], window.height - seen[1]];
     }
-    throw new Error(`WebKit: the window does not become ${width} × ${height}`);
+    throw new Error(`WebKit: the page does not become ${width} × ${height} but ${seen.join(' × ')}`);
   }
   async screenshot(): Promise<Buffer> {
     const { height: outer } = (await this.call('GET', '/window/rect')) as { height: number };
@@ -267,17 +274,21 @@ class WebKitTab implements Tab {
   }
   async opened(): Promise<Tab | undefined> {
     const handles = (await this.call('GET', '/window/handles')) as string[];
-    const handle = handles.find((each) => !this.windows.known.has(each));
+    const handle = handles.find((each) => !this.session.windows.has(each));
     if (handle === undefined) return undefined;
-    this.windows.known.add(handle);
-    return new WebKitTab(this.machine, this.path, handle, this.windows);
+    this.session.windows.add(handle);
+    return new WebKitTab(this.machine, this.session, handle, this.relay);
   }
   async errors(): Promise<string[]> {
     return (await this.evaluate('globalThis.errorsOfPage?.splice(0) ?? []')) as string[];
   }
   async close(): Promise<void> {
-    this.windows.known.delete(this.window);
-    if (this.windows.known.size > 0) await this.call('DELETE', '/window');
-    else await this.machine.call('DELETE', this.path);
+    if (this.window === this.session.window) {
+      await this.call('POST', '/url', { url: 'about:blank' });
+      this.relay.close();
+    } else {
+      await this.call('DELETE', '/window');
+      this.session.windows.delete(this.window);
+    }
   }
 }
