@@ -84,7 +84,8 @@ pub fn ensure() -> Result<Vec<(&'static str, PathBuf)>> {
 /// What to do about the programs that are not there.
 fn advice(refused: Option<&str>) -> String {
     let mut text = refused.map(|reason| format!("{reason}\n\n")).unwrap_or_default();
-    text += "The browser tests run in Chromium, Firefox and WebKitGTK, and some of what they need is missing:\n";
+    text +=
+        "The browser tests run in Chromium, Firefox and WebKitGTK, and some of what they need is missing:\n";
     for program in PROGRAMS.iter().filter(|program| program.find().is_none()) {
         let Program { variable, what, package, names, .. } = program;
         text += &format!("  {}: {what} (Debian: {package}; or set {variable} to its path)\n", names[0]);
