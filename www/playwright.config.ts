@@ -1,13 +1,25 @@
-// Browser tests: the built page in a real Chromium, found by role and text. Run `npm run build` first.
-// PLAYGROUND_CHROMIUM names an installed Chrome or Chromium; without it Playwright's own is used.
+// Browser tests: the built page in three engines, found by role and text. Run `npm run build` first.
+// tests/browser/README.md says which tests run where, and how to run one of them in one engine.
+// PLAYGROUND_CHROMIUM names an installed Chrome or Chromium; without it Playwright's own is used. The variables of the other engines
+// are in tests/browser/engines/programs.ts.
 import { defineConfig } from '@playwright/test';
+import type { WorkerOptions } from '../tests/browser/engines/options';
 
 const PORT = 4317;
+const SERVER = `http://127.0.0.1:${PORT}/`;
 const executablePath = process.env['PLAYGROUND_CHROMIUM'];
 
-export default defineConfig({
+/** The files of these tests. */
+const files = (...names: string[]): string[] => names.map((name) => `**/${name}.spec.ts`);
+
+/** What does not run in every engine; tests/browser/README.md says why. */
+const CHROMIUM_ONLY = files('long-program', 'phone', 'playing-smoothly', 'solid');
+const NOT_IN_WEBKIT = files('encodings');
+
+export default defineConfig<object, WorkerOptions>({
   testDir: '../tests/browser',
   outputDir: 'test-results',
+  globalSetup: './test-finder.ts',
   timeout: 60_000,
   expect: { timeout: 10_000 },
   retries: 0,
@@ -15,11 +27,12 @@ export default defineConfig({
   reporter: 'list',
   webServer: {
     command: `npm run preview -- --port ${PORT} --strictPort --host 127.0.0.1`,
-    url: `http://127.0.0.1:${PORT}/`,
+    url: SERVER,
     timeout: 30_000,
   },
   use: {
-    baseURL: `http://127.0.0.1:${PORT}/`,
+    baseURL: SERVER,
+    server: SERVER,
     browserName: 'chromium',
     locale: 'en-US',
     viewport: { width: 1440, height: 900 },
@@ -31,4 +44,9 @@ export default defineConfig({
       ],
     },
   },
+  projects: [
+    { name: 'chromium', use: { engine: 'chromium' } },
+    { name: 'firefox', use: { engine: 'firefox' }, testIgnore: CHROMIUM_ONLY },
+    { name: 'webkit', use: { engine: 'webkit' }, testIgnore: [...CHROMIUM_ONLY, ...NOT_IN_WEBKIT] },
+  ],
 });

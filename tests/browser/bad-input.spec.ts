@@ -1,5 +1,5 @@
 // Whatever is put in, the page answers within seconds, says something, and goes on working.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
 const FIVE_MB = 5 * 1024 * 1024;

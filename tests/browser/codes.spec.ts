@@ -1,5 +1,5 @@
 // The table of supported codes: opened from the help, the chosen control first, found by what is typed.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { open, type } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Supported codes' });
@@ -68,32 +68,4 @@ test('the control of the program comes first', async ({ page }) => {
   await openCodes(page);
   await expect(headings(page).first()).toHaveText('FANUC B');
   await expect(row(page, 'G77')).toContainText('turning cycle');
-});
-
-test('in Chinese and Russian, in the dark and on a phone', async ({ page, browser, baseURL }, info) => {
-  await open(page);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  await page.getByLabel('Language').selectOption('zh');
-  await page.getByRole('button', { name: '帮助 (?)' }).click();
-  await page.getByRole('button', { name: '支持的代码' }).click();
-  await expect(page.getByRole('dialog', { name: '支持的代码' })).toContainText('快速定位');
-  await page.screenshot({ path: info.outputPath('codes-dark-zh.png') });
-
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'ru-RU',
-  });
-  const phone = await context.newPage();
-  await open(phone);
-  await phone.getByRole('button', { name: 'Справка (?)' }).tap();
-  await phone.screenshot({ path: info.outputPath('help-phone.png') });
-  await phone.getByRole('button', { name: 'Поддерживаемые коды' }).tap();
-  const table = phone.getByRole('dialog', { name: 'Поддерживаемые коды' });
-  await expect(table).toContainText('ускоренное перемещение');
-  await phone.screenshot({ path: info.outputPath('codes-phone-ru.png') });
-  await table.getByRole('searchbox').fill('G77');
-  await expect(table.getByText('FANUC B: G77')).toBeVisible();
-  await phone.screenshot({ path: info.outputPath('codes-phone-filter.png') });
-  expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-  await context.close();
 });

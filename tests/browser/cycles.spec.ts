@@ -1,29 +1,36 @@
 // Cycles on the page: every example runs, a stroke says which pass it is, and a program can be written out.
-import { expect, test, type Page } from '@playwright/test';
-import { between, editor, examples, motionCount, open, problems, program, status, tooltip, type, value } from './page';
+import { expect, test, type Page } from './engines';
+import { between, clipboard, editor, examples, motionCount, open, problems, program, status, tooltip, type, value } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'The program, written out' });
 const writeOut = (page: Page) => page.getByRole('button', { name: 'Write out' });
+interface Summary {
+  readonly motions: number;
+  readonly errors: number;
+}
+
 const CYCLE_CALL = /^\s*(N\d+\s*)?G7[0-6]\b/m;
 
 test('every example opens without an error and draws what is expected of it', async ({ page }) => {
   await open(page);
   // The newest report on each text the editor has held.
-  const reports = await page.locator('gcode-playground').evaluateHandle((element) => {
-    const found: Record<string, { motions: number; errors: number }> = {};
+  await page.locator('gcode-playground').evaluate((element) => {
+    const found: Record<string, Summary> = {};
+    Reflect.set(window, 'reports', found);
     element.addEventListener('gcode-report', (event) => {
       found[(element as HTMLElement & { value: string }).value] = (event as CustomEvent).detail.summary;
     });
-    return found;
   });
+  const report = (text: string) =>
+    page.evaluate((text) => (Reflect.get(window, 'reports') as Record<string, Summary>)[text] ?? null, text);
   await type(page, '');
   const picker = page.getByLabel('Example');
   for (const { id } of examples) {
     await test.step(id, async () => {
       await picker.selectOption(id);
       const text = program(id);
-      await expect.poll(() => reports.evaluate((found, text) => found[text]?.errors, text)).toBe(0);
-      expect(await reports.evaluate((found, text) => found[text]?.motions, text)).toBe(motionCount(id));
+      await expect.poll(async () => (await report(text))?.errors).toBe(0);
+      expect((await report(text))?.motions).toBe(motionCount(id));
       await expect(problems(page).getByText('not supported here')).toHaveCount(0);
     });
   }
@@ -39,8 +46,7 @@ test('a roughing pass names its cycle, its number and its step', async ({ page }
   await expect(tooltip(page)).toContainText(/G71, pass 2 of 10: cut at feed to X33\.5 Z-60\.3/);
 });
 
-test('a program is written out, read, copied, taken over, and brought back', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+test('a program is written out, read, copied, taken over, and brought back', async ({ page }) => {
   await open(page, '#s003-g71');
   const motions = `${motionCount('s003-g71')} motions`;
   await expect(status(page)).toContainText(motions);
@@ -64,7 +70,7 @@ test('a program is written out, read, copied, taken over, and brought back', asy
     await writeOut(page).click();
     await dialog(page).getByRole('button', { name: 'Copy' }).click();
     await expect(dialog(page).getByRole('button', { name: 'Copied' })).toBeVisible();
-    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    const copied = await clipboard(page);
     expect(copied).toMatch(/^G03 X11\.5 Z-5\.3 /m);
     expect(copied).not.toMatch(CYCLE_CALL);
   });

@@ -1,5 +1,5 @@
 // Files the page saves besides the program: each kind is chosen from the menu, and holds what it should.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { readFileSync } from 'node:fs';
 import { motionCount, open, openFile, status, type } from './page';
 

@@ -1,11 +1,11 @@
 // A student's first minutes: type a program, read the picture, make a mistake, find the block of a stroke.
-import { expect, test } from '@playwright/test';
+import { expect, test } from './engines';
 import { between, editor, locate, open, problems, program, selected, status, tooltip, type } from './page';
 
 test('types O0002, reads its strokes, breaks a line, selects a block from the picture', async ({ page }) => {
   await open(page);
   // Its blank and start point come from the gallery; the text is typed.
-  await page.getByLabel('Example').selectOption({ value: 's000-o0002' });
+  await page.getByLabel('Example').selectOption('s000-o0002');
   await expect(page.getByLabel('Control')).toHaveValue('gsk');
   await type(page, program('s000-o0002'));
   await expect(status(page)).toContainText(/^42 motions/);

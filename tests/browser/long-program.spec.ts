@@ -2,7 +2,7 @@
 //
 // Prints the longest task of the main thread in each phase. The aim is 50 ms; the bounds are for a busy machine, on which
 // a task takes several times as long.
-import { expect, test, type Page } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { writeFileSync } from 'node:fs';
 import { editor, locate, open, openFile, problems, status, value } from './page';
 
@@ -31,7 +31,7 @@ function longProgram(lines: number): string {
 }
 
 /** Watches for tasks of the main thread that the browser calls long, 50 ms or more; and how soon edits are reported on. */
-async function watch(page: Page): Promise<void> {
+async function watch(page: ChromiumPage): Promise<void> {
   await page.addInitScript(() => {
     const answers: number[] = [];
     Reflect.set(window, 'answers', answers);
@@ -58,7 +58,7 @@ async function watch(page: Page): Promise<void> {
 }
 
 /** The longest of them since the last time, ms; 0 when there was none. */
-async function longest(page: Page): Promise<number> {
+async function longest(page: ChromiumPage): Promise<number> {
   // The observer is told a little later.
   await page.waitForTimeout(300);
   return page.evaluate(() => {

@@ -1,5 +1,5 @@
 // What the browser tests know of the page: roles and words, and the element's one method for automation.
-import { expect, type Locator, type Page } from '@playwright/test';
+import { expect, type BasicPage, type Locator } from './engines';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -23,14 +23,15 @@ export const examples: readonly { readonly id: string }[] = (
   JSON.parse(read('.', 'gallery.json')) as string[]
 ).map((id) => ({ id }));
 
-export const editor = (page: Page): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
-export const status = (page: Page): Locator => page.getByRole('status');
-export const drawing = (page: Page): Locator => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
-export const tooltip = (page: Page): Locator => page.getByRole('tooltip');
-export const problems = (page: Page): Locator => page.getByRole('region', { name: 'Problems' });
+export const editor = (page: BasicPage): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
+export const status = (page: BasicPage): Locator => page.getByRole('status');
+export const drawing = (page: BasicPage): Locator => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
+export const play = (page: BasicPage): Locator => page.getByRole('button', { name: 'Play' });
+export const tooltip = (page: BasicPage): Locator => page.getByRole('tooltip');
+export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: 'Problems' });
 
 /** Opens the page and waits until the first program has run. Any error on the page fails the test. */
-export async function open(page: Page, hash = ''): Promise<void> {
+export async function open(page: BasicPage, hash = ''): Promise<void> {
   page.on('pageerror', (error) => {
     throw error;
   });
@@ -39,7 +40,7 @@ export async function open(page: Page, hash = ''): Promise<void> {
 }
 
 /** Types the text in place of what is there, as a reader would: select all, then the keys. */
-export async function type(page: Page, text: string): Promise<void> {
+export async function type(page: BasicPage, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Delete');
@@ -47,17 +48,17 @@ export async function type(page: Page, text: string): Promise<void> {
 }
 
 /** Puts a text in at once, as opening a file does; for texts too long to be typed. */
-export async function openFile(page: Page, name: string, bytes: Uint8Array): Promise<void> {
+export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
   await page.locator('input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
 /** The text in the editor, all of it. */
-export async function value(page: Page): Promise<string> {
+export async function value(page: BasicPage): Promise<string> {
   return page.locator('gcode-playground').evaluate((element) => (element as Playground).value);
 }
 
 /** Where a place (X a diameter, Z, mm) is on the screen. */
-export async function locate(page: Page, x: number, z: number): Promise<{ x: number; y: number }> {
+export async function locate(page: BasicPage, x: number, z: number): Promise<{ x: number; y: number }> {
   const place = await page
     .locator('gcode-playground')
     .evaluate((element, at) => (element as Playground).locate(at.x, at.z), { x, z });
@@ -66,7 +67,7 @@ export async function locate(page: Page, x: number, z: number): Promise<{ x: num
 
 /** The pixel a share of the way from one place to another: 0.5 is the middle of the stroke between them. */
 export async function between(
-  page: Page,
+  page: BasicPage,
   from: { x: number; z: number },
   to: { x: number; z: number },
   share = 0.5,
@@ -74,8 +75,39 @@ export async function between(
   return locate(page, from.x + (to.x - from.x) * share, from.z + (to.z - from.z) * share);
 }
 
+/** Puts a text into the clipboard as a reader does, by a field and its keys: scripts need a leave that not every engine can be given. */
+export async function copy(page: BasicPage, text: string): Promise<void> {
+  await page.evaluate((text) => {
+    const field = document.body.appendChild(document.createElement('textarea'));
+    field.id = 'clipboard';
+    field.value = text;
+    field.select();
+  }, text);
+  await page.keyboard.press('Control+C');
+  await page.evaluate(() => document.getElementById('clipboard')?.remove());
+}
+
+/** What is in the clipboard. The keyboard goes back to where it was. */
+export async function clipboard(page: BasicPage): Promise<string> {
+  await page.evaluate(() => {
+    Reflect.set(window, 'before', document.activeElement);
+    const dialog = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('dialog[open]');
+    const field = (dialog ?? document.body).appendChild(document.createElement('textarea'));
+    field.id = 'clipboard';
+    field.focus();
+    Reflect.set(window, 'field', field);
+  });
+  await page.keyboard.press('Control+V');
+  return page.evaluate(() => {
+    const field = Reflect.get(window, 'field') as HTMLTextAreaElement;
+    field.remove();
+    (Reflect.get(window, 'before') as HTMLElement | null)?.focus();
+    return field.value;
+  });
+}
+
 /** The text the reader has selected in the editor. */
-export async function selected(page: Page): Promise<string> {
+export async function selected(page: BasicPage): Promise<string> {
   return page.evaluate(() => {
     const root = document.querySelector('gcode-playground')?.shadowRoot;
     const selection = (root as unknown as { getSelection?: () => Selection | null })?.getSelection?.() ?? getSelection();

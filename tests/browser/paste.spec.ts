@@ -1,6 +1,6 @@
 // A text that holds more than a program: what is offered after it was pasted or opened, and that nothing typed is lost.
-import { expect, test, type Page } from '@playwright/test';
-import { editor, open, openFile, status, value } from './page';
+import { expect, test, type Page } from './engines';
+import { copy, editor, open, openFile, status, value } from './page';
 
 const dialog = (page: Page) => page.getByRole('dialog', { name: 'Programs in this text' });
 const cleaned = (page: Page) => dialog(page).getByRole('region', { name: 'The program, cleaned' });
@@ -15,8 +15,7 @@ const SLIDE = [
 
 /** Pastes a text in place of what is in the editor. */
 async function paste(page: Page, text: string): Promise<void> {
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-  await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+  await copy(page, text);
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Control+V');
@@ -64,7 +63,8 @@ test('only what was pasted is replaced', async ({ page }) => {
   await paste(page, 'O9\nM30\n');
   await expect(editor(page)).toContainText('O9');
   await page.keyboard.press('Control+End');
-  await page.evaluate((copied) => navigator.clipboard.writeText(copied), SLIDE);
+  await copy(page, SLIDE);
+  await editor(page).focus();
   await page.keyboard.press('Control+V');
   await dialog(page).getByRole('button', { name: 'Take this program' }).click();
   expect(await value(page)).toBe('O9\nM30\nO8234\nN10 G50 X100.0 Z100.0;\nN30 G00 X85.0 Z5.0;\nN40 G94 X20.0 Z-3 F200;\nN90 M30;\n');

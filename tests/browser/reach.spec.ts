@@ -1,6 +1,6 @@
-// Who reaches the page how: by keyboard alone, on a phone, in the dark, in three languages.
+// Who reaches the page how: by keyboard alone, in three languages. Phones and the dark are in phone.spec.ts.
 // The screenshots go to test-results to be looked at; they are no goldens.
-import { expect, test } from '@playwright/test';
+import { expect, test } from './engines';
 import { drawing, editor, open, status, type } from './page';
 
 test('by keyboard alone: gallery, editor, problems, playing, help, drawing', async ({ page }) => {
@@ -40,42 +40,6 @@ test('by keyboard alone: gallery, editor, problems, playing, help, drawing', asy
   await expect(help).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(help).toBeHidden();
-});
-
-test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({ browser, baseURL }, info) => {
-  const context = await browser.newContext({
-    ...(baseURL === undefined ? {} : { baseURL }),
-    viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true, locale: 'en-US',
-  });
-  const page = await context.newPage();
-  await open(page);
-  for (const part of [drawing(page), page.getByRole('button', { name: 'Play' }), editor(page), status(page)]) {
-    await expect(part).toBeInViewport();
-  }
-  const button = await page.getByRole('button', { name: 'Play' }).boundingBox();
-  expect(button?.height).toBeGreaterThanOrEqual(44);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-  await page.screenshot({ path: info.outputPath('phone.png') });
-  await page.getByRole('button', { name: 'Settings' }).tap();
-  await expect(page.getByLabel('Language')).toBeVisible();
-  await page.screenshot({ path: info.outputPath('phone-settings.png') });
-  await context.close();
-});
-
-test('light, and dark by the system or by choice', async ({ page }, info) => {
-  const ground = () => page.locator('body').evaluate((body) => getComputedStyle(body).backgroundColor);
-  await open(page);
-  await page.screenshot({ path: info.outputPath('wide.png') });
-  const light = await ground();
-  await page.emulateMedia({ colorScheme: 'dark' });
-  const dark = await ground();
-  expect(dark).not.toBe(light);
-  await page.screenshot({ path: info.outputPath('dark.png') });
-  await page.getByLabel('Theme').selectOption('light');
-  expect(await ground()).toBe(light);
-  await page.emulateMedia({ colorScheme: 'light' });
-  await page.getByLabel('Theme').selectOption('dark');
-  expect(await ground()).toBe(dark);
 });
 
 test('Chinese and Russian: the page and the messages change, the program stays', async ({ page }, info) => {

@@ -1,5 +1,5 @@
 // Repairs: the safe ones all at once and undone at once, the others one by one; and the levels of rules in the setup form.
-import { expect, test, type Locator, type Page } from '@playwright/test';
+import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, type, value } from './page';
 
 const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Fix \d+ safe ones?$/ });

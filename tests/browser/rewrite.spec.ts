@@ -1,5 +1,5 @@
 // Plain moves written as a cycle, on the page.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { editor, motionCount, open, problems, program, status, type, value } from './page';
 
 const button = (page: Page) => page.getByRole('button', { name: 'Write as a cycle…' });

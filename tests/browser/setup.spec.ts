@@ -1,6 +1,6 @@
 // The setup form: what is assumed is shown as assumed, what cannot be is told beside its field, and it is kept where the
 // reader says. Bad setups, wherever they stand, are told and leave a picture.
-import { expect, test, type Locator, type Page } from '@playwright/test';
+import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, status, value } from './page';
 
 const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';

@@ -1,6 +1,7 @@
 // The part as a body: it is drawn when it is opened, turned by keyboard and mouse, follows the tool, and is let go of.
-import { expect, test, type Locator, type Page } from '@playwright/test';
-import { motionCount, open, status, type } from './page';
+import { expect, type Locator } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage } from './engines';
+import { motionCount, open, type } from './page';
 
 test.use({
   // Pictures are drawn by the processor here: small ones are enough.
@@ -11,9 +12,10 @@ test.use({
   },
 });
 
-const button = (page: Page) => page.getByRole('button', { name: 'Show the part as a solid' });
-const dialog = (page: Page) => page.getByRole('dialog', { name: 'The part, a quarter cut away' });
-const view = (page: Page) => dialog(page).getByRole('img', { name: /three dimensions/ });
+const status = (page: ChromiumPage) => page.getByRole('status');
+const button = (page: ChromiumPage) => page.getByRole('button', { name: 'Show the part as a solid' });
+const dialog = (page: ChromiumPage) => page.getByRole('dialog', { name: 'The part, a quarter cut away' });
+const view = (page: ChromiumPage) => dialog(page).getByRole('img', { name: /three dimensions/ });
 
 /** How much of a picture is not its ground, and a number that changes with the picture. */
 async function seen(picture: Locator): Promise<{ share: number; sum: number }> {

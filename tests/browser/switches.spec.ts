@@ -1,5 +1,5 @@
 // The switches of the operator's panel: they show where the text has a use for them, and reach the interpreter's setup.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
 const PROGRAMS = 'O0001\n/G0 X50 Z2\nN20 /3 G0 X40\n(a/2 b)\nG0 X30 /M8\n#1=#2/4\nM30\nO0007 (second)\n/2 G0 X10\nM30\n';

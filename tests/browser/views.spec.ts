@@ -1,5 +1,5 @@
 // The views beside the section: the end face, the turret's side, dimensions of an edge, and two parts compared.
-import { expect, test, type Page } from '@playwright/test';
+import { expect, test, type Page } from './engines';
 import { editor, locate, open, program, status, tooltip, type } from './page';
 
 interface Playground extends HTMLElement {

@@ -7,6 +7,7 @@ mod bench;
 mod browser;
 mod compare;
 mod debian;
+mod engines;
 mod hostile;
 mod package;
 mod play;

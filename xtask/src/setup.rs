@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use crate::run::{self, Result};
 use crate::wasm_std::{self, Toolchain};
-use crate::{browser, tools};
+use crate::{browser, engines, tools};
 
 /// The oldest Node.js the page's tools run on.
 const NODE_MIN: u32 = 20;
@@ -67,12 +67,14 @@ fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<Os
         .map_err(|error| format!("cannot extend PATH: {error}"))
 }
 
-/// `cargo xtask setup`: everything, the browser for the tests included.
+/// `cargo xtask setup`: everything, the browsers for the tests included.
 pub fn main() -> Result {
     let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
+    let engines = engines::ensure()?;
     run::say(format_args!("wasm32 is built by: {}", setup.toolchain));
     run::say(format_args!("the browser tests use: {}", browser.display()));
+    engines::tell(&engines);
     run::say("all is set up");
     Ok(())
 }

@@ -1,11 +1,11 @@
 //! In: the whole working tree. Out: whether it is in order: format, lints, native tests, wasm tests under Node,
-//! hostile programs in release builds, the page's types, and the page in a real browser. It stops at the first step that fails.
+//! hostile programs in release builds, the page's types, and the page in three browser engines. It stops at the first step that fails.
 
 use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, hostile, package};
+use crate::{browser, engines, hostile, package};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -22,6 +22,7 @@ pub fn main() -> Result {
     let setting_up = Instant::now();
     let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
+    let engines = engines::ensure()?;
     done("set-up", setting_up.elapsed());
 
     let mut clippy = setup.command("cargo");
@@ -39,7 +40,7 @@ pub fn main() -> Result {
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("page", package::page(&setup)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);
-    playwright.env(browser::VARIABLE, browser);
+    playwright.env(browser::VARIABLE, browser).envs(engines);
     done("browser tests", step("browser tests", &mut playwright)?);
 
     let list: Vec<_> = times.iter().map(|(name, time)| format!("{name} {}", pretty(*time))).collect();

@@ -1,0 +1,110 @@
+// `expect` for every engine: what Playwright says of its own elements is said here of those of other engines. Each matcher asks again
+// until it holds or the time is up; its message says what was seen last.
+import { expect as playwrights } from '@playwright/test';
+import { setTimeout as pause } from 'node:timers/promises';
+import type { Question } from './finder';
+import { ForeignLocator, ForeignPage } from './foreign';
+import type { BasicPage, Locator, Text } from './interface';
+
+/** How long a matcher asks, ms; as `expect.timeout` of playwright.config.ts. */
+const PATIENCE = 10_000;
+const PAUSE = 60;
+
+interface Patience {
+  timeout?: number;
+}
+
+export interface Matchers {
+  readonly not: Matchers;
+  toHaveText(text: Text | readonly Text[], options?: Patience): Promise<void>;
+  toContainText(text: Text, options?: Patience): Promise<void>;
+  toHaveValue(value: Text, options?: Patience): Promise<void>;
+  toHaveAttribute(name: string, value: Text, options?: Patience): Promise<void>;
+  toHaveJSProperty(name: string, value: unknown, options?: Patience): Promise<void>;
+  toHaveCount(count: number, options?: Patience): Promise<void>;
+  toBeVisible(options?: Patience): Promise<void>;
+  toBeHidden(options?: Patience): Promise<void>;
+  toBeFocused(options?: Patience): Promise<void>;
+  toBeChecked(options?: Patience): Promise<void>;
+  toBeEnabled(options?: Patience): Promise<void>;
+  toBeDisabled(options?: Patience): Promise<void>;
+  toBeInViewport(options?: Patience): Promise<void>;
+}
+
+interface PageMatchers {
+  toHaveURL(url: RegExp, options?: Patience): Promise<void>;
+}
+
+type Playwrights = typeof playwrights;
+
+interface Expect {
+  (actual: Locator): Matchers;
+  (actual: BasicPage): PageMatchers;
+  <T>(actual: T, message?: string): ReturnType<typeof playwrights<T>>;
+  soft: Playwrights['soft'];
+  poll: Playwrights['poll'];
+}
+
+export const expect: Expect = Object.assign(
+  (actual: unknown, message?: string): never => {
+    if (actual instanceof ForeignLocator) return matchers(actual, true) as never;
+    if (actual instanceof ForeignPage) return pageMatchers(actual) as never;
+    return playwrights(actual, message) as never;
+  },
+  { soft: playwrights.soft, poll: playwrights.poll },
+);
+
+const folded = (text: string): string => text.replace(/\u200b/g, '').replace(/\s+/g, ' ').trim();
+
+function is(actual: unknown, wanted: Text): boolean {
+  if (typeof actual !== 'string') return false;
+  return wanted instanceof RegExp ? wanted.test(actual) : folded(actual) === folded(wanted);
+}
+
+/** Asks until the answers are as wanted. */
+async function until<T>(what: string, patience: Patience, look: () => Promise<T>, good: (seen: T) => boolean): Promise<void> {
+  const end = Date.now() + (patience.timeout ?? PATIENCE);
+  for (;;) {
+    const seen = await look();
+    if (good(seen)) return;
+    if (Date.now() > end) throw new Error(`${what}; it was ${JSON.stringify(seen)}`);
+    await pause(PAUSE);
+  }
+}
+
+function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
+  /** Of one element. `none` is what holds where there is no element; without it, neither the matcher nor its opposite does. */
+  const one = (name: string, question: Question, good: (answer: unknown) => boolean, patience: Patience = {}, none?: boolean): Promise<void> =>
+    until(`${of}: ${wantsIt ? '' : 'not '}${name}`, patience, () => of.ask(question), (seen) =>
+      seen.length === 1 ? good(seen[0]) === wantsIt : seen.length === 0 && none === wantsIt,
+    );
+  return {
+    get not() {
+      return matchers(of, !wantsIt);
+    },
+    toHaveText: (text, patience) =>
+      Array.isArray(text)
+        ? until(`${of}: toHaveText ${JSON.stringify(text)}`, patience ?? {}, () => of.ask('text'), (seen) =>
+            (seen.length === text.length && seen.every((each, i) => is(each, (text as Text[])[i]!))) === wantsIt)
+        : one(`toHaveText ${String(text)}`, 'text', (seen) => is(seen, text as Text), patience),
+    toContainText: (text, patience) =>
+      one(`toContainText ${String(text)}`, 'text', (seen) => (text instanceof RegExp ? is(seen, text) : folded(seen as string).includes(folded(text))), patience),
+    toHaveValue: (value, patience) => one(`toHaveValue ${String(value)}`, 'value', (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
+    toHaveAttribute: (name, value, patience) =>
+      one(`toHaveAttribute ${name} ${String(value)}`, { attribute: name }, (seen) => (value instanceof RegExp ? is(seen, value) : seen === value), patience),
+    toHaveJSProperty: (name, value, patience) => one(`toHaveJSProperty ${name} ${String(value)}`, { property: name }, (seen) => seen === value, patience),
+    toHaveCount: (count, patience) =>
+      until(`${of}: toHaveCount ${count}`, patience ?? {}, () => of.count(), (seen) => (seen === count) === wantsIt),
+    toBeVisible: (patience) => one('toBeVisible', 'visible', (seen) => seen === true, patience, false),
+    toBeHidden: (patience) => one('toBeHidden', 'visible', (seen) => seen === false, patience, true),
+    toBeFocused: (patience) => one('toBeFocused', 'focused', (seen) => seen === true, patience),
+    toBeChecked: (patience) => one('toBeChecked', 'checked', (seen) => seen === true, patience),
+    toBeEnabled: (patience) => one('toBeEnabled', 'enabled', (seen) => seen === true, patience),
+    toBeDisabled: (patience) => one('toBeDisabled', 'enabled', (seen) => seen === false, patience),
+    toBeInViewport: (patience) => one('toBeInViewport', 'inViewport', (seen) => seen === true, patience, false),
+  };
+}
+
+function pageMatchers(of: ForeignPage): PageMatchers {
+  return { toHaveURL: (url, patience) => until(`the address: toHaveURL ${url}`, patience ?? {}, () => of.look(), (seen) => url.test(seen)) };
+}

@@ -1,0 +1,280 @@
+// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and tells how they are.
+// It is put into a page as one script, when it is first needed there. Names and roles are those of dom-accessibility-api.
+import { computeAccessibleName, getRole } from 'dom-accessibility-api';
+
+export type Wanted = { readonly text: string; readonly exact: boolean } | { readonly source: string; readonly flags: string };
+
+/** One step on the way to elements; what it begins with is what the step before has found. */
+export type Step =
+  | { readonly by: 'css'; readonly css: string }
+  | { readonly by: 'role'; readonly role: string; readonly name?: Wanted; readonly level?: number; readonly hidden: boolean }
+  | { readonly by: 'text' | 'label' | 'placeholder'; readonly text: Wanted }
+  | { readonly by: 'visible' }
+  | { readonly by: 'has'; readonly steps: readonly Step[] }
+  | { readonly by: 'hasText'; readonly text: Wanted }
+  | { readonly by: 'nth'; readonly index: number }
+  | { readonly by: 'or'; readonly steps: readonly Step[] };
+
+/** What can be asked of elements. */
+export type Question =
+  | 'text' | 'value' | 'visible' | 'enabled' | 'checked' | 'focused' | 'inViewport' | 'box' | { readonly attribute: string } | { readonly property: string };
+
+const folded = (text: string): string => text.replace(/[\u200b\u00ad]/g, '').replace(/\s+/g, ' ').trim();
+
+function fits(wanted: Wanted, text: string): boolean {
+  if ('source' in wanted) return new RegExp(wanted.source, wanted.flags).test(folded(text));
+  if (wanted.exact) return folded(text) === folded(wanted.text);
+  return folded(text).toLowerCase().includes(folded(wanted.text).toLowerCase());
+}
+
+const childrenOf = (node: ParentNode): Element[] => [
+  ...(node instanceof Element && node.shadowRoot ? node.shadowRoot.children : []),
+  ...node.children,
+];
+
+function* below(node: ParentNode): Generator<Element> {
+  for (const child of childrenOf(node)) {
+    yield child;
+    yield* below(child);
+  }
+}
+
+const parentOf = (element: Element): Element | null => {
+  const root = element.getRootNode();
+  return element.assignedSlot ?? element.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
+};
+
+/** The text of an element, that of its shadow root included. */
+function textOf(node: Node): string {
+  if (node instanceof Text) return node.data;
+  if (node instanceof HTMLInputElement && ['button', 'submit'].includes(node.type)) return node.value;
+  if (!(node instanceof Element) && !(node instanceof ShadowRoot)) return '';
+  if (node instanceof HTMLScriptElement || node instanceof HTMLStyleElement) return '';
+  const shadow = node instanceof Element && node.shadowRoot ? textOf(node.shadowRoot) : '';
+  return shadow + Array.from(node.childNodes, textOf).join('');
+}
+
+function visible(element: Element): boolean {
+  const { width, height } = element.getBoundingClientRect();
+  return width > 0 && height > 0 && element.checkVisibility({ visibilityProperty: true });
+}
+
+/** `getRole` knows of headers of columns only. */
+function roleOf(element: Element): string | null {
+  const header = element instanceof HTMLTableCellElement && element.tagName === 'TH' && !element.hasAttribute('role');
+  return header && element.scope.startsWith('row') ? 'rowheader' : getRole(element);
+}
+
+/** Whether who listens to the page is told of an element. */
+function accessible(element: Element): boolean {
+  // Options are drawn by the system, and told with their list.
+  if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement) return accessible(element.parentElement);
+  for (let at: Element | null = element; at !== null; at = parentOf(at)) if (at.getAttribute('aria-hidden') === 'true') return false;
+  return element.checkVisibility({ visibilityProperty: true });
+}
+
+function labels(element: Element): string[] {
+  const root = element.getRootNode() as Document | ShadowRoot;
+  const by = (element.getAttribute('aria-labelledby') ?? '').split(/\s+/).filter((id) => id !== '').map((id) => root.getElementById(id));
+  if (by.length > 0) return by.map((label) => (label === null ? '' : textOf(label)));
+  const own = element.getAttribute('aria-label');
+  const labelled = Array.from((element as HTMLInputElement).labels ?? [], textOf);
+  return own === null ? labelled : [own, ...labelled];
+}
+
+/** The innermost elements with a text. */
+function byText(node: ParentNode, wanted: Wanted, found: Element[]): void {
+  for (const child of childrenOf(node)) {
+    if (child instanceof HTMLScriptElement || child instanceof HTMLStyleElement) continue;
+    const before = found.length;
+    byText(child, wanted, found);
+    if (found.length === before && fits(wanted, textOf(child))) found.push(child);
+  }
+}
+
+function matches(element: Element, step: Step): boolean {
+  switch (step.by) {
+    case 'css':
+      return element.matches(step.css);
+    case 'role':
+      return (
+        roleOf(element) === step.role &&
+        (step.hidden || accessible(element)) &&
+        (step.level === undefined || element.matches(`h${step.level}, [aria-level='${step.level}']`)) &&
+        (step.name === undefined || fits(step.name, computeAccessibleName(element, { hidden: step.hidden })))
+      );
+    case 'label':
+      return labels(element).some((label) => fits(step.text, label));
+    case 'placeholder':
+      return fits(step.text, element.getAttribute('placeholder') ?? '');
+    default:
+      throw new Error(`no step to look for: ${step.by}`);
+  }
+}
+
+function follow(from: readonly ParentNode[], step: Step): Element[] {
+  const elements = (): Element[] => from.filter((node) => node instanceof Element);
+  switch (step.by) {
+    case 'visible':
+      return elements().filter(visible);
+    case 'has':
+      return elements().filter((element) => find(step.steps, [element]).length > 0);
+    case 'hasText':
+      return elements().filter((element) => fits(step.text, textOf(element)));
+    case 'nth':
+      return elements().slice(step.index, step.index === -1 ? undefined : step.index + 1);
+    case 'or':
+      return [...new Set([...elements(), ...find(step.steps)])].sort((a, b) =>
+        a.compareDocumentPosition(b) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1,
+      );
+    case 'text': {
+      const found: Element[] = [];
+      for (const node of from) byText(node, step.text, found);
+      return [...new Set(found)];
+    }
+    default: {
+      const found = new Set<Element>();
+      for (const node of from) for (const element of below(node)) if (matches(element, step)) found.add(element);
+      return [...found];
+    }
+  }
+}
+
+export function find(steps: readonly Step[], from: readonly ParentNode[] = [document]): Element[] {
+  return steps.reduce<readonly ParentNode[]>(follow, from) as Element[];
+}
+
+/** The element with the keyboard, within shadow roots. */
+export function active(): Element | null {
+  let at = document.activeElement;
+  while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+  return at;
+}
+
+async function inViewport(element: Element): Promise<boolean> {
+  return new Promise((resolve) => {
+    const observer = new IntersectionObserver((entries) => {
+      observer.disconnect();
+      resolve(entries.some((entry) => entry.intersectionRatio > 0));
+    });
+    observer.observe(element);
+  });
+}
+
+function enabled(element: Element): boolean {
+  return !element.matches(':disabled') && element.closest('[aria-disabled=true]') === null;
+}
+
+/** The answer for each of the elements. */
+export async function ask(steps: readonly Step[], question: Question): Promise<unknown[]> {
+  const answer = (element: Element): unknown => {
+    switch (question) {
+      case 'text':
+        return textOf(element);
+      case 'value':
+        return (element as HTMLInputElement).value;
+      case 'visible':
+        return visible(element);
+      case 'enabled':
+        return enabled(element);
+      case 'checked':
+        return element instanceof HTMLInputElement ? element.checked : element.getAttribute('aria-checked') === 'true';
+      case 'focused':
+        return active() === element;
+      case 'inViewport':
+        return inViewport(element);
+      case 'box': {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        return visible(element) ? { x, y, width, height } : null;
+      }
+      default:
+        return 'attribute' in question ? element.getAttribute(question.attribute) : Reflect.get(element, question.property);
+    }
+  };
+  return Promise.all(find(steps).map(answer));
+}
+
+/** The one element, or why there is none. */
+function one(steps: readonly Step[]): Element | string {
+  const found = find(steps);
+  if (found.length === 1) return found[0]!;
+  return found.length === 0 ? 'there is none' : `there are ${found.length}: ${found.map((each) => each.outerHTML.slice(0, 80)).join(' | ')}`;
+}
+
+export type Ready = { readonly x: number; readonly y: number } | { readonly why: string };
+
+const frame = (): Promise<void> => new Promise((resolve) => void requestAnimationFrame(() => resolve()));
+
+/** What a click at a place would hit. */
+function hit(x: number, y: number): Element | null {
+  let [found, root]: [Element | null, Document | ShadowRoot] = [null, document];
+  for (;;) {
+    const inner: Element | null = root.elementFromPoint(x, y);
+    if (inner === null || inner === found) return found;
+    found = inner;
+    if (inner.shadowRoot === null) return found;
+    root = inner.shadowRoot;
+  }
+}
+
+/** Where the pointer has to go to act on the one element, once that is seen, at rest, and not covered. */
+export async function ready(steps: readonly Step[], to: 'click' | 'hover'): Promise<Ready> {
+  const element = one(steps);
+  if (typeof element === 'string') return { why: element };
+  if (!visible(element)) return { why: 'it cannot be seen' };
+  if (to === 'click' && !enabled(element)) return { why: 'it is disabled' };
+  let covered = '';
+  for (const block of ['nearest', 'center'] as const) {
+    element.scrollIntoView({ block, inline: 'nearest', behavior: 'instant' });
+    const before = element.getBoundingClientRect();
+    await frame();
+    const box = element.getBoundingClientRect();
+    if (box.x !== before.x || box.y !== before.y || box.width !== before.width) return { why: 'it moves' };
+    const [x, y] = [Math.floor(box.x + box.width / 2), Math.floor(box.y + box.height / 2)];
+    const top = hit(x, y);
+    for (let at = top; at !== null; at = parentOf(at)) {
+      if (at === element || (at instanceof HTMLLabelElement && at.control === element)) return { x, y };
+    }
+    covered = top?.outerHTML.slice(0, 120) ?? 'nothing';
+  }
+  return { why: `it is covered by ${covered}` };
+}
+
+/** Acts on the one element that need no pointer; the answer says why it cannot be done, or is empty. */
+export function act(steps: readonly Step[], what: 'focus' | 'fill' | 'select' | 'scroll', text = ''): string {
+  const element = one(steps);
+  if (typeof element === 'string') return element;
+  if (what !== 'scroll' && !visible(element)) return 'it cannot be seen';
+  if ((what === 'fill' || what === 'select') && !enabled(element)) return 'it is disabled';
+  switch (what) {
+    case 'scroll':
+      element.scrollIntoView({ block: 'nearest', behavior: 'instant' });
+      return '';
+    case 'focus':
+      (element as HTMLElement).focus();
+      return '';
+    case 'fill': {
+      const input = element as HTMLInputElement;
+      input.focus();
+      input.select();
+      if (text === '') document.execCommand('delete');
+      else document.execCommand('insertText', false, text);
+      return input.value === text ? '' : `it holds "${input.value}"`;
+    }
+    case 'select': {
+      const select = element as HTMLSelectElement;
+      const option = Array.from(select.options).find((each) => each.value === text || folded(each.label) === text);
+      if (option === undefined) return `it has no option "${text}"`;
+      select.focus();
+      select.value = option.value;
+      select.dispatchEvent(new Event('input', { bubbles: true, composed: true }));
+      select.dispatchEvent(new Event('change', { bubbles: true }));
+      return '';
+    }
+  }
+}
+
+/** Puts a text in at the cursor, all at once. */
+export function insert(text: string): void {
+  document.execCommand('insertText', false, text);
+}

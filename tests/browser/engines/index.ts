@@ -1,0 +1,74 @@
+// `test` and `expect` of the tests that run in every engine: the page they are given is Playwright's own in Chromium, and a
+// `ForeignPage` in Firefox and WebKit. Which engine it is stands in the project of playwright.config.ts.
+import {
+  test as base, type Page as PlaywrightPage, type PlaywrightTestArgs, type PlaywrightTestOptions, type PlaywrightWorkerArgs,
+  type PlaywrightWorkerOptions, type TestType,
+} from '@playwright/test';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Driver } from './driver';
+import { firefox } from './firefox';
+import { ForeignPage } from './foreign';
+import type { Page } from './interface';
+import type { EngineName, WorkerOptions } from './options';
+import { webkit } from './webkit';
+
+export { expect } from './expect';
+export type { BasicPage, Box, Download, Locator, Page } from './interface';
+
+interface WorkerFixtures extends WorkerOptions {
+  driver: Driver | undefined;
+}
+
+const VIEWPORT = { width: 1440, height: 900 };
+
+const extended = base.extend<object, WorkerFixtures>({
+  engine: ['chromium', { option: true, scope: 'worker' }],
+  server: ['', { option: true, scope: 'worker' }],
+  driver: [
+    async ({ engine, server }, use) => {
+      const driver = engine === 'firefox' ? await firefox(VIEWPORT) : engine === 'webkit' ? await webkit(VIEWPORT, server) : undefined;
+      await use(driver);
+      await driver?.close();
+    },
+    { scope: 'worker', timeout: 120_000 },
+  ],
+  browser: [
+    async ({ engine, playwright, launchOptions }, use) => {
+      // Engines that Playwright does not drive have none of its browsers.
+      const browser = engine === 'chromium' ? await playwright.chromium.launch(launchOptions) : undefined;
+      await use(browser as never);
+      await browser?.close();
+    },
+    { scope: 'worker', timeout: 120_000 },
+  ],
+  page: async ({ driver, browser, server }, use) => {
+    if (driver === undefined) {
+      const context = await browser.newContext();
+      await use(await context.newPage());
+      await context.close();
+      return;
+    }
+    const finder = readFileSync(join(__dirname, '..', '..', '..', 'www', 'test-build', 'finder.js'), 'utf8');
+    const page = new ForeignPage(await driver.open(), finder, server);
+    await use(page as never);
+    await page.close();
+  },
+});
+
+/** What a test of every engine is given, and no more. */
+interface Given {
+  page: Page;
+  engine: EngineName;
+}
+
+export const test = extended as unknown as TestType<Given, object>;
+
+/** Playwright's own page, which is a `Page`, too, but for types of arguments. */
+export type ChromiumPage = PlaywrightPage & Page;
+
+/** For what only Chromium has or tells: the page is Playwright's own, with all it can do. */
+export const chromiumTest = base as unknown as TestType<
+  Omit<PlaywrightTestArgs, 'page'> & PlaywrightTestOptions & { page: ChromiumPage },
+  PlaywrightWorkerArgs & PlaywrightWorkerOptions
+>;

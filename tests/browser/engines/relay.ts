@@ -1,0 +1,50 @@
+// A server in front of the page's own, which puts scripts into each document before all others. WebDriver has no way to run a script
+// so early, and none to hear of errors: both are done by what is put in.
+import { createServer } from 'node:http';
+
+export interface Relay {
+  /** What is put in. */
+  readonly scripts: string[];
+  /** An address of the page's server as one of this, and back. */
+  inFront(address: string): string;
+  behind(address: string): string;
+  close(): void;
+}
+
+/** Keeps errors that nobody catches, until they are asked for. */
+const ERRORS = `globalThis.errorsOfPage = [];
+addEventListener('error', ({ error, message }) => errorsOfPage.push(message + '\\n' + (error?.stack ?? '')));
+addEventListener('unhandledrejection', ({ reason }) => errorsOfPage.push(reason + '\\n' + (reason?.stack ?? '')));`;
+
+export async function relay(server: string): Promise<Relay> {
+  const origin = new URL(server).origin;
+  const scripts: string[] = [];
+  const http = createServer((request, response) => {
+    void (async () => {
+      const answer = await fetch(origin + (request.url ?? '/'), { headers: { accept: request.headers.accept ?? '*/*' } });
+      const type = answer.headers.get('content-type') ?? 'application/octet-stream';
+      let body = Buffer.from(await answer.arrayBuffer());
+      if (type.startsWith('text/html')) {
+        const put = `<script>${[ERRORS, ...scripts].join(';\n').replaceAll('</', '<\\/')}</script>`;
+        body = Buffer.from(body.toString('utf8').replace(/<head>|<meta charset/i, (found) => (found === '<head>' ? found + put : put + found)));
+      }
+      response.writeHead(answer.status, { 'content-type': type, 'content-length': body.length, 'cache-control': 'no-store' });
+      response.end(body);
+    })().catch((error: unknown) => response.writeHead(502).end(String(error)));
+  });
+  await new Promise<void>((resolve, reject) => {
+    http.once('error', reject);
+    http.listen(0, '127.0.0.1', resolve);
+  });
+  const own = `http://127.0.0.1:${(http.address() as { port: number }).port}`;
+  const swapped = (address: string, from: string, to: string): string => (address.startsWith(from) ? to + address.slice(from.length) : address);
+  return {
+    scripts,
+    inFront: (address) => swapped(address, origin, own),
+    behind: (address) => swapped(address, own, origin),
+    close: () => {
+      http.close();
+      http.closeAllConnections();
+    },
+  };
+}

@@ -1,0 +1,21 @@
+// Bundles what finds elements in the page in engines that Playwright does not drive, into one script: test-build/finder.js.
+import { build } from 'vite';
+import { fileURLToPath } from 'node:url';
+
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+export default async function finder(): Promise<void> {
+  await build({
+    configFile: false,
+    logLevel: 'warn',
+    root: here('.'),
+    publicDir: false,
+    resolve: { alias: { 'dom-accessibility-api': here('node_modules/dom-accessibility-api/dist/index.mjs') } },
+    build: {
+      target: 'es2022',
+      outDir: here('test-build'),
+      minify: true,
+      lib: { entry: here('../tests/browser/engines/finder.ts'), formats: ['iife'], name: 'finder', fileName: () => 'finder.js' },
+    },
+  });
+}
