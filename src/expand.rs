@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
-use crate::control::codes::{self, G, Switch};
+use crate::control::codes::{self, G, MotionMode, Switch};
 use crate::control::dialect::{CodeList, DecimalRule, Dialect};
 use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
@@ -50,6 +50,7 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
         out: String::new(),
         motions: &analysis.motions,
         list: analysis.codes,
+        mode: None,
         code: None,
         feed: None,
         inch: false,
@@ -90,6 +91,11 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
         if let Some(values) = executed.values.as_ref().filter(words) {
             with_values(&mut block, values);
         }
+        let mode = writer.codes(&block).find_map(|code| match code {
+            G::Motion(mode) => Some(mode),
+            _ => None,
+        });
+        writer.mode = mode.or(writer.mode);
         let is_last = index + 1 == trace.len();
         // A block may end the text without a line end, and still be followed by others.
         if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
@@ -181,6 +187,8 @@ struct Writer<'a> {
     out: String,
     motions: &'a Motions,
     list: CodeList,
+    /// The code of group 01 in force in the program.
+    mode: Option<MotionMode>,
     /// The code of group 01 in force in the text written so far.
     code: Option<&'static str>,
     feed: Option<f64>,
@@ -262,7 +270,10 @@ impl Writer<'_> {
                 return true;
             }
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
-            rounds |= motion.kind == MotionKind::Feed && (word(b'R') || word(b'I') || word(b'K'));
+            // A rounding may use its move up, and leave nothing but its arc.
+            let straight = motion.kind == MotionKind::Feed
+                || motion.kind.cuts() && motion.center.is_some() && self.mode == Some(MotionMode::Line);
+            rounds |= straight && (word(b'R') || word(b'I') || word(b'K'));
         }
         cornered || rounds || compensates
     }
@@ -538,6 +549,8 @@ impl Writer<'_> {
                         | G::Multiple(_)
                         | G::Compensation(_)
                         | G::Hole(_)
+                        | G::Home
+                        | G::OtherHome
                         | G::MacroCall(_)
                         | G::NoModalMacro,
                     ) => continue,
@@ -566,6 +579,11 @@ impl Writer<'_> {
         }
         let mut pass = None;
         self.any_written |= !own.is_empty();
+        let home = block
+            .words
+            .iter()
+            .find(|word| matches!(code(word, self.list), Some(G::Home | G::OtherHome)) && !own.is_empty());
+        let home = home.map(|word| word.span.quote(self.text));
         for index in own.clone() {
             let motion = self.motions.get(index);
             if let Some(step) =
@@ -575,6 +593,10 @@ impl Writer<'_> {
                 let _ = writeln!(self.out, "({} PASS {})", step.cycle.code(), step.pass);
             }
             self.follow(&motion.process, if inch { Units::Millimetres } else { Units::OfProgram });
+            if let Some(home) = home.as_deref().filter(|_| index + 1 == own.end) {
+                self.go_home(block, home, &motion);
+                continue;
+            }
             let first_cut = |step: CycleStep| step.cycle == Cycle::Threading && step.step == Step::Cut;
             let is_thread = motion.cycle.is_some_and(first_cut);
             self.motion(&motion, angle.as_deref().filter(|_| is_thread));
@@ -596,6 +618,23 @@ impl Writer<'_> {
         if !own.is_empty() {
             self.moved_start = !last_is_cycle;
         }
+    }
+
+    /// G28 or G30 from where the tool stands; `code` as it was typed.
+    fn go_home(&mut self, block: &Block, code: &str, motion: &Motion) {
+        let names = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
+        let mut home = code.trim().to_owned();
+        if let Some(point) = block.words.iter().find(|word| word.address == b'P') {
+            let _ = write!(home, " {}", point.span.quote(self.text).trim());
+        }
+        if names(b"XU") {
+            let _ = write!(home, " X{}", decimal(2.0 * motion.from.x));
+        }
+        if names(b"ZW") {
+            let _ = write!(home, " Z{}", decimal(motion.from.z));
+        }
+        self.line(&home);
+        self.code = None;
     }
 
     fn line(&mut self, words: &str) {

@@ -176,6 +176,33 @@ fn a_tap_is_turned_out_again() {
     check(&program("S500 M03", "").replace("G97", "G50 S2000\nG96"));
 }
 
+#[test]
+fn a_rounding_may_use_its_move_up() {
+    check("O1\nT0101\nG97 S500 M03\nG00 X62 Z2\nG01 X75 F0.1\nZ-0.5\nZ-1 R0.5\nX82\nZ-5\nG00 X100 Z50\nM30");
+}
+
+#[test]
+fn the_way_home_from_a_compensated_path_stays_the_way_home() {
+    let setup = r#"{"tools": {"T0101": {"type": "turning", "noseRadius": 0.4, "tip": 3}}}"#;
+    let program = |home: &str| {
+        format!(
+            "O1\nT0101\nG97 S500 M03\nG00 X62 Z2\nG42 X40 Z1\nG01 Z-10 F0.2\nX50 Z-20\nX64\nG40\n{home}\nT0202\n\
+             G00 X60 Z2\nG28 U0 W0\nM30"
+        )
+    };
+    for home in ["G28 U0 W0", "G28 U0", "G28 X70", "G28 U0\nG28 W0", "G30 P2 U0 W0"] {
+        check_with(setup, &program(home));
+    }
+}
+
+#[test]
+fn flank_infeed_of_a_taper_thread_is_no_moved_start() {
+    check(
+        "O1\nT0101\nG97 S500 M03\nG00 X34 Z5\nG76 P010060 Q100 R0.05\nG76 X30 Z-20 R-1.2 P1300 Q300 F2\n\
+         G00 X80 Z20\nM30",
+    );
+}
+
 /// Blocks that change feed, speed, tool or spindle.
 fn technology() -> impl Strategy<Value = String> {
     let whole =
