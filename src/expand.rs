@@ -2,22 +2,25 @@
 //! and G32 blocks.
 //!
 //! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same motions to
-//! 0.001 mm under G40. It is written in the order of execution: a subprogram stands where it was called, a loop as
-//! often as it ran. Blocks that are plain already stay as they were typed; what a cycle block commands besides (S,
-//! T, M, other G codes) stays on a line of its own. What lies between G12.1 and G13.1 stays as it is. A contour that
+//! 0.001 mm under G40, at the same feed and speed. It is written in the order of execution: a subprogram stands where it
+//! was called, a loop as often as it ran. Blocks that are plain already stay as they were typed, but that their lengths
+//! get a point where other moves are written out with one; what a cycle block commands besides (S, T, M, other G
+//! codes) stays on a line of its own, and so does what the blocks of its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that
 //! was passed over is left out; a cycle that could not run stays as it is.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
-use crate::control::codes::{self, G, Switch};
-use crate::control::dialect::CodeList;
+use crate::control::codes::{self, G, MotionMode, Switch};
+use crate::control::dialect::{CodeList, DecimalRule, Dialect};
 use crate::control::interpreter::Executed;
 use crate::control::setup::Setup;
-use crate::control::words::plain;
+use crate::control::words::{Unit, plain};
 use crate::diagnostics::Message;
-use crate::motion::{Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Step};
+use crate::motion::{
+    Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
+};
 use crate::run::{Analysis, Run};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
@@ -31,12 +34,23 @@ pub fn expand(text: &[u8], setup: &Setup) -> String {
 
 /// Writes out a program whose run kept its blocks.
 pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
+    let as_typed = write_with(text, analysis, Points::AsTyped);
+    if as_typed.any_written {
+        // Numbers with a point and numbers without one in one program look like a slip, and may be read as one.
+        let rule = Dialect::new(&analysis.setup.dialect).decimal;
+        return write_with(text, analysis, Points::Everywhere(rule)).out;
+    }
+    as_typed.out
+}
+
+fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Writer<'a> {
     let trace = &analysis.trace;
     let mut writer = Writer {
         text,
         out: String::new(),
         motions: &analysis.motions,
         list: analysis.codes,
+        mode: None,
         code: None,
         feed: None,
         inch: false,
@@ -44,7 +58,13 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
         in_plane: false,
         moved_start: false,
         any_failed: false,
+        process: None,
+        points,
+        any_written: false,
     };
+    if let Some(first) = trace.first() {
+        writer.process = Some(first.before);
+    }
     let own = motions_of(trace, &analysis.motions);
     let jumps = trace.iter().any(|executed| executed.steers);
     // What lies between a block and the next one was passed over: a contour, unless the program jumps about.
@@ -71,20 +91,27 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
         if let Some(values) = executed.values.as_ref().filter(words) {
             with_values(&mut block, values);
         }
+        let mode = writer.codes(&block).find_map(|code| match code {
+            G::Motion(mode) => Some(mode),
+            _ => None,
+        });
+        writer.mode = mode.or(writer.mode);
         let is_last = index + 1 == trace.len();
         // A block may end the text without a line end, and still be followed by others.
         if index > 0 && !writer.out.ends_with(['\n', ';', '\r']) {
             writer.out.push('\n');
         }
+        writer.follow(&executed.before, Units::OfProgram);
+        let leaves = trace.get(index + 1).map_or(executed.ready, |next| next.before);
         // A program number within a program would end it: those of subprograms become remarks.
         let is_called = jumps && index > 0 && block.program.is_some();
         if is_called && range.is_empty() {
             writer.remark(&block);
             writer.comments(&block);
         } else if executed.steers && !(is_last && ends_main(&block)) {
-            writer.steer(&block, executed.values.as_deref(), range.clone());
+            writer.steer(&block, executed, range.clone(), leaves);
         } else if writer.must_write(&block, range.clone()) {
-            writer.write(&block, range.clone());
+            writer.write(&block, executed, range.clone(), leaves);
         } else {
             if executed.values.as_ref().is_some_and(String::is_empty) {
                 // None of its words has a value.
@@ -94,9 +121,16 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
             }
             let bytes = match &executed.values {
                 Some(_) => None,
-                None => Some(&text[executed.at.byte as usize..end.byte as usize]),
+                None => Some(executed.at.byte as usize..end.byte as usize),
             };
             writer.copy(&block, bytes, executed.values.as_deref(), range.clone());
+            if range.is_empty() && block.words.iter().any(|word| word.address == b'F') {
+                writer.feed = match leaves.feed {
+                    Feed::PerMinute(feed) | Feed::PerTurn(feed) => Some(feed),
+                    Feed::Unset => None,
+                };
+            }
+            writer.process = Some(leaves);
         }
         let passed = gap(index, end);
         if !range.is_empty() && !passed.is_empty() {
@@ -108,7 +142,7 @@ pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
     if !jumps {
         writer.out.push_str(&String::from_utf8_lossy(&text[end.byte as usize..]));
     }
-    writer.out
+    writer
 }
 
 /// The motions of each block that was carried out. Motions may wait for a later block, but keep their order; where a
@@ -153,6 +187,8 @@ struct Writer<'a> {
     out: String,
     motions: &'a Motions,
     list: CodeList,
+    /// The code of group 01 in force in the program.
+    mode: Option<MotionMode>,
     /// The code of group 01 in force in the text written so far.
     code: Option<&'static str>,
     feed: Option<f64>,
@@ -165,6 +201,28 @@ struct Writer<'a> {
     moved_start: bool,
     /// A contour cycle could not run: first blocks are kept, for its sake.
     any_failed: bool,
+    /// Feed, spindle and tool as the text written so far leaves them; of the feed, G98 or G99 alone counts.
+    process: Option<Process>,
+    points: Points,
+    /// Moves were written out.
+    any_written: bool,
+}
+
+/// How the lengths of copied moves are written.
+#[derive(Clone, Copy)]
+enum Points {
+    AsTyped,
+    /// With a point. The rule: what those without one count.
+    Everywhere(DecimalRule),
+}
+
+/// The units in force where something is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Units {
+    /// Those the program has chosen.
+    OfProgram,
+    /// Millimetres, whatever the program has chosen.
+    Millimetres,
 }
 
 impl Writer<'_> {
@@ -212,7 +270,10 @@ impl Writer<'_> {
                 return true;
             }
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
-            rounds |= motion.kind == MotionKind::Feed && (word(b'R') || word(b'I') || word(b'K'));
+            // A rounding may use its move up, and leave nothing but its arc.
+            let straight = motion.kind == MotionKind::Feed
+                || motion.kind.cuts() && motion.center.is_some() && self.mode == Some(MotionMode::Line);
+            rounds |= straight && (word(b'R') || word(b'I') || word(b'K'));
         }
         cornered || rounds || compensates
     }
@@ -226,7 +287,7 @@ impl Writer<'_> {
     fn watch(&mut self, block: &Block) {
         for code in self.codes(block).collect::<Vec<_>>() {
             match code {
-                G::Unit(unit) => self.inch = unit == crate::control::words::Unit::Inch,
+                G::Unit(unit) => self.inch = unit == Unit::Inch,
                 G::Distance { incremental } => self.incremental = incremental,
                 G::Polar(switch) => self.in_plane = switch == Switch::On,
                 G::Cylinder => {
@@ -239,7 +300,8 @@ impl Writer<'_> {
     }
 
     /// A plain block as it was typed, or with its values.
-    fn copy(&mut self, block: &Block, bytes: Option<&[u8]>, values: Option<&str>, own: Range<usize>) {
+    fn copy(&mut self, block: &Block, bytes: Option<Range<usize>>, values: Option<&str>, own: Range<usize>) {
+        let lengths = self.lengths_of(block, own.clone());
         let spelled = self.codes(block).any(|code| matches!(code, G::Motion(_)));
         self.watch(block);
         if !own.is_empty() {
@@ -260,7 +322,7 @@ impl Writer<'_> {
                 MotionKind::Feed | MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise
             );
             let has_feed = block.words.iter().any(|word| word.address == b'F');
-            if cuts && !has_feed && self.feed.is_some() && feed.is_some() && feed != self.feed {
+            if cuts && !has_feed && feed.is_some() && feed != self.feed {
                 // A thread written out before left its lead as F.
                 let unit = if self.inch { 25.4 } else { 1.0 };
                 let _ =
@@ -276,16 +338,152 @@ impl Writer<'_> {
             return;
         }
         match (bytes, values) {
-            (Some(bytes), _) => self.out.push_str(&String::from_utf8_lossy(bytes)),
+            (Some(bytes), _) => {
+                let written = self.with_points(self.text, bytes, &block.words, lengths);
+                self.out.push_str(&written);
+            }
             (None, values) => {
-                self.line(values.unwrap_or_default());
+                // Values of expressions have points.
+                self.any_written |= !own.is_empty();
+                let values = values.unwrap_or_default().as_bytes();
+                let mut own = Block::default();
+                Parser::new(values).next_block(&mut own);
+                let written = self.with_points(values, 0..values.len(), &own.words, lengths);
+                self.line(&written);
                 self.comments(block);
             }
         }
     }
 
+    /// The letters of a copied block whose numbers get a point: those of the lengths, where all it does is to move.
+    fn lengths_of(&self, block: &Block, own: Range<usize>) -> &'static [u8] {
+        let path = |code| {
+            matches!(
+                code,
+                G::Motion(_)
+                    | G::Unit(_)
+                    | G::Plane(_)
+                    | G::Distance { .. }
+                    | G::Frame(_)
+                    | G::Compensation(_)
+                    | G::Feed(_)
+                    | G::SurfaceSpeed
+                    | G::ConstantSpeed
+            )
+        };
+        let kinds =
+            || own.clone().map(|index| self.motions.get(index)).map(|motion| (motion.kind, motion.rotary));
+        if own.is_empty()
+            || !self.codes(block).all(path)
+            || kinds().any(|(kind, rotary)| kind == MotionKind::Dwell || rotary.is_some())
+        {
+            return b"";
+        }
+        // I, K and R of a thread are not on its way.
+        if kinds().any(|(kind, _)| kind == MotionKind::Thread) { b"XZUW" } else { b"XZUWIKR" }
+    }
+
+    /// A part of a text, the lengths among its words with a point.
+    fn with_points(&self, text: &[u8], part: Range<usize>, words: &[Word], lengths: &[u8]) -> String {
+        let mut out = String::new();
+        let mut done = part.start;
+        for word in words.iter().filter(|word| lengths.contains(&word.address)) {
+            let Value::Number { number, negative } = word.value else { continue };
+            let (start, end) = (word.span.start as usize, word.span.end as usize);
+            let Points::Everywhere(rule) = self.points else { continue };
+            if number.has_point() || number.value() == 0.0 || start < done {
+                continue;
+            }
+            match rule {
+                DecimalRule::Calculator => {
+                    out.push_str(&String::from_utf8_lossy(&text[done..end]));
+                    out.push('.');
+                }
+                DecimalRule::LeastIncrement => {
+                    let (unit, digits) = if self.inch { (10_000.0, 4) } else { (1_000.0, 3) };
+                    out.push_str(&String::from_utf8_lossy(&text[done..start]));
+                    let (letter, sign) = (word.address as char, if negative { "-" } else { "" });
+                    let value = trimmed(format!("{:.digits$}", number.value() / unit));
+                    let _ = write!(out, "{letter}{sign}{value}");
+                }
+            }
+            done = end;
+        }
+        out.push_str(&String::from_utf8_lossy(&text[done..part.end]));
+        out
+    }
+
+    /// Writes what leads from the feed, spindle and tool of the text so far to those of the program, each on a line of
+    /// its own: what blocks of a contour command, and the turning back of a tap.
+    fn follow(&mut self, process: &Process, units: Units) {
+        let Some(now) = self.process.replace(*process) else { return };
+        let mut lines = Vec::new();
+        if now.tool != process.tool {
+            lines.push(format!("T{:02}{:02}", process.tool.0, process.tool.1));
+        }
+        if let Some(highest) = process.clamp.filter(|_| now.clamp != process.clamp) {
+            let code = if matches!(self.list, CodeList::B | CodeList::C) { "G92" } else { "G50" };
+            lines.push(format!("{code} S{}", whole(highest)));
+        }
+        if now.speed != process.speed {
+            lines.push(match process.speed {
+                SpindleSpeed::Constant(rpm) => format!("G97 S{}", whole(rpm)),
+                SpindleSpeed::Surface { speed } => format!("G96 S{}", whole(speed)),
+            });
+        }
+        if now.turn != process.turn {
+            // It stops before it turns back.
+            if now.turn != SpindleTurn::Stopped {
+                lines.push("M05".to_owned());
+            }
+            match process.turn {
+                SpindleTurn::Stopped => {}
+                SpindleTurn::Forward => lines.push("M03".to_owned()),
+                SpindleTurn::Reverse => lines.push("M04".to_owned()),
+            }
+        }
+        let systems = matches!(self.list, CodeList::B | CodeList::C);
+        let mode = match (now.feed, process.feed) {
+            (Feed::PerTurn(_) | Feed::Unset, Feed::PerMinute(_)) => Some(if systems { "G94" } else { "G98" }),
+            (Feed::PerMinute(_) | Feed::Unset, Feed::PerTurn(_)) => Some(if systems { "G95" } else { "G99" }),
+            _ => None,
+        };
+        if let Some(mode) = mode {
+            lines.push(mode.to_owned());
+            // F counts in another unit from here on, and is named again.
+            self.feed = None;
+        }
+        if lines.is_empty() {
+            return;
+        }
+        if !self.out.is_empty() && !self.out.ends_with(['\n', '\r']) {
+            self.out.push('\n');
+        }
+        // A cutting speed is given in metres.
+        let metric = self.inch && units == Units::OfProgram && now.speed != process.speed;
+        if metric {
+            self.line(self.unit_code(Unit::Millimetre));
+        }
+        for line in lines {
+            self.line(&line);
+        }
+        if metric {
+            self.line(self.unit_code(Unit::Inch));
+        }
+    }
+
+    fn unit_code(&self, unit: Unit) -> &'static str {
+        match (unit, self.list) {
+            (Unit::Inch, CodeList::C) => "G70",
+            (Unit::Millimetre, CodeList::C) => "G71",
+            (Unit::Inch, _) => "G20",
+            (Unit::Millimetre, _) => "G21",
+        }
+    }
+
     /// A block that steers the program, as a remark; its own moves are written out.
-    fn steer(&mut self, block: &Block, values: Option<&str>, own: Range<usize>) {
+    fn steer(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
+        let values = executed.values.as_deref();
         if let Some(values) = values.filter(|_| block.kind == BlockKind::Macro && own.is_empty()) {
             // The tables of the control are written to as before.
             self.line(values);
@@ -311,8 +509,9 @@ impl Writer<'_> {
                 }
             };
             self.line(&words.join(" "));
+            self.process = Some(leaves);
         } else {
-            self.write(block, own);
+            self.write(block, executed, own, leaves);
         }
     }
 
@@ -332,8 +531,8 @@ impl Writer<'_> {
         let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
     }
 
-    /// A block as plain moves.
-    fn write(&mut self, block: &Block, own: Range<usize>) {
+    /// A block as plain moves. `leaves`: feed, spindle and tool behind it.
+    fn write(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let mut before = String::new();
         let mut after = String::new();
         let called = block.words.iter().position(codes::calls_macro);
@@ -350,6 +549,8 @@ impl Writer<'_> {
                         | G::Multiple(_)
                         | G::Compensation(_)
                         | G::Hole(_)
+                        | G::Home
+                        | G::OtherHome
                         | G::MacroCall(_)
                         | G::NoModalMacro,
                     ) => continue,
@@ -368,14 +569,21 @@ impl Writer<'_> {
         let angle =
             block.words.iter().find(|word| word.address == b'Q').map(|word| word.span.quote(self.text));
         self.line(&before);
+        self.process = Some(executed.ready);
         let (inch, incremental) = (self.inch && !own.is_empty(), self.incremental && !own.is_empty());
         if inch {
-            self.line(if self.list == CodeList::C { "G71" } else { "G21" });
+            self.line(self.unit_code(Unit::Millimetre));
         }
         if incremental {
             self.line("G90");
         }
         let mut pass = None;
+        self.any_written |= !own.is_empty();
+        let home = block
+            .words
+            .iter()
+            .find(|word| matches!(code(word, self.list), Some(G::Home | G::OtherHome)) && !own.is_empty());
+        let home = home.map(|word| word.span.quote(self.text));
         for index in own.clone() {
             let motion = self.motions.get(index);
             if let Some(step) =
@@ -384,15 +592,25 @@ impl Writer<'_> {
                 pass = Some((step.cycle, step.pass));
                 let _ = writeln!(self.out, "({} PASS {})", step.cycle.code(), step.pass);
             }
+            self.follow(&motion.process, if inch { Units::Millimetres } else { Units::OfProgram });
+            if let Some(home) = home.as_deref().filter(|_| index + 1 == own.end) {
+                self.go_home(block, home, &motion);
+                continue;
+            }
             let first_cut = |step: CycleStep| step.cycle == Cycle::Threading && step.step == Step::Cut;
             let is_thread = motion.cycle.is_some_and(first_cut);
             self.motion(&motion, angle.as_deref().filter(|_| is_thread));
         }
+        // M05 of the block itself comes behind its moves.
+        let stops = block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(5.0));
+        let behind = Process { turn: if stops { executed.ready.turn } else { leaves.turn }, ..leaves };
+        self.follow(&behind, if inch { Units::Millimetres } else { Units::OfProgram });
+        self.process = Some(leaves);
         if incremental {
             self.line("G91");
         }
         if inch {
-            self.line(if self.list == CodeList::C { "G70" } else { "G20" });
+            self.line(self.unit_code(Unit::Inch));
             self.feed = None;
         }
         self.line(&after);
@@ -400,6 +618,23 @@ impl Writer<'_> {
         if !own.is_empty() {
             self.moved_start = !last_is_cycle;
         }
+    }
+
+    /// G28 or G30 from where the tool stands; `code` as it was typed.
+    fn go_home(&mut self, block: &Block, code: &str, motion: &Motion) {
+        let names = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
+        let mut home = code.trim().to_owned();
+        if let Some(point) = block.words.iter().find(|word| word.address == b'P') {
+            let _ = write!(home, " {}", point.span.quote(self.text).trim());
+        }
+        if names(b"XU") {
+            let _ = write!(home, " X{}", decimal(2.0 * motion.from.x));
+        }
+        if names(b"ZW") {
+            let _ = write!(home, " Z{}", decimal(motion.from.z));
+        }
+        self.line(&home);
+        self.code = None;
     }
 
     fn line(&mut self, words: &str) {
@@ -501,6 +736,11 @@ fn feed_of(motion: &Motion) -> Option<f64> {
 /// A length with a point, to a thousandth: `20.`, `-0.5`.
 fn decimal(value: f64) -> String {
     trimmed(format!("{value:.3}"))
+}
+
+/// A speed, which has no point where it is a whole number.
+fn whole(value: f64) -> String {
+    trimmed(format!("{value:.5}")).trim_end_matches('.').to_owned()
 }
 
 /// The same to a hundred-thousandth, for feeds and leads.

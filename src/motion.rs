@@ -239,6 +239,17 @@ pub enum SpindleTurn {
     Reverse,
 }
 
+impl SpindleTurn {
+    /// The other way; a spindle that stands still has none.
+    pub fn reversed(self) -> Self {
+        match self {
+            Self::Stopped => Self::Stopped,
+            Self::Forward => Self::Reverse,
+            Self::Reverse => Self::Forward,
+        }
+    }
+}
+
 /// Everything about a motion that seldom changes from one to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {

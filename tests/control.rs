@@ -46,6 +46,40 @@ fn absolute_and_incremental_words_mix() {
 }
 
 #[test]
+fn nothing_is_inserted_between_moves_less_than_1_degree_apart() {
+    for word in [",C2", ",R2", "C2", "R2"] {
+        check(
+            &format!("M3 S500\nG98 G1 X40 Z0 F100\nZ-20 {word}\nX40.4 Z-40\nX60"),
+            "F(40,0) F(40,-20) F(40.4,-40) F(60,-40)",
+        );
+    }
+    check(
+        "M3 S500\nG98 G1 X40 Z0 F100\nZ-20 ,A180 ,R2\nZ-40 ,A179.5\nX60",
+        "F(40,0) F(40,-20) F(40.3491,-40) F(60,-40)",
+    );
+    // Round into a line without a bend: L and D of GSK.
+    check_with(
+        r#"{"initial": {"x": 100, "z": 50}, "dialect": {"control": "gsk", "feedMode": "G98"}}"#,
+        "M3 S500\nG1 X40 Z0 F100\nZ-20 D2\nG2 X60 Z-30 R10\nG1 X70",
+        "F(40,0) F(40,-20) A-(60,-30)c(60,-20) F(70,-30)",
+    );
+}
+
+#[test]
+fn l_and_d_of_gsk_join_a_line_to_an_arc() {
+    check_with(
+        r#"{"initial": {"x": 100, "z": 50}, "dialect": {"control": "gsk", "feedMode": "G98"}}"#,
+        "M3 S500\nG1 X40 Z0 F100\nZ-20 L2\nG3 X60 Z-30 R10\nG1 X70",
+        "F(40,0) F(40,-18) F(43.98,-20.2) A+(60,-30)c(40,-30) F(70,-30)",
+    );
+}
+
+#[test]
+fn an_arc_that_cannot_form_a_corner_keeps_its_centre() {
+    check("M3 S500\nG98 G1 X40 Z0 F100\nZ-20 ,C2\nG3 X60 Z-30 R10", "F(40,0) A+(60,-30)c(40,-30)");
+}
+
+#[test]
 fn x_with_u_follows_the_control() {
     check("G0 X80 U-10", "R(90,50)");
     check("G0 U-10 X80", "R(80,50)");

@@ -58,6 +58,37 @@ fn check_fix(before: &str, after: &str) {
     assert_eq!(text, after);
 }
 
+/// Two balls side by side touch in a valley of 180°: no nose reaches its bottom, whichever way it comes and wherever the
+/// turret stands.
+#[test]
+fn a_nose_does_not_fit_between_two_arcs_that_touch() {
+    let there = "G42 G0 X32 Z2\nG1 Z0 F100\nG3 X28 Z-2 R2\n   G3 X34 Z-5 R3\n// ^^^^^^^^^^^^^ PS0041\nG1 Z-9\nG40 G0 X50";
+    let back = "G41 G0 X34 Z-9\nG1 Z-5 F100\nG2 X28 Z-2 R3\n   G2 X32 Z0 R2\n// ^^^^^^^^^^^^ PS0041\nG1 Z2\nG40 G0 X50";
+    // A bore that narrows in two steps, each of them a quarter of a ring.
+    let inside = "G41 G0 X32 Z2\nG1 Z0 F100\nG2 X36 Z-2 R2\n   G2 X30 Z-5 R3\n// ^^^^^^^^^^^^^ PS0041\nG1 Z-9\nG40 G0 X20";
+    for turret in ["rear", "front"] {
+        for (program, tip) in [(there, 3), (back, 3), (inside, 2)] {
+            for radius in [0.2, 0.4, 0.8] {
+                let tool = format!(r#""T0101": {{"type": "turning", "noseRadius": {radius}, "tip": {tip}}}"#);
+                let setup = format!(
+                    r#"{{"dialect": {{"feedMode": "G98"}}, "machine": {{"turret": "{turret}"}}, "tools": {{{tool}}}}}"#
+                );
+                let start = if tip == 2 { "G0 X20 Z5" } else { "G0 X60 Z5" };
+                check_with(&setup, &format!("M3 S500 T0101\n{start}\n{program}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn under_compensation_the_path_may_not_turn_straight_back() {
+    let setup = r#"{"dialect": {"feedMode": "G98"}, "tools": {"T0101": {"type": "turning", "noseRadius": 0.4, "tip": 3}}}"#;
+    let start = "M3 S500 T0101\nG0 X60 Z2\nG42 X50 Z1";
+    check_with(setup, &format!("{start}\nG1 Z-20 F100\n   G0 Z2\n// ^^^^^ W-TNRC-BACK\nG40 X60"));
+    check_with(setup, &format!("{start}\nG1 Z-20 F100\nX54\nG0 Z2\nG40 X60"));
+    check_with(setup, &format!("{start}\nG1 Z-20 F100\nG40 G0 Z2"));
+}
+
 #[test]
 fn an_arc_with_a_radius_and_no_end_point_is_told() {
     check("M3 S500 F100\nG00 X50 Z5\n   G03 R5\n// ^^^^^^ W-ARC-NOWHERE");
@@ -209,6 +240,19 @@ fn cycles_and_corners() {
     check(&format!("{start}G1 Z-20 ,C30\n//      ^^^^ PS0055\nX60"));
     check(&format!("{start}G1 Z-20 ,C2\n//      ^^^ PS0052\nG0 X60"));
     check(&format!("{start}G1 Z-20 I-2\n//      ^^^ PS0051\nX60"));
+    // An arc forms no corner, but with L and D of GSK.
+    for word in [",C2", ",R2", "C2", "R2", "I2"] {
+        let carets = "^".repeat(word.len());
+        check(&format!("{start}G1 Z-20 {word}\n//      {carets} PS0052\nG2 X60 Z-25 R5"));
+    }
+    // Straight on, and less than 1° to the side.
+    for next in ["Z-30", "X50.3 Z-30", "X49.7 Z-30"] {
+        for word in [",C2", ",R2", "C2", "R2"] {
+            let carets = "^".repeat(word.len());
+            check(&format!("{start}G1 Z-20 {word}\n//      {carets} W-CORNER-STRAIGHT\n{next}"));
+        }
+    }
+    check(&format!("{start}G1 Z-20 ,R2\n//      ^^^ PS0051\nZ-10"));
     check(&format!("{start}G1 Z-20 K2\n//      ^^ PS0306\nX60"));
     check(&format!("{start}G1 Z-20 I2\nX60"));
     check(&format!("{start}G1 ,A180\n// ^^^^^ PS0056\nX60 Z-20"));

@@ -22,6 +22,9 @@ const LIMITS: Limits = Limits {
     call_depth: 10,
     macro_depth: 5,
     messages: 100,
+    part_motions: 200,
+    part_corners: 500,
+    compared_blocks: 1_000,
     stride: 64,
 };
 

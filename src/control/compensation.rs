@@ -10,13 +10,15 @@
 //! offset by the radius, and the tip is the centre less [`Nose::vector`]. All geometry is done with the vector from
 //! a programmed point to the centre there, as the control does; radius 0 gives the programmed path back exactly.
 
+mod clearance;
 mod corner;
 mod path;
 #[cfg(test)]
 mod tests;
 
 use crate::geometry::{Point, SAME};
-use corner::corner;
+use clearance::Way;
+use corner::{Corner, corner};
 pub use path::{Element, Nose, Shape, Side, Travel, Vector};
 use path::{Track, ZERO};
 
@@ -73,6 +75,12 @@ pub enum Reason {
         /// How far it would run backwards, mm.
         backwards: f64,
     },
+    /// The nose would cut into this element or the one or two before it: a valley whose sides touch, a gap narrower
+    /// than the nose. PS0041.
+    CutsIn {
+        /// How deep, mm.
+        depth: f64,
+    },
     /// The start or the end of the arc is its centre: PS0038.
     ArcCenter,
     /// The nose does not fit inside the arc: PS0041.
@@ -93,6 +101,15 @@ pub struct Compensator {
     /// Where the tip stands after what was given out.
     tip: Point,
     stage: Stage,
+    /// The cuts before the element that waits, the latest first, each joined to the next without a gap.
+    behind: [Option<Cut>; 2],
+}
+
+/// A programmed cut with the way that the centre of the nose took along it and around the corner at its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cut {
+    element: Element,
+    ways: [Option<Way>; 4],
 }
 
 /// How far compensation has come.
@@ -129,7 +146,7 @@ impl Compensator {
     /// Compensation from the next move on, with the tip at `at`, on the programmed point. A negative radius is
     /// for the caller to turn into the other side.
     pub fn start(side: Side, nose: Nose, at: Point) -> Self {
-        Self { side, nose, tip: at, stage: Stage::Commanded }
+        Self { side, nose, tip: at, stage: Stage::Commanded, behind: [None; 2] }
     }
 
     /// The same with the numbers of its elements counted from `first`.
@@ -139,6 +156,9 @@ impl Compensator {
                 element.id = element.id.wrapping_sub(first);
             }
             Stage::Commanded | Stage::Standing => {}
+        }
+        for cut in self.behind.iter_mut().flatten() {
+            cut.element.id = cut.element.id.wrapping_sub(first);
         }
         self
     }
@@ -182,19 +202,25 @@ impl Compensator {
             }
             Stage::Standing => self.enter(element, out),
             Stage::Waiting(waiting) => {
-                match corner(Track::new(&waiting.element, waiting.side), next, self.nose.radius) {
-                    None => {
-                        let reason = Reason::NoIntersection { before: waiting.element.id };
+                let found = corner(Track::new(&waiting.element, waiting.side), next, self.nose.radius)
+                    .ok_or(Reason::NoIntersection { before: waiting.element.id })
+                    .and_then(|corner| Ok((corner, self.clear_of(&waiting, &corner, &element)?)));
+                match found {
+                    Err(reason) => {
                         out(Err(Fault { id: element.id, reason }));
                         self.stage = Stage::Waiting(waiting);
                     }
-                    Some(corner) if self.finish(&waiting, corner.end, out) => {
+                    Ok((corner, cut)) if self.finish(&waiting, corner.end, out) => {
                         for joint in [corner.around[0], corner.around[1], corner.begin] {
                             self.join(&element, joint, out);
                         }
+                        self.behind = [cut, self.behind[0].filter(|_| cut.is_some())];
                         self.wait(element, Begin::OnPath(corner.begin));
                     }
-                    Some(_) => self.enter(element, out),
+                    Ok(_) => {
+                        self.behind = [None; 2];
+                        self.enter(element, out);
+                    }
                 }
             }
         }
@@ -215,6 +241,7 @@ impl Compensator {
             }
             Stage::Standing => {}
         }
+        self.behind = [None; 2];
     }
 
     /// G41 for G42 or back without a G40: the elements to come have the nose on the other side. The last element
@@ -267,6 +294,49 @@ impl Compensator {
         self.stage = Stage::Waiting(Waiting { element, side: self.side, begin });
     }
 
+    /// Whether the nose, on its way along a waiting element and around the corner at its end, keeps clear of the next
+    /// element, and on the way around of those before; whether the cut before keeps clear of the next. Rapids cut no
+    /// contour, and a nose that changes its side crosses the path. The cut that the waiting element becomes, if it is one.
+    fn clear_of(&self, waiting: &Waiting, corner: &Corner, next: &Element) -> Result<Option<Cut>, Reason> {
+        let element = waiting.element;
+        let cuts = element.travel == Travel::Feed && next.travel == Travel::Feed && waiting.side == self.side;
+        let Some(along) = self.way_along(waiting, corner.end).filter(|_| cuts) else { return Ok(None) };
+        let ends = [corner.end, corner.around[0], corner.around[1], corner.begin];
+        let [end, first, second, last] = ends.map(|vector| vector.from(element.to));
+        let around = [(end, first), (first, second), (second, last)]
+            .map(|(from, to)| (!from.is_same(to)).then_some(Way::straight(from, to)));
+        let before = self.behind.iter().flatten().take(1).flat_map(|cut| cut.ways).flatten();
+        let beside = around.into_iter().flatten();
+        let contour = [Some(element), self.behind[0].map(|cut| cut.element)];
+        let radius = self.nose.radius;
+        let opens = !self.closes(&element) && !self.closes(next) && !next.to.is_same(element.from);
+        let into_next = before.chain([along]).filter(|_| opens).chain(beside.clone()).map(|way| (way, *next));
+        let into_contour =
+            beside.flat_map(|way| contour.into_iter().flatten().map(move |element| (way, element)));
+        let depths =
+            into_next.chain(into_contour).filter_map(|(way, element)| way.cuts_into(&element, radius));
+        match depths.reduce(f64::max) {
+            Some(depth) => Err(Reason::CutsIn { depth }),
+            None => Ok(Some(Cut { element, ways: [Some(along), around[0], around[1], around[2]] })),
+        }
+    }
+
+    /// Whether a contour ends with this element where it began. What leads to it and away from it lies beside both of
+    /// its ends, and is no contour.
+    fn closes(&self, element: &Element) -> bool {
+        let begins = self.behind.iter().flatten().map(|cut| cut.element.from);
+        begins.chain([element.from]).any(|begin| begin.is_same(element.to))
+    }
+
+    /// The way of the centre along a waiting element that ends at `end` from its programmed end; none for one that
+    /// the control had not seen, or that would run backwards.
+    fn way_along(&self, waiting: &Waiting, end: Vector) -> Option<Way> {
+        let Waiting { element, side, begin: Begin::OnPath(begin) } = *waiting else { return None };
+        let length = Track::new(&element, side).length_between(begin, end);
+        let shape = if length > 2.0 * SAME { element.shape } else { Shape::Line };
+        (length >= -SAME).then(|| Way { from: begin.from(element.from), to: end.from(element.to), shape })
+    }
+
     /// Begins an element the control had not seen when the one before ended: a line goes straight from where the
     /// nose stands to its own end; to an arc a straight move leads.
     fn enter(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
@@ -296,6 +366,14 @@ impl Compensator {
         if length < -SAME {
             let reason = Reason::Overcut { backwards: -length };
             out(Err(Fault { id: element.id, reason }));
+            return false;
+        }
+        let contour = self.behind.iter().flatten().map(|cut| cut.element);
+        let cuts = element.travel == Travel::Feed && !self.closes(element);
+        let way = self.way_along(waiting, end).filter(|_| cuts);
+        let depths = contour.filter_map(|before| way?.cuts_into(&before, self.nose.radius));
+        if let Some(depth) = depths.reduce(f64::max) {
+            out(Err(Fault { id: element.id, reason: Reason::CutsIn { depth } }));
             return false;
         }
         let shape = match element.shape {

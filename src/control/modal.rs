@@ -189,10 +189,21 @@ pub struct Joint {
     pub corner: Corner,
     /// The letter of a form without comma, whose sign and axis have a meaning; its value, mm.
     pub signed: Option<(Letter, f64)>,
+    /// Which moves may follow.
+    pub before: Follower,
     /// The word's place.
     pub span: Span,
     /// The word.
     pub word: String,
+}
+
+/// The moves that may form a corner with the one before (semantics §3.2.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Follower {
+    /// G01 alone: FANUC.
+    Line,
+    /// G01, G02, G03: L and D of GSK.
+    LineOrArc,
 }
 
 /// A move that cannot be made before the next one is known.
@@ -352,7 +363,7 @@ impl HoleMemory {
 
 /// Things said once in a program rather than at every block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Told(u32);
+pub struct Told(u64);
 
 /// What is said once.
 #[derive(Clone, Copy, Debug)]
@@ -380,6 +391,7 @@ pub enum Once {
     Checklist,
     CompensationLeftOn,
     CompensationSide,
+    CompensationTurnsBack,
     CompensationTip,
     CompensationIdleBlocks,
     PassNotDeeper,
@@ -391,7 +403,7 @@ pub enum Once {
 impl Told {
     /// Whether it is to be said now; it counts as said from here on.
     pub fn first(&mut self, once: Once) -> bool {
-        let bit = 1 << once as u32;
+        let bit = 1 << once as u64;
         let first = self.0 & bit == 0;
         self.0 |= bit;
         first
@@ -399,7 +411,7 @@ impl Told {
 
     /// It may be said again.
     pub fn forget(&mut self, once: Once) {
-        self.0 &= !(1 << once as u32);
+        self.0 &= !(1 << once as u64);
     }
 }
 

@@ -353,6 +353,8 @@ pub enum Message {
     CornerTooLarge { word: String },
     /// A corner between moves that form none.
     CornerNone { word: String },
+    /// A corner between moves less than 1° apart.
+    CornerStraight { word: String },
     /// A corner word in a block that has no straight cut or arc of its own.
     CornerNoLine { word: String },
     /// The sign or axis of a corner word does not fit the next move.
@@ -458,6 +460,8 @@ pub enum Message {
     CompensationLeftOn { code: &'static str, word: String },
     /// The nose is on the wrong side of the path.
     CompensationSide { code: &'static str, right: &'static str },
+    /// The path turns straight back under compensation.
+    CompensationTurnsBack { code: &'static str },
     /// Blocks without a move under compensation.
     CompensationIdleBlocks,
     /// The move that begins or ends compensation is too short.
@@ -752,6 +756,7 @@ impl Message {
             Self::CornerNone { .. } | Self::CornerNoLine { .. } => {
                 ("PS0051", "no-corner-here", Error, Some("PS0051"))
             }
+            Self::CornerStraight { .. } => ("W-CORNER-STRAIGHT", "corner-on-straight-path", Warning, None),
             Self::CornerAxis { alarm, .. } => (alarm, "corner-axis", Error, Some(alarm)),
             Self::CornerTwice { .. } => ("PS0053", "two-corner-words", Error, Some("PS0053")),
             Self::CornerInThread { .. } => ("PS0050", "corner-in-thread", Error, Some("PS0050")),
@@ -819,6 +824,7 @@ impl Message {
             }
             Self::CompensationLeftOn { .. } => ("W-TNRC-LEFT-ON", "compensation-left-on", Warning, None),
             Self::CompensationSide { .. } => ("W-TNRC-SIDE", "compensation-side", Warning, None),
+            Self::CompensationTurnsBack { .. } => ("W-TNRC-BACK", "compensation-turns-back", Warning, None),
             Self::CompensationIdleBlocks => ("W-TNRC-NOMOVE", "compensation-without-moves", Warning, None),
             Self::CompensationShort { .. } => ("W-TNRC-SHORT", "compensation-move-short", Warning, None),
             Self::CompensationTip { .. } => ("W-TNRC-TIP", "compensation-tip", Warning, None),

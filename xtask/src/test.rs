@@ -1,4 +1,4 @@
-//! In: the whole working tree. Out: whether it is in order: format, lints, native tests, wasm tests under Node,
+//! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm tests under Node,
 //! hostile programs in release builds, the page's types, and the page in three browser engines. It stops at the first step that fails.
 
 use std::time::Instant;
@@ -18,6 +18,11 @@ pub fn main() -> Result {
     let mut clippy = command("cargo");
     clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     done("lints", step("lints, native", &mut clippy)?);
+
+    let mut fuzz = command("cargo");
+    fuzz.args(["check", "--manifest-path", "fuzz/Cargo.toml", "--no-default-features"]);
+    fuzz.args(["--target-dir", "target/fuzz"]);
+    done("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
 
     let setting_up = Instant::now();
     let setup = Setup::for_testing()?;

@@ -81,6 +81,9 @@ impl Interpreter {
             self.take(text, block, &mut request, &mut words, index, word);
         }
         self.technology(text, block, &request, &words);
+        if self.trace.is_some() {
+            self.trace_process();
+        }
         let kept = self.kept();
         if request.drop {
             if let Some(mode) = request.motion {

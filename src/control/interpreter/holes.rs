@@ -155,6 +155,14 @@ impl Interpreter {
         };
         request.moved = true;
         self.leave_compensation();
+        if kind.is_tap()
+            && self.state.spindle.surface
+            && face
+            && at.x.abs() <= crate::geometry::SAME
+            && self.state.told.first(Once::ThreadAtSurfaceSpeed)
+        {
+            self.tell(Diagnostic::new(Message::TapSurface, block.words_span()));
+        }
         let repeats = words
             .get(b'K')
             .and_then(plain)
@@ -230,9 +238,22 @@ impl Interpreter {
         let approach = self.turning(approach, c);
         self.push(block, approach);
         let kept = self.kept();
+        // Rigid tapping turns the spindle itself; a live tool leaves it where it stands.
+        let in_axis = kind.is_face() && hole.initial.x.abs() <= crate::geometry::SAME && c.is_none();
+        let tapping = match self.state.spindle.turn {
+            SpindleTurn::Stopped if in_axis && !self.state.spindle.live_tool => SpindleTurn::Forward,
+            turn => turn,
+        };
         for step in &moves {
             let mut motion = Motion { cycle: tag(step.step, step.pass), ..self.motion(step.kind, step.to) };
             motion.lead = lead.filter(|_| step.kind == MotionKind::Thread);
+            if step.kind == MotionKind::Thread {
+                motion.process.turn = match step.step {
+                    // A tap is turned out again.
+                    Step::Retract => tapping.reversed(),
+                    _ => tapping,
+                };
+            }
             motion.seconds = (step.kind == MotionKind::Dwell).then_some(dwell);
             if step.kind == MotionKind::Feed && step.step == Step::Retract {
                 // A boring tool comes back twice as fast as it went in.

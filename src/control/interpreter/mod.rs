@@ -45,7 +45,9 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
 use crate::diagnostics::{Diagnostic, Fix, Message, Severity, rules};
 use crate::geometry::{Point, Turn};
-use crate::motion::{Chunk, CycleStep, Feed, Motion, MotionKind, Motions, SpindleTurn, Step, Stop, StopKind};
+use crate::motion::{
+    Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
+};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 use crate::text::source::Span;
@@ -82,6 +84,10 @@ pub struct Executed {
     pub values: Option<String>,
     /// It only steers the program: a macro statement, a call, a return.
     pub steers: bool,
+    /// Feed, spindle and tool before it.
+    pub before: Process,
+    /// The same once its own words for them count, before it moves.
+    pub ready: Process,
 }
 
 /// The places manuals name in a cycle along a contour.

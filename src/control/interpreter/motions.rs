@@ -6,7 +6,7 @@ use super::singles;
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::doubt::{Doubt, Doubts};
-use crate::control::modal::{Angle, Joint};
+use crate::control::modal::{Angle, Follower, Joint};
 use crate::geometry::SAME;
 use crate::geometry::virtual_plane::Surface;
 
@@ -220,6 +220,7 @@ impl Interpreter {
         Ok(Some(Joint {
             corner: corner(if letter.is_some() { value.abs() } else { value }),
             signed: letter.map(|letter| (letter, value)),
+            before: if gsk && letter.is_none() { Follower::LineOrArc } else { Follower::Line },
             span: word.span,
             word: quoted,
         }))

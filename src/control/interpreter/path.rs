@@ -8,8 +8,8 @@ use super::*;
 use crate::control::compensation::{
     Compensator, Element, Nose, Origin, Outcome, Reason, Shape, Side, Travel,
 };
-use crate::control::corners::{self, Fault};
-use crate::control::modal::{Angle, Compensating, Joint, Pending};
+use crate::control::corners::{self, ANGLE_ALLOWANCE, Fault, Joined};
+use crate::control::modal::{Angle, Compensating, Follower, Joint, Pending};
 use crate::control::offsets::Column;
 use crate::cycles::Piece;
 use crate::motion::Programmed;
@@ -140,11 +140,22 @@ impl Interpreter {
         let second = piece(&next.motion);
         let fault = match next.motion.kind {
             MotionKind::Rapid | MotionKind::Thread | MotionKind::Dwell => Some(Fault::SecondNotPerpendicular),
+            MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise if joint.before == Follower::Line => {
+                Some(Fault::SecondNotPerpendicular)
+            }
             _ => joint.signed.and_then(|signed| signed_fault(&first, &second, signed, &self.dialect)),
         };
         let joined = match fault {
             Some(fault) => Err(fault),
             None => corners::join(&first, &second, joint.corner),
+        };
+        let joined = match joined {
+            // The control puts nothing in between, and goes on.
+            Err(Fault::NoCorner { turn }) if turn.abs() < ANGLE_ALLOWANCE => {
+                self.tell(Diagnostic::new(Message::CornerStraight { word: joint.word.clone() }, joint.span));
+                Ok(Joined { first, inserted: None, second })
+            }
+            joined => joined,
         };
         match joined {
             Ok(joined) => {
@@ -170,7 +181,10 @@ impl Interpreter {
             }
             Err(fault) => {
                 self.tell_corner(joint, fault);
-                next.motion.from = pending.routed.motion.from;
+                // An arc begins on its circle.
+                if next.motion.center.is_none() {
+                    next.motion.from = pending.routed.motion.from;
+                }
                 false
             }
         }
@@ -231,6 +245,14 @@ impl Interpreter {
             },
             (None, _) => return self.emit(routed),
         };
+        let behind = compensating.waiting.last().filter(|(_, before)| {
+            let starts = compensating.is_new && compensating.waiting.len() == 1;
+            !starts && side.is_some() && turns_straight_back(&before.motion, &motion)
+        });
+        if behind.is_some() && self.state.told.first(Once::CompensationTurnsBack) {
+            let code = if self.state.compensation == Compensation::Left { "G41" } else { "G42" };
+            self.tell(Diagnostic::new(Message::CompensationTurnsBack { code }, routed.words));
+        }
         compensating.is_new &= compensating.waiting.is_empty();
         let length = motion.from.distance(motion.to);
         let begins = compensating.is_new && compensating.waiting.is_empty();
@@ -301,7 +323,7 @@ impl Interpreter {
                     let message = match fault.reason {
                         Reason::ArcAtSwitch => Message::CompensationOnArc { code },
                         Reason::NoIntersection { .. } => Message::CompensationNoIntersection { radius },
-                        Reason::Overcut { .. } | Reason::ArcRadius { .. } => {
+                        Reason::Overcut { .. } | Reason::CutsIn { .. } | Reason::ArcRadius { .. } => {
                             Message::CompensationOvercut { radius, alarm: "PS0041" }
                         }
                         Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
@@ -479,6 +501,20 @@ impl Interpreter {
         }
         self.leave_compensation();
     }
+}
+
+/// Whether a straight move goes back along the cut before it.
+fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
+    /// Sine of the largest angle between the two that counts as none.
+    const STRAIGHT: f64 = 1e-6;
+    let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    let ((x, z), (next_x, next_z)) = (way(before), way(next));
+    let (along, across) = (x * next_x + z * next_z, x * next_z - z * next_x);
+    before.kind == MotionKind::Feed
+        && next.center.is_none()
+        && before.to.is_same(next.from)
+        && along < 0.0
+        && across.abs() <= STRAIGHT * along.abs()
 }
 
 /// A motion as a piece of a path.

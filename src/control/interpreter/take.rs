@@ -114,6 +114,7 @@ impl Interpreter {
                 state.told.forget(Once::CompensationIdle);
                 state.told.forget(Once::CompensationLeftOn);
                 state.told.forget(Once::CompensationSide);
+                state.told.forget(Once::CompensationTurnsBack);
             }
             G::Frame(frame) => {
                 self.leave_compensation();

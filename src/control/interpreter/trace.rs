@@ -9,10 +9,21 @@ impl Interpreter {
     #[cold]
     pub(super) fn trace_block(&mut self, block: &Block, here: Here) {
         let first = self.kept();
+        let process = self.state.process();
         let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
         let steers =
             !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(codes::steers);
-        trace.push(Executed { at: here.at, first, values: None, steers });
+        trace.push(Executed { at: here.at, first, values: None, steers, before: process, ready: process });
+    }
+
+    /// Keeps what the last block has made of feed, spindle and tool.
+    #[cold]
+    pub(super) fn trace_process(&mut self) {
+        let process = self.state.process();
+        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        if let Some(last) = trace.last_mut() {
+            last.ready = process;
+        }
     }
 
     /// Keeps what the last block wrote into a table of the control.

@@ -144,7 +144,7 @@ impl Interpreter {
             if self.state.spindle.surface {
                 self.tell(Diagnostic::new(Message::TapSurface, block.words_span()));
             }
-        } else if self.state.tap.take() == Some(turn) {
+        } else if self.state.tap.take() == Some(turn) && turn != SpindleTurn::Stopped {
             self.tell(Diagnostic::new(Message::TapReverse, block.words_span()));
         }
     }

@@ -122,6 +122,7 @@ impl Message {
             | Self::CornerNoMove { word }
             | Self::CornerTooLarge { word }
             | Self::CornerNone { word }
+            | Self::CornerStraight { word }
             | Self::CornerNoLine { word }
             | Self::CornerAxis { word, .. }
             | Self::CornerInThread { word }
@@ -188,6 +189,7 @@ impl Message {
             | Self::ContourNothingToCut { code }
             | Self::CyclePlane { code, .. }
             | Self::CompensationOnArc { code }
+            | Self::CompensationTurnsBack { code }
             | Self::CompensationIdle { code } => vec![("code", Text(code))],
             Self::SequenceNotFound { sequence } => vec![("sequence", Count(i64::from(*sequence)))],
             Self::MacroAlarm { number, words } => vec![("number", Count(*number)), ("words", Text(words))],

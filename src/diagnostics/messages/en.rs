@@ -311,11 +311,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ThreadStartInside => "G76 starts at X{start}, at or inside the crest of the thread at X{crest}.\n\
             The tool returns to the start X after every pass: it must clear the work.",
         CornerNoMove => "`{word}` has no straight move behind it to form a corner with.\n\
-            The next block must move by G01 (G02 and G03 for `,C` and `,R`).",
+            The next block must move by G01 (on GSK, `L` and `D` may also stand before G02 and G03).",
         CornerTooLarge => "`{word}` is larger than the moves beside it.\n\
             It takes that much of each move; X counts as a diameter, so X46 to X50 is a way of 2 mm. Write a smaller corner, or lengthen the move.",
         CornerNone => "`{word}`: these two moves form no corner.\n\
-            The path goes straight on or turns back on itself. Put the word into the block where it turns, or delete it.",
+            The path turns back on itself. Put the word into the block where it turns, or delete it.",
+        CornerStraight => "`{word}`: the next move goes straight on, so nothing is inserted.\n\
+            Moves less than 1° apart form no corner for the control. Put the word into the block where the path turns, or delete it.",
         CornerNoLine => "`{word}`: there is no corner in this block.\n\
             A chamfer or a rounded corner needs a move by G01 (G02 and G03 for `,C` and `,R`); rapids and cycles have none.",
         CornerAxis => "`{word}` does not fit the next move.\n\
@@ -419,6 +421,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The path is shifted by the nose radius until G40. Cancel it on a move away from the work first.",
         CompensationSide => "{code} puts the nose on the side of the material here; {right} belongs to this cut.\n\
             Toward the chuck, outside work needs G42 and bores G41; the other way round they change.",
+        CompensationTurnsBack => "The path turns straight back under {code}: the nose goes over to its other side.\n\
+            It cuts into what it has just turned, by up to twice its radius. Lead the tool off the contour first, or cancel with G40.",
         CompensationIdleBlocks => "Two blocks without a move stand one behind the other while compensation is on.\n\
             The control looks only a few blocks ahead; without a next move it cuts too much or too little at the corner. Put such blocks elsewhere.",
         CompensationShort => "The move of {length} {mm} that begins or ends compensation is shorter than the nose radius {radius} {mm}.\n\

@@ -311,11 +311,13 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ThreadStartInside => "G76 的循环起点 X{start} 没有让开螺纹牙顶 X{crest}。\n\
             每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。",
         CornerNoMove => "`{word}` 后面没有直线移动，无法形成拐角。\n\
-            下一个程序段要用 G01 移动（`,C` 和 `,R` 也可以用 G02、G03）。",
+            下一个程序段要用 G01 移动（GSK 的 `L`、`D` 后面也可以是 G02、G03）。",
         CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。\n\
             它要从相邻每段中切去这么长；X 是直径值，X46 到 X50 只有 2 mm。请减小倒角或圆角，或加长移动。",
         CornerNone => "`{word}`：这两段移动之间没有拐角。\n\
-            路径在此直行或原路折返。请把它写到有拐角的段里，或删除。",
+            路径在此原路折返。请把它写到有拐角的段里，或删除。",
+        CornerStraight => "`{word}`：下一段移动继续直行，系统不插入任何移动。\n\
+            两段夹角小于 1° 时，系统认为没有拐角。请把它写到有拐角的段里，或删除。",
         CornerNoLine => "`{word}`：这个程序段没有拐角。\n\
             倒角和倒圆角要写在 G01 的移动中（`,C`、`,R` 也可用于 G02、G03）；快速移动和循环没有拐角。",
         CornerAxis => "`{word}` 与下一段移动不符。\n\
@@ -419,6 +421,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             在 G40 之前轨迹一直偏移刀尖半径。请先在离开工件的移动中写 G40。",
         CompensationSide => "这里 {code} 使刀尖偏到材料一侧，应为 {right}。\n\
             朝卡盘方向车外圆用 G42，镗孔用 G41；反方向时相反。",
+        CompensationTurnsBack => "{code} 有效时路径原路折返：刀尖会转到路径的另一侧。\n\
+            它会切入刚车好的表面，最多为刀尖半径的两倍。请先使刀具离开轮廓，或用 G40 取消补偿。",
         CompensationIdleBlocks => "补偿有效期间连续两个程序段没有移动。\n\
             系统只预读几个程序段；读不到下一移动时会在拐角过切或欠切。请把这些段放到别处。",
         CompensationShort => "建立或取消补偿的移动 {length} {mm} 小于刀尖半径 {radius} {mm}。\n\

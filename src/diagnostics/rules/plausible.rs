@@ -91,6 +91,10 @@ pub fn remarks(
 ) -> Vec<Diagnostic> {
     let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
+    if program.has_both_units() {
+        // Numbers of inches and of millimetres are not to be compared.
+        return told;
+    }
     told.extend(program.missing_points());
     told.extend(program.lost_minus_in_row());
     told.extend(program.increments_in_row());
@@ -121,6 +125,12 @@ const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
 const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
 
 impl<'a> Program<'a> {
+    /// Whether the program changes between inches and millimetres.
+    fn has_both_units(&self) -> bool {
+        let has = |code: f64| self.words.iter().any(|word| word.address == b'G' && word.value == code);
+        has(20.0) && has(21.0)
+    }
+
     fn read(text: &'a [u8], motions: &'a Motions, reading: Reading, most: usize) -> Option<Self> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();

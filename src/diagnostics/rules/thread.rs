@@ -41,11 +41,18 @@ pub fn remarks(
         told.push(Message::ThreadSpeedChanged { before: before.speed, now: own.speed });
     }
     let moved = own.start.z - before.start.z;
-    if !angle && !is_start_of_lead(moved, own.lead) {
+    let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
+    if !angle && !is_start_of_lead(moved, own.lead) && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
         told.push(Message::ThreadStartMoved { before, now, lead: own.lead });
     }
     told
+}
+
+/// Whether a pass begins as far to the side as infeed along a flank leads it, which is up to 30° off the square.
+fn is_along_flank(moved: f64, deeper: f64) -> bool {
+    const STEEPEST: f64 = std::f64::consts::FRAC_PI_6;
+    moved.abs() <= deeper * STEEPEST.tan() + NEAR
 }
 
 /// Two passes with one tool, lead and end are one thread.

@@ -32,6 +32,21 @@ fn a_groove_narrower_than_the_nose_is_an_overcut() {
 }
 
 #[test]
+fn a_valley_between_two_arcs_that_touch_is_an_overcut() {
+    for radius in [0.1, 0.4, 1.2] {
+        for tip in 0..=9 {
+            let found = faults(&run(Side::Right, nose(radius, tip), &cusp(), None));
+            assert!(matches!(found[..], [Fault { id: 3, reason: Reason::CutsIn { .. } }]), "{found:?}");
+        }
+    }
+    // From inside it is a point of two hollows, and the nose goes around it.
+    let nose = nose(0.4, 3);
+    let outcomes = run(Side::Left, nose, &cusp(), None);
+    assert_eq!(faults(&outcomes), []);
+    assert_tangent(&moves(&outcomes), nose, &cusp(), |made, element| made.id.abs_diff(element.id) <= 1);
+}
+
+#[test]
 fn a_short_slope_between_two_inner_corners_is_an_overcut() {
     // Two corners of 45°, each takes r·tan 22.5° = 0.331 of the slope; a step with one inner and one outer corner
     // takes nothing.

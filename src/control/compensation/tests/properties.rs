@@ -1,8 +1,11 @@
 //! What holds for every path: random lines and arcs.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
+
 use proptest::prelude::*;
 
 use super::*;
+use crate::control::compensation::clearance::ALLOWED;
 
 /// A piece of a random path: length, turn before it in radians, and how far it bends as an arc.
 type Piece = (f64, f64, Option<f64>);
@@ -13,6 +16,17 @@ fn pieces(arcs: bool) -> impl Strategy<Value = Vec<Piece>> {
         false => Just(None).boxed(),
     };
     prop::collection::vec((1.0..20.0f64, -2.9..2.9f64, bend), 2..8)
+}
+
+/// The same with short pieces, large arcs, and turns that people write: tangential, back the same way, square, and
+/// these a little off, as coordinates of three decimals make them.
+fn drawn_pieces() -> impl Strategy<Value = Vec<Piece>> {
+    let length = prop_oneof![0.05..2.0f64, 1.0..20.0f64];
+    let square = prop::sample::select(vec![0.0, FRAC_PI_2, PI, -FRAC_PI_2, -PI, FRAC_PI_3, -FRAC_PI_3]);
+    let off = prop_oneof![Just(0.0), -3e-7..3e-7f64, -1e-3..1e-3f64, -0.05..0.05f64];
+    let turn = prop_oneof![-3.1..3.1f64, (square, off).prop_map(|(square, off)| square + off)];
+    let bend = prop_oneof![Just(None), (-4.5..4.5f64).prop_map(Some)];
+    prop::collection::vec((length, turn, bend), 2..8)
 }
 
 fn random_path(pieces: &[Piece]) -> Vec<Element> {
@@ -85,6 +99,20 @@ proptest! {
             assert_tangent(&moves(&outcomes), nose, &path, |made, element| {
                 made.origin == Origin::Programmed && made.id == element.id
             });
+        }
+    }
+
+    #[test]
+    fn the_nose_never_cuts_into_the_moves_beside_its_own(
+        pieces in drawn_pieces(), side in sides(), radius in 0.05..4.0f64, tip in 0..=9u8,
+    ) {
+        let (path, nose) = (random_path(&pieces), nose(radius, tip));
+        let outcomes = run(side, nose, &path, None);
+        if faults(&outcomes).is_empty() {
+            assert_clear(&moves(&outcomes), nose, &path, |made, element| match made.origin {
+                Origin::Programmed => made.id.abs_diff(element.id) <= 2,
+                Origin::Corner => made.id == element.id || made.id == element.id + 1,
+            }, ALLOWED + NEAR);
         }
     }
 

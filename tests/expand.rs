@@ -1,0 +1,260 @@
+//! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same tool, the
+//! spindle turning the same way; and nobody is told more of it.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[allow(dead_code, reason = "texts and setups alone are read here")]
+mod fixtures;
+#[allow(dead_code, reason = "its programs alone are read here")]
+#[path = "../examples/rule-pages/page.rs"]
+mod page;
+
+use std::collections::BTreeSet;
+
+use gcode_playground::control::setup::Setup;
+use gcode_playground::diagnostics::Severity;
+use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::expand::expand;
+use gcode_playground::motion::{Feed, MotionKind, Step};
+use gcode_playground::run::Analysis;
+use gcode_playground::{analyze, api};
+use proptest::prelude::*;
+use serde_json::{Map, Value};
+
+/// Rows of the motions as they leave the crate, without what tells where they come from.
+fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {
+    let row = |row| match serde_json::to_value(row).expect("row") {
+        Value::Object(mut row) => {
+            // Beside the cuts of a thread, the lead is that of the cycle.
+            if row.get("kind").is_none_or(|kind| kind != "thread") {
+                row.remove("lead");
+            }
+            for key in ["line", "cycle", "pass", "step", "programmed", "uncertain"] {
+                row.remove(key);
+            }
+            row
+        }
+        other => panic!("{other}"),
+    };
+    api::motions(&analysis.motions, &analysis.setup.machine).map(row).collect()
+}
+
+/// Whether two values are alike, lengths to the thousandth that is written.
+fn alike(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) => {
+            one.len() == other.len()
+                && one.iter().all(|(key, value)| other.get(key).is_some_and(|other| alike(value, other)))
+        }
+        (Value::Number(one), Value::Number(other)) => {
+            let (one, other) = (one.as_f64().unwrap_or(f64::NAN), other.as_f64().unwrap_or(f64::NAN));
+            (one - other).abs() <= 0.0021 + 1e-3 * one.abs()
+        }
+        (one, other) => one == other,
+    }
+}
+
+/// The one door: what is different once a program is written out. Nothing, that is.
+fn difference(program: &str, setup: &Setup) -> Option<String> {
+    let plain = expand(program.as_bytes(), setup);
+    let (before, after) = (analyze(program.as_bytes(), setup), analyze(plain.as_bytes(), setup));
+    let why = |what: String| Some(format!("{what}\n{program}\n-- written out:\n{plain}"));
+    let (own, written) = (rows(&before), rows(&after));
+    for (index, (one, other)) in own.iter().zip(&written).enumerate() {
+        if !alike(&Value::Object(one.clone()), &Value::Object(other.clone())) {
+            return why(format!(
+                "motion {index}: {}\n  not {}",
+                Value::Object(other.clone()),
+                Value::Object(one.clone())
+            ));
+        }
+        let (one, other) = (before.motions.get(index), after.motions.get(index));
+        let (a, b) = (one.process, other.process);
+        if (a.turn, a.tool, a.clamp, a.speed) != (b.turn, b.tool, b.clamp, b.speed) {
+            return why(format!("motion {index}: {b:?}\n  not {a:?}"));
+        }
+        let same_feed = match (a.feed, b.feed) {
+            (Feed::PerMinute(a), Feed::PerMinute(b)) | (Feed::PerTurn(a), Feed::PerTurn(b)) => {
+                (a - b).abs() < 1e-4 * (1.0 + a)
+            }
+            (a, b) => a == b,
+        };
+        if !same_feed && !matches!(one.kind, MotionKind::Rapid | MotionKind::Dwell | MotionKind::Thread) {
+            return why(format!("motion {index}: {:?} not {:?}", b.feed, a.feed));
+        }
+    }
+    if own.len() != written.len() {
+        return why(format!("{} motions, not {}", written.len(), own.len()));
+    }
+    // A cycle that comes back at feed is not asked for its sign; its moves, written out, are.
+    let returns = before.motions.iter().any(|motion| {
+        motion.kind == MotionKind::Feed && motion.cycle.is_some_and(|step| step.step == Step::Retract)
+    });
+    let told: BTreeSet<_> = before.diagnostics.iter().map(|told| told.message.slug()).collect();
+    let more = after.diagnostics.iter().find(|more| {
+        matches!(more.severity, Severity::Error | Severity::Warning)
+            && !told.contains(more.message.slug())
+            && !(returns && more.message.slug() == "minus-missing")
+    });
+    let more = more?;
+    why(format!("{}: {}", more.message.slug(), more.message.sentence(Language::English).message))
+}
+
+#[track_caller]
+fn check_with(setup: &str, program: &str) {
+    let setup = Setup::from_json(setup).expect("setup");
+    if let Some(why) = difference(program, &setup) {
+        panic!("{why}");
+    }
+}
+
+#[track_caller]
+fn check(program: &str) {
+    check_with("{}", program);
+}
+
+/// All that is different at once.
+#[track_caller]
+fn assert_none(slips: &[String]) {
+    assert!(slips.is_empty(), "{} programs change:\n{}", slips.len(), slips.join("\n\n"));
+}
+
+#[test]
+fn the_programs_of_the_gallery_and_the_fixtures_do_the_same() {
+    let mut slips = Vec::new();
+    for program in fixtures::all() {
+        let setup = Setup::from_json(&program.setup).expect(&program.id);
+        slips.extend(difference(&program.text, &setup).map(|why| format!("{}: {why}", program.id)));
+    }
+    assert_none(&slips);
+}
+
+#[test]
+fn the_corrected_programs_of_the_rule_pages_do_the_same() {
+    let (mut slips, mut checked) = (Vec::new(), 0);
+    for (name, page) in page::all() {
+        let page = page.expect(&name);
+        let setup = Setup::from_json(&page.setup).expect(&name);
+        slips.extend(difference(&page.right, &setup).map(|why| format!("{name}: {why}")));
+        checked += 1;
+    }
+    assert!(checked > 150, "{checked}");
+    assert_none(&slips);
+}
+
+/// A contour roughed and finished, with `inside` in its second block and `behind` after the G70.
+fn finished(inside: &str, behind: &str) -> String {
+    format!(
+        "O1\nT0101\nG50 S3000\nG97 S500 M03\nG00 X62 Z2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X20\n\
+         G01 Z-10 {inside}\nX30 Z-20 F0.08\nN20 X60\nG70 P10 Q20\n{behind}G00 X100 Z50\nM30"
+    )
+}
+
+#[test]
+fn what_a_contour_commands_holds_in_its_finishing() {
+    for inside in ["S800 F0.1", "G96 S180 F0.1", "G97 S1200 F0.1", "G98 F90", "M04 F0.1", "S800 T0111 F0.1"] {
+        check(&finished(inside, ""));
+        check(&finished(inside, "G01 X59 F0.2\nZ-5\n"));
+        check(&finished(inside, "G97 S400 M03\nG99 G01 X59 F0.2\nZ-5\n"));
+    }
+    let inches = finished("G96 S180 F0.1", "").replace("O1\n", "O1\nG20\n");
+    check(&inches);
+}
+
+#[test]
+fn a_tap_is_turned_out_again() {
+    let program = |start: &str, end: &str| {
+        format!("O1\nT0101\nG97 {start}\nG00 X0 Z5\nG84 Z-20 R-2 F1.5{end}\nG80\nG00 Z50\nM30")
+    };
+    for start in ["S500 M03", "S500 M04"] {
+        check(&program(start, ""));
+        check(&program(start, "\nZ-25"));
+        check(&program(start, " P500"));
+    }
+    // Rigid tapping starts the spindle itself.
+    check(&program("S500", "").replace("G84", "M29 S500\nG84"));
+    // At a constant surface speed, it is said of both.
+    check(&program("S500 M03", "").replace("G97", "G50 S2000\nG96"));
+}
+
+#[test]
+fn a_rounding_may_use_its_move_up() {
+    check("O1\nT0101\nG97 S500 M03\nG00 X62 Z2\nG01 X75 F0.1\nZ-0.5\nZ-1 R0.5\nX82\nZ-5\nG00 X100 Z50\nM30");
+}
+
+#[test]
+fn the_way_home_from_a_compensated_path_stays_the_way_home() {
+    let setup = r#"{"tools": {"T0101": {"type": "turning", "noseRadius": 0.4, "tip": 3}}}"#;
+    let program = |home: &str| {
+        format!(
+            "O1\nT0101\nG97 S500 M03\nG00 X62 Z2\nG42 X40 Z1\nG01 Z-10 F0.2\nX50 Z-20\nX64\nG40\n{home}\nT0202\n\
+             G00 X60 Z2\nG28 U0 W0\nM30"
+        )
+    };
+    for home in ["G28 U0 W0", "G28 U0", "G28 X70", "G28 U0\nG28 W0", "G30 P2 U0 W0"] {
+        check_with(setup, &program(home));
+    }
+}
+
+#[test]
+fn flank_infeed_of_a_taper_thread_is_no_moved_start() {
+    check(
+        "O1\nT0101\nG97 S500 M03\nG00 X34 Z5\nG76 P010060 Q100 R0.05\nG76 X30 Z-20 R-1.2 P1300 Q300 F2\n\
+         G00 X80 Z20\nM30",
+    );
+}
+
+/// Blocks that change feed, speed, tool or spindle.
+fn technology() -> impl Strategy<Value = String> {
+    let whole =
+        |letter: &'static str, low: u32, high: u32| (low..high).prop_map(move |n| format!("{letter}{n}"));
+    prop_oneof![
+        3 => Just(String::new()),
+        2 => whole("S", 100, 2000),
+        1 => whole("G96 S", 80, 300),
+        1 => whole("G97 S", 200, 1500),
+        2 => (5u32..40).prop_map(|n| format!("F0.{n:02}")),
+        1 => Just("G98 F80".to_owned()),
+        1 => Just("G99 F0.25".to_owned()),
+        1 => Just("M04".to_owned()),
+        1 => Just("M03".to_owned()),
+    ]
+}
+
+/// An operation from X60 Z5 and back.
+fn operation() -> impl Strategy<Value = String> {
+    let contour = (technology(), technology(), technology(), technology()).prop_map(|(a, b, c, d)| {
+        format!(
+            "G00 X62 Z2\nG71 U3 R1\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X20 {a}\nG01 Z-10 F0.1 {b}\nX30 Z-20 {c}\n\
+             N20 X61 {d}\nG70 P10 Q20\nG01 X59 F0.2\nZ-5\nX62\n"
+        )
+    });
+    prop_oneof![
+        3 => contour,
+        1 => technology().prop_map(|a| format!("G00 X62 Z2\nG90 X56 Z-10 F0.2 {a}\nX52\nG00 X64\n")),
+        1 => technology().prop_map(|a| format!("G00 X62 Z2\nG94 X30 Z-1 F0.2 {a}\nZ-2\nG00 X64\n")),
+        1 => Just("G97 S500 M03\nG00 X0 Z5\nG84 Z-20 R-2 F1.5\nZ-25\nG80\n".to_owned()),
+        1 => Just("G97 S500 M04\nG00 X0 Z5\nG84 Z-20 R-2 F1.5 P500\nG80\n".to_owned()),
+        1 => technology().prop_map(|a| format!("G00 X0 Z5\nG83 Z-20 R-2 Q5000 F0.1 {a}\nG80\n")),
+        1 => technology().prop_map(|a| format!("G00 X62 Z2\nG01 X40 ,C2 F0.2 {a}\nZ-20 ,R3\nX62\n")),
+        1 => Just("G97 S500 M03\nG00 X32 Z5\nG92 X29 Z-20 F3\nX28.5\nG00 X62\n".to_owned()),
+        1 => Just("G97 S500 M03\nG00 X32 Z5\nG76 P010060 Q100 R0.05\nG76 X27.4 Z-20 P1300 Q300 F2\nG00 X62\n".to_owned()),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn generated_programs_do_the_same(
+        operations in prop::collection::vec((technology(), operation()), 1..4), inches in any::<bool>(),
+    ) {
+        let unit = if inches { "G20" } else { "G21" };
+        let mut program = format!("O1\n{unit} G99 T0101\nG50 S2500\nG97 S600 M03\nG00 X80 Z20 F0.2\n");
+        for (index, (between, operation)) in operations.iter().enumerate() {
+            let operation = operation.replace("N10", &format!("N{}10", index + 1)).replace("N20", &format!("N{}20", index + 1));
+            let operation = operation.replace("P10 Q20", &format!("P{0}10 Q{0}20", index + 1));
+            program += &format!("{between}\n{operation}G00 X80 Z20\n");
+        }
+        program += "M05\nM30\n";
+        let why = difference(&program, &Setup::default());
+        prop_assert!(why.is_none(), "{}", why.unwrap_or_default());
+    }
+}
