@@ -241,6 +241,8 @@ fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
     assert!(dangers(&deep, "16ER", 8).contains(&Danger::HolderInStock));
     // The holder of a left-hand tool lies towards the chuck.
     assert!(dangers(TO_A_SHOULDER, "16EL", 8).contains(&Danger::HolderInStock));
+}
+
 /// The blank is ⌀60 with a bore of 20. Nobody has named the tool: where its tip goes is known all the same.
 #[test]
 fn threads_that_start_within_the_work() {
