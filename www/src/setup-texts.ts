@@ -87,7 +87,7 @@ export const setupTexts: { readonly en: SetupTexts; readonly zh: SetupTexts; rea
     setup: 'Наладка',
     about: 'Заготовка, инструменты и станок. Что не указано, принимается: это серые значения.',
     toolsAssumed: 'Инструменты приняты',
-    stockAssumed: 'Заготовка принята: столкновения не проверены',
+    stockAssumed: 'Заготовка принята: столкновения не ищутся',
     useStock: 'взять её',
     placeholder: (value) => `${value} (принято)`,
     nothing: '—',
