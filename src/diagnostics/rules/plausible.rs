@@ -5,13 +5,14 @@
 //! style.
 
 mod increments;
+mod passes;
 mod points;
 mod signs;
 
 use std::collections::BTreeMap;
 
 use crate::diagnostics::{Diagnostic, Fix, Message};
-use crate::motion::{Motion, MotionKind, Motions, Step};
+use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Parser;
 use crate::text::source::Span;
@@ -55,6 +56,8 @@ struct Row {
     arc: bool,
     /// It moves at rapid, as far as the text tells.
     rapid: bool,
+    /// The same, and it names a place and is no cycle.
+    moves_at_rapid: bool,
     /// It stands in a contour, P to Q.
     contour: bool,
     /// Its sequence number.
@@ -169,6 +172,7 @@ impl<'a> Program<'a> {
                 motions: None,
                 arc,
                 rapid,
+                moves_at_rapid: rapid && role == Role::Place && has(b"XZUW"),
                 contour: false,
                 sequence: block.sequence,
                 parts,

@@ -1,0 +1,5 @@
+//! How often what is told is true: judged programs, and judged messages of real programs.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "precision/minus.rs"]
+mod minus;
