@@ -54,6 +54,8 @@ struct Row {
     /// Its first motion, and one past its last.
     motions: Option<(usize, usize)>,
     arc: bool,
+    /// G32, G33 or G92 is in force.
+    thread: bool,
     /// It moves at rapid, as far as the text tells.
     rapid: bool,
     /// The same, and it names a place and is no cycle.
@@ -113,7 +115,7 @@ impl<'a> Program<'a> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
-        let mut rapid = true;
+        let (mut rapid, mut thread) = (true, false);
         while parser.next_block(&mut block) {
             if rows.len() >= most {
                 return None;
@@ -132,6 +134,11 @@ impl<'a> Program<'a> {
                 let value = if negative { -number.value() } else { number.value() };
                 let decimals = number.has_point().then_some(number.decimals);
                 if word.address == b'G' && number.decimals == 0 {
+                    match number.mantissa {
+                        32 | 33 | 92 => thread = true,
+                        0..=3 | 90 | 94 => thread = false,
+                        _ => {}
+                    }
                     match number.mantissa {
                         code if SETTINGS.contains(&code) => role = Role::Other,
                         74..=76 if has(b"XZ") => role = Role::Deep,
@@ -171,6 +178,7 @@ impl<'a> Program<'a> {
                 words: first..words.len(),
                 motions: None,
                 arc,
+                thread,
                 rapid,
                 moves_at_rapid: rapid && role == Role::Place && has(b"XZUW"),
                 contour: false,

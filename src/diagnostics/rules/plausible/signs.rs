@@ -12,7 +12,6 @@ const LEAVES: f64 = 10.0;
 /// What a tool may go on beyond the place where cuts begin, mm.
 const OVERRUN: f64 = 3.0;
 
-
 impl Program<'_> {
     /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
     pub(super) fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
@@ -69,7 +68,8 @@ impl Program<'_> {
         let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
         let mut moves = self.rows[before.block..=word.block].iter().filter(|row| row.role == Role::Place);
         let next = self.rows.get(word.block + 1);
-        let goes_on = next.is_some_and(|row| row.role == Role::Place && !row.parts && !row.rapid && !along_z(row));
+        let goes_on =
+            next.is_some_and(|row| row.role == Role::Place && !row.parts && !row.rapid && !along_z(row));
         !cycle && !goes_on && moves.all(along_z)
     }
 
@@ -208,12 +208,22 @@ impl Program<'_> {
         let first = behind.find(|motion| motion.kind != MotionKind::Dwell && motion.from.x != motion.to.x);
         let plunges = |cut: Motion| {
             cut.kind.cuts()
+                && !cut.process.uncertain
                 && cut.cycle.is_none()
                 && (cut.from.z - place).abs() <= 0.001
                 && (cut.to.z - place).abs() <= 0.001
                 && cut.to.x < cut.from.x
         };
-        place > face + OVERRUN && first.is_some_and(plunges)
+        // Straight out again, as from a groove; a chamfer at a face goes on along Z.
+        let out = behind.find(|motion| motion.kind != MotionKind::Dwell);
+        let comes_out =
+            out.is_none_or(|motion| motion.to.x > motion.from.x && (motion.to.z - place).abs() <= 0.001);
+        place > face + OVERRUN && first.is_some_and(plunges) && comes_out && !self.has_several_frames()
+    }
+
+    /// G55 to G59: the zero point of another spindle may lie elsewhere.
+    fn has_several_frames(&self) -> bool {
+        self.words.iter().any(|word| word.address == b'G' && (55.0..=59.0).contains(&word.value))
     }
 
     /// Whether the motions of a block cut toward +Z to `place`, in front of the work, where cuts begin at `front`.
