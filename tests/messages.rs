@@ -115,7 +115,7 @@ fn codes_and_words() {
     check("G00 G01 X50 F100 M3 S500\n//  ^^^ W-SAME-GROUP");
     check("G50 X100 Z100 T0101\n//            ^^^^^ PS0245");
     check("G00 X50 T1\n//      ^^ W-T1");
-    check("G21 G90 G98\n//  ^^^ W-G90-MILL");
+    check("G0 X60 Z5\nM3 S1 F100\n   G90\n// ^^^ W-G90-MILL\nX50 Z-30");
     check("   G28\n// ^^^ W-G28-NO-AXIS");
     check("   G04\n// ^^^ W-DWELL-NO-TIME");
     check("   M777\n// ^^^^ W-M-UNKNOWN");
@@ -233,7 +233,7 @@ fn cycles_and_corners() {
     check(&format!("{start}G17\nG71 U2 R1\n   G71 P1 Q2\n// ^^^^^^^^^ PS0327\n{contour}"));
     check(&format!("{start}G90 X40 C20 Z-20\n//      ^^^ PS0330"));
     check(&format!("{start}{contour}\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-NO-ROUGH"));
-    check(&format!("{start}G71 U2 R1\nG71 P1 Q2\n{contour}\nG0 X60\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-START"));
+    check(&format!("{start}G71 U2 R1\nG71 P1 Q2\n{contour}\nG0 X30\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-START"));
     check(&format!("{start}G74 R1\nG74 Z-12 Q5\n//       ^^ W-PQ-UNIT"));
     check(&format!("{start}G1 Z-20 C2 R1\n//      ^^ PS0053"));
     check(&format!("{start}G32 Z-20 F2 R2\n//          ^^ PS0050"));
@@ -365,7 +365,7 @@ fn what_lasts_is_told_once() {
     let stock = r#"{"dialect": {"feedMode": "G98"}, "stock": {"diameter": 50, "length": 60}}"#;
     check_with(stock, "M3 S1 F100\nG0 X54 Z5\nG94 X30 Z2 R-20\n//         ^^^^ W-TAPER-NOT-EXTENDED\nZ1\nZ0");
     check("M3 S500\nG1 F0\n  X5\n//^^ PS0011\nX6\nX7\nF100 X8\nF0\n  X9\n//^^ PS0011");
-    check("M3 S500 F100\nG96 S120\n//  ^^^^ W-CSS-NOCLAMP\nG0 X5\nG97 S500\nG96 S100\nX9");
+    check("M3 S500 F100\nG96 S120\n//  ^^^^ W-CSS-NOCLAMP\nG1 X5\nG97 S500\nG96 S100\nX9");
     check("M3 S500 F100\nG96 S120\nG50 S2000\nG0 X5");
     check("M3 S500 F100\nG96 S120\nG97 S400\nG0 X5");
 }
@@ -398,7 +398,10 @@ fn numbers_and_words_are_named_as_they_are_written() {
     };
     check(&format!("{start}G71 P1 Q2 D-2\n//        ^^^ W-G71-U-SIGN\n{contour}"));
     has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be larger than zero.");
-    has("G30 P2", "G30 names no axis, so nothing moves.");
+    has(
+        "G30 P2",
+        "G30 names no axis: on FANUC controls nothing moves; others send all axes there. Nothing is drawn.",
+    );
     let reversed = "N10 G1 X20\nN20 Z-5\nG71 U1 R1\nG71 P20 Q10";
     has(&format!("{start}{reversed}"), "The block that `Q10` names stands before N20, which P names.");
     has(

@@ -295,6 +295,15 @@ impl Compensating {
     }
 }
 
+/// A move at feed while the spindle stands still.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StillMove {
+    /// Its block.
+    pub block: Span,
+    /// The words of the block.
+    pub words: Span,
+}
+
 /// The spindle as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spindle {
@@ -314,6 +323,8 @@ pub struct Spindle {
     pub still: bool,
     /// A live tool turns.
     pub live_tool: bool,
+    /// An M code of the machine's own with S or P has run since M05: it may turn this spindle, another one or a tool.
+    pub by_maker: bool,
 }
 
 impl Spindle {
@@ -398,6 +409,7 @@ pub enum Once {
     FeedZero,
     NoSpeedClamp,
     TaperNotExtended,
+    G28NoAxis,
 }
 
 impl Told {
@@ -468,8 +480,13 @@ pub struct State {
     pub threads_per_inch: Option<f64>,
     /// Groups 02 and the M codes of the spindle.
     pub spindle: Spindle,
-    /// G96 without a highest speed, and no motion since: G50 may still give one.
+    /// G96 without a highest speed, and no cut since: G50 may still give one.
     pub unclamped: Option<Span>,
+    /// G90 without an axis, and no move since: the next code of group 01 may end it.
+    pub g90_alone: Option<Span>,
+    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck opens or closes
+    /// now, it stops or pulls the bar.
+    pub still_move: Option<StillMove>,
     /// Group 07.
     pub compensation: Compensation,
     /// Turret station and offset number.
@@ -550,8 +567,11 @@ impl State {
                 turn: SpindleTurn::Stopped,
                 still: false,
                 live_tool: false,
+                by_maker: false,
             },
             unclamped: None,
+            g90_alone: None,
+            still_move: None,
             compensation: Compensation::Off,
             tool: (0, 0),
             pending: None,
@@ -590,7 +610,9 @@ impl State {
         let compensating = self.compensating.as_ref().map_or(u32::MAX, Compensating::first);
         let stop = self.stop.map_or(u32::MAX, |stop| stop.span.start);
         let unclamped = self.unclamped.map_or(u32::MAX, |span| span.start);
-        pending.min(compensating).min(stop).min(unclamped)
+        let g90_alone = self.g90_alone.map_or(u32::MAX, |span| span.start);
+        let still_move = self.still_move.map_or(u32::MAX, |still| still.block.start);
+        pending.min(compensating).min(stop).min(unclamped).min(g90_alone).min(still_move)
     }
 
     /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
@@ -606,6 +628,10 @@ impl State {
             stop.shift(shift);
         }
         self.unclamped = self.unclamped.map(|span| shift.span(span));
+        self.g90_alone = self.g90_alone.map(|span| shift.span(span));
+        self.still_move = self
+            .still_move
+            .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
         self.course.head = shift.resume(self.course.head);
     }
 

@@ -222,7 +222,7 @@ pub enum Message {
     /// G90 without axis words, as mills use it.
     G90AsAbsolute,
     /// I in a G92 block.
-    LetterIInG92 { as_taper: bool },
+    LetterIInG92,
     /// G28 or G30 without an axis.
     G28NoAxis { code: &'static str },
     /// P of G04 with a point.
@@ -573,7 +573,9 @@ impl Message {
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
             | Self::ShortTool { .. }
-            | Self::LetterIInG92 { .. }
+            | Self::LetterIInG92
+            | Self::G28NoAxis { .. }
+            | Self::ContourBothAxes { .. }
             | Self::MakerG { .. }
             | Self::HoleOfOthers { .. }
             | Self::MachineZero { .. }
@@ -625,7 +627,7 @@ impl Message {
             Self::SequenceNotFound { .. } => ("PS0128", "sequence-number-not-found", Error, Some("PS0128")),
             Self::CallTooDeep { alarm, .. } => (alarm, "calls-too-deep", Error, Some(alarm)),
             Self::NoReturn => ("W-NO-RETURN", "subprogram-without-return", Warning, Some("PS5010")),
-            Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Warning, None),
+            Self::EndlessMain => ("W-ENDLESS", "main-program-without-end", Info, None),
             Self::TooManyRepeats { .. } => ("W-ENDLESS", "too-many-repeats", Error, None),
             Self::TooMuchRepeated { .. } => ("W-ENDLESS", "too-much-text-repeated", Error, None),
             Self::TooManyRounds { .. } => ("W-ENDLESS", "too-many-rounds", Error, None),
@@ -669,7 +671,7 @@ impl Message {
             Self::ShortTool { .. } => ("W-T1", "short-tool-word", Warning, None),
             Self::ToolNumber { .. } => ("PS0043", "tool-number", Error, Some("PS0043")),
             Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
-            Self::LetterIInG92 { .. } => ("W-G92-I", "letter-i-in-g92", Warning, None),
+            Self::LetterIInG92 => ("W-G92-I", "letter-i-in-g92", Warning, None),
             Self::G28NoAxis { .. } => ("W-G28-NO-AXIS", "g28-without-axis", Warning, None),
             Self::DwellWithPoint { .. } => ("PS0007", "dwell-with-point", Warning, Some("PS0007")),
             Self::DwellNoTime => ("W-DWELL-NO-TIME", "dwell-without-time", Warning, None),
@@ -721,7 +723,7 @@ impl Message {
                 ("PS0325", "contour-reaches-over-other-cycle", Error, Some("PS0325"))
             }
             Self::ContourCall { .. } => ("E-SUB-IN-CONTOUR", "call-in-contour", Error, Some("PS0210")),
-            Self::ContourBothAxes { .. } => ("W-NS-BOTH-AXES", "contour-names-both-axes", Warning, None),
+            Self::ContourBothAxes { .. } => ("W-NS-BOTH-AXES", "contour-names-both-axes", Info, None),
             Self::ContourTypeTwo { .. } => ("W-NS-BOTH-AXES", "pockets-not-available", Error, Some("PS0323")),
             Self::ContourTurnsBack { axis: 'Z', .. } => {
                 ("W-NOT-MONOTONE", "contour-turns-back", Error, Some("PS0064"))

@@ -494,9 +494,22 @@ impl<'a> Parser<'a> {
             block.kind = BlockKind::Percent;
             // What stands behind the sign on its line is the leader of the tape.
             self.skip_line();
+        } else if self.ends_tape() {
+            self.skip_line();
+            self.ended = true;
         } else {
             block.fault(Diagnostic::new(Message::NotUnderstood { text: "%".into() }, span));
         }
+    }
+
+    /// Whether nothing but another program, or its sign, stands behind a percent sign: `M30%` as the last line of a file.
+    fn ends_tape(&self) -> bool {
+        const SEARCHED: usize = 200;
+        let behind = &self.lexer.text()[self.lexer.position() as usize..];
+        let line = behind.iter().position(|&byte| byte == b'\n').unwrap_or(behind.len());
+        let next = behind.iter().take(SEARCHED).find(|byte| !byte.is_ascii_whitespace() && **byte != b';');
+        let blank = behind[..line].iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';');
+        blank && next.is_none_or(|byte| matches!(byte, b'%' | b'O' | b'o' | b':' | 0 | 0x1A))
     }
 
     fn slash(&mut self, block: &mut Block) {

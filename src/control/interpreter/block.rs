@@ -81,6 +81,7 @@ impl Interpreter {
             self.take(text, block, &mut request, &mut words, index, word);
         }
         self.technology(text, block, &request, &words);
+        self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             self.trace_process();
         }
@@ -111,9 +112,6 @@ impl Interpreter {
             self.idle_block();
             self.watch_idle_blocks(block);
         }
-        if self.state.unclamped.is_some() && (request.moved || self.kept() != kept) {
-            self.tell_speed_clamp();
-        }
         if let Some(kind) = request.stop {
             self.stop(block, kind);
         }
@@ -128,6 +126,7 @@ impl Interpreter {
             }
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.live_tool = false;
+            self.state.spindle.by_maker = false;
             self.state.told.forget(Once::SpindleStopped);
         }
         match (self.jump.take(), request.passage) {
@@ -150,6 +149,7 @@ impl Interpreter {
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
+        self.tell_still_move();
         let end = block.words.iter().rfind(|word| word.address == b'M');
         if let Some(end) = end {
             self.watch_compensation_left_on(text, end.span);
@@ -195,6 +195,7 @@ impl Interpreter {
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES | TURNS) => {
                 self.settle_angle();
+                self.tell_still_move();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
                     self.tell(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
@@ -307,14 +308,12 @@ impl Interpreter {
             }
         }
         state.motion = mode;
-        if mode == MotionMode::Cycle(Single::Turning)
-            && !words.has_any(AXES)
-            && state.told.first(Once::G90AsAbsolute)
-        {
+        // With F it is a cycle on purpose: the ends of its passes follow.
+        let alone = mode == MotionMode::Cycle(Single::Turning) && !words.has_any(AXES | letters(b"FR"));
+        state.g90_alone = alone.then(|| {
             let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
-            let span = g90.map_or_else(|| block.words_span(), |word| word.span);
-            self.tell(Diagnostic::new(Message::G90AsAbsolute, span));
-        }
+            g90.map_or_else(|| block.words_span(), |word| word.span)
+        });
     }
 }
 

@@ -106,6 +106,10 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
             return None;
         };
+        match purpose {
+            Purpose::Roughing => self.asked_to_rough.push((first, last)),
+            Purpose::Finishing => self.for_finishing.retain(|other| other.0 != (first, last)),
+        }
         // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
         let roughed = match purpose {
             Purpose::Roughing => None,
@@ -155,7 +159,11 @@ impl Interpreter {
             // The F of the contour does not count; its lack is told of the cycle, not of each of these blocks.
             self.state.feed = Some(1.0);
         }
+        let noted = self.for_finishing.len();
         let read = self.read_shape(text, block, begins, last, code, purpose);
+        for (named, _) in &mut self.for_finishing[noted..] {
+            *named = (first, last);
+        }
         let moves = std::mem::replace(&mut self.recorded, outer).unwrap_or_default();
         self.purpose = outer_purpose;
         let told = self.state.told;

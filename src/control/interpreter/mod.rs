@@ -37,7 +37,7 @@ use super::dialect::{
     CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
 };
-use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, Target, ThreadPass};
+use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass};
 use super::program::Labels;
 use super::setup::{Setup, Tool, ToolKind};
 use super::words::{self, Reading, Words, letters, plain, quote};
@@ -165,6 +165,8 @@ struct Request {
     stop: Option<StopKind>,
     /// M02, M30.
     end: bool,
+    /// An M code that only the machine knows.
+    maker_m: bool,
     /// M97, M98, M99.
     passage: Option<Passage>,
     /// G65 or G66: the words behind it are arguments.
@@ -225,6 +227,10 @@ pub struct Interpreter {
     landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
     roughed: Vec<Roughed>,
+    /// P and Q of the cycles that were to rough a contour, whether they could or not.
+    asked_to_rough: Vec<(u32, u32)>,
+    /// Words of contours that roughing passes over, with P and Q of the contour: G70 may use them yet.
+    for_finishing: Vec<((u32, u32), Diagnostic)>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
     /// Blocks of the main program from this byte on have not been run yet.
@@ -285,6 +291,8 @@ impl Interpreter {
             lacks_end: false,
             landmarks: Vec::new(),
             roughed: Vec::new(),
+            asked_to_rough: Vec::new(),
+            for_finishing: Vec::new(),
             jump: None,
             furthest: 0,
             repeated: 0,
@@ -346,7 +354,9 @@ impl Interpreter {
     /// Makes the moves that wait for a next one: the program has ended.
     pub fn finish(&mut self) {
         self.settle();
+        self.tell_still_move();
         self.tell_speed_clamp();
+        self.tell_words_for_finishing();
     }
 
     /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.

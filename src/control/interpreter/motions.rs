@@ -336,6 +336,8 @@ impl Interpreter {
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
                 self.travel(block, motion, joint);
             }
+            // It goes along Y, which was told.
+            Ok(None) if words.has_any(letters(b"YV")) => {}
             Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
             Err(fault) => {
                 let message = match fault {

@@ -34,9 +34,13 @@ impl Interpreter {
         }
         if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
             // Roughing, pecking and threads run without compensation (semantics §4.4).
-            if self.nose().radius == 0.0 || self.state.told.first(Once::CompensationIdle) {
+            if self.state.told.first(Once::CompensationIdle) {
                 let code = cycle.cycle().code();
-                self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
+                let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
+                // Newer controls rough with compensation that was on before (semantics §4.4).
+                let rough =
+                    matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
+                self.tell(if rough { told.graded(Severity::Info) } else { told });
             }
         }
         let done = match cycle {
@@ -52,7 +56,7 @@ impl Interpreter {
     /// G70: the contour as it is written, then home.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
-        self.watch_finish(block);
+        self.watch_finish(block, &shape);
         let start = self.state.position;
         for routed in &shape.moves {
             let step = match routed.motion.kind {
@@ -72,12 +76,14 @@ impl Interpreter {
     }
 
     /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (semantics §7.8).
-    fn watch_finish(&mut self, block: &Block) {
+    fn watch_finish(&mut self, block: &Block, shape: &Shape) {
         let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
         let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
         let message = match roughed {
+            // A cycle that could not run was told.
+            None if self.asked_to_rough.contains(&own.named) => return,
             None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
-            Some(other) if other.start.distance(own.start) > 0.001 => {
+            Some(other) if other.start.distance(own.start) > 0.001 && !clears(own.start, other, shape) => {
                 Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
             }
             Some(_) => return,
@@ -436,6 +442,21 @@ impl Interpreter {
         }
         None
     }
+}
+
+/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the side from which
+/// it was roughed, and the tool goes away from the work to come there.
+fn clears(start: Point, roughed: &Landmarks, shape: &Shape) -> bool {
+    let ends = || shape.moves.iter().map(|routed| routed.motion.to);
+    let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
+    let outside = if roughed.start.x >= roughed.first.x { 1.0 } else { -1.0 };
+    let Some(last) = ends().last() else { return true };
+    // The face is at Z0, where the cycle that roughed began in front of it.
+    let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
+    if front * (start.z - face) < -NEAR {
+        return false;
+    }
+    ends().all(|end| front * (start.z - end.z) >= -NEAR) && outside * (start.x - last.x) >= -NEAR
 }
 
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.

@@ -34,10 +34,11 @@ impl Interpreter {
             return;
         }
         self.state.sent_home = true;
+        self.tell_still_move();
         self.other_axes(text, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
-            if !words.has_any(letters(b"YV")) {
+            if !words.has_any(letters(b"YV")) && self.state.told.first(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
                 self.tell(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
             }

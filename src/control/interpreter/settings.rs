@@ -18,7 +18,10 @@ impl Interpreter {
                 [b'F', b'S', b'T'].into_iter().find(|&address| words.get(address).is_some())
         {
             let word = words.quote(text, address);
-            self.tell(Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address)));
+            let told = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
+            if self.for_finishing.len() < self.setup.limits.messages {
+                self.for_finishing.push(((0, 0), told));
+            }
         }
         let setting = request.one_shot == Some(OneShot::Setting);
         if let Some(surface) = request.surface {
@@ -48,6 +51,8 @@ impl Interpreter {
             self.plane_left_on(text, word.span);
             let before = self.state.tool;
             self.tool(text, word);
+            let goes_home = matches!(request.one_shot, Some(OneShot::Home | OneShot::OtherHome));
+            self.state.sent_home |= goes_home;
             self.watch_tool_change(text, word, before);
         }
     }
@@ -86,6 +91,13 @@ impl Interpreter {
         speed.map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
     }
 
+    /// Words of a contour that neither roughing nor a G70 has used.
+    pub(super) fn tell_words_for_finishing(&mut self) {
+        for (_, told) in std::mem::take(&mut self.for_finishing) {
+            self.tell(told);
+        }
+    }
+
     /// A motion under G96 without a highest speed: once in a program.
     #[inline(never)]
     pub(super) fn tell_speed_clamp(&mut self) {
@@ -114,7 +126,9 @@ impl Interpreter {
         };
         if digits <= 2 && value > 0 {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
-            self.tell(Diagnostic::new(message, word.span));
+            // M06 beside it: a turret that takes two digits, or a changer.
+            let told = Diagnostic::new(message, word.span);
+            self.tell(if self.state.m_code == 6 { told.graded(Severity::Info) } else { told });
         }
         // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;

@@ -24,15 +24,13 @@ impl Interpreter {
             self.state.memory.taper = value;
         }
         if cycle == Single::Threading
+            && self.dialect.i_in_g92 == IInG92::Taper
             && words.get(b'I').is_some()
             && self.state.told.first(Once::LetterIInG92)
         {
-            let as_taper = self.dialect.i_in_g92 == IInG92::Taper;
             let word = words.quote(text, b'I');
-            let fix =
-                as_taper.then(|| Fix::write(words.span(b'I'), format!("R{}", words::behind_letter(&word))));
-            let told = Diagnostic::new(Message::LetterIInG92 { as_taper }, words.span(b'I'));
-            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            let fix = Fix::write(words.span(b'I'), format!("R{}", words::behind_letter(&word)));
+            self.tell(Diagnostic::new(Message::LetterIInG92, words.span(b'I')).with(fix));
         }
         if !words.has_any(AXES) {
             return;
@@ -73,6 +71,11 @@ impl Interpreter {
         if end.is_same(start) && memory.taper == 0.0 {
             // `U0 W0` behind a header with G90: nothing to cut.
             return;
+        }
+        if let Some(span) = self.state.g90_alone.take()
+            && self.state.told.first(Once::G90AsAbsolute)
+        {
+            self.tell(Diagnostic::new(Message::G90AsAbsolute, span));
         }
         let taper_span = taper.map_or_else(|| block.words_span(), |word| word.span);
         let taper_word = |control: &Self| match taper {
@@ -238,12 +241,17 @@ impl Interpreter {
             return !error;
         }
         if let Some(stock) = self.setup.stock
-            && let Some(message) =
+            && let Some((message, reading)) =
                 crate::diagnostics::rules::taper_not_extended(cycle, start, end, taper, stock)
             && self.state.told.first(Once::TaperNotExtended)
         {
             let mut told = Diagnostic::new(message, span);
+            let sure = reading == rules::TaperReading::HeightOnDrawing;
+            if !sure {
+                told = told.graded(Severity::Info);
+            }
             if let Message::TaperNotExtended { needed, .. } = told.message
+                && sure
                 && self.state.unit == words::Unit::Millimetre
                 && span.len() < LONGEST_WORD
             {

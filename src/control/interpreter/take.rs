@@ -5,7 +5,25 @@
 use super::*;
 use crate::control::doubt::{Doubt, Doubts};
 
+/// M10 and M11, M68 and M69: which of a pair closes the chuck differs from maker to maker.
+const CLAMP_ON: u64 = 10;
+const CLAMP_OFF: u64 = 11;
+const CHUCK_CLOSE: u64 = 68;
+const CHUCK_OPEN: u64 = 69;
+
 impl Interpreter {
+    /// The chuck opens or closes. While the spindle stands still, moves at feed hold or pull the bar.
+    fn chuck_moves(&mut self, number: u64) {
+        if self.state.spindle.turn != SpindleTurn::Stopped {
+            return;
+        }
+        let held = self.state.still_move.take().is_some();
+        if held || matches!(number, CLAMP_OFF | CHUCK_OPEN) {
+            // What moves at feed from here on, before the spindle turns again, belongs to it.
+            self.state.told.first(Once::SpindleStopped);
+        }
+    }
+
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
     #[inline]
     pub(super) fn take<'b>(
@@ -189,6 +207,12 @@ impl Interpreter {
             let message = Message::ChuckOpen { word: quote(text, word.span) };
             self.tell(Diagnostic::new(message, word.span));
         }
+        match number {
+            // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
+            CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number),
+            3 | 4 | 13 | 14 => self.tell_still_move(),
+            _ => {}
+        }
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
         match number {
@@ -214,6 +238,7 @@ impl Interpreter {
             Some(M::Return) => request.passage = Some(Passage::Return),
             None => {
                 state.unknown_m = true;
+                request.maker_m = true;
                 self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
             }
         }

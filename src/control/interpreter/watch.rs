@@ -53,7 +53,9 @@ impl Interpreter {
         if self.state.feed_use == FeedUse::Open {
             self.state.feed_use = FeedUse::Cut;
         }
-        self.watch_spindle(block);
+        if !stays(words) {
+            self.watch_spindle(block);
+        }
         true
     }
 
@@ -91,24 +93,48 @@ impl Interpreter {
         if self.state.told.first(Once::Checklist) {
             self.watch_checklist(block);
         }
+        if self.state.unclamped.is_some() {
+            self.tell_speed_clamp();
+        }
         let spindle = &self.state.spindle;
+        // Which M code turns a live tool depends on the machine.
+        let milling = self.state.c_axis || self.state.virtual_plane.is_some();
+        let may_turn = spindle.live_tool || spindle.by_maker || milling && self.state.unknown_m;
         if (spindle.turn == SpindleTurn::Stopped || spindle.still)
-            && !spindle.live_tool
+            && !may_turn
             && self.state.told.first(Once::SpindleStopped)
         {
-            let fix = Fix::insert(block.span.start, "M03\n".to_owned());
-            self.tell(Diagnostic::new(Message::SpindleStopped, block.words_span()).with(fix));
+            let still = StillMove { block: block.span, words: block.words_span() };
+            match self.recorded {
+                None => self.state.still_move = Some(still),
+                // The state of a contour is given up.
+                Some(_) => self.tell_of_still(still),
+            }
             return;
         }
+        let spindle = &self.state.spindle;
         let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
         if speed == 0.0
             && spindle.turn != SpindleTurn::Stopped
-            && !spindle.live_tool
+            && !may_turn
             && !spindle.still
             && self.state.told.first(Once::SpeedMissing)
         {
             self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));
         }
+    }
+
+    /// A move at feed with the spindle stopped was no work of a bar puller.
+    pub(super) fn tell_still_move(&mut self) {
+        if let Some(still) = self.state.still_move.take() {
+            self.tell_of_still(still);
+        }
+    }
+
+    #[cold]
+    fn tell_of_still(&mut self, still: StillMove) {
+        let fix = Fix::insert(still.block.start, "M03\n".to_owned());
+        self.tell(Diagnostic::new(Message::SpindleStopped, still.words).with(fix));
     }
 
     /// What is to be remarked of a pass of a thread, against the one before.
@@ -163,6 +189,7 @@ impl Interpreter {
             return;
         }
         self.state.told.forget(Once::Checklist);
+        self.tell_still_move();
         if before.0 != 0 {
             self.watch_compensation_left_on(text, word.span);
         }
@@ -290,9 +317,20 @@ impl Interpreter {
             && self.state.told.first(Once::CompensationIdle)
         {
             let code = cycle.cycle().code();
-            self.tell(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
+            let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
+            // The radius may stand in the control's own table.
+            self.tell(told.graded(Severity::Info));
         }
     }
+}
+
+/// Whether the words of a block leave the tool where it is: `W0`.
+fn stays(words: &Words) -> bool {
+    let idle = |address: u8| words.get(address).and_then(plain).is_some_and(|way| way == 0.0);
+    !words.has_any(letters(b"XZCHA"))
+        && words.has_any(letters(b"UW"))
+        && !words.has_any(letters(b"RIK"))
+        && [b'U', b'W'].into_iter().all(|address| words.get(address).is_none() || idle(address))
 }
 
 /// `P10.` as `P10`; nothing where digits stand behind the point.

@@ -145,7 +145,7 @@ impl Message {
             | Self::NoIntermediate
             | Self::DataPassedOver
             | Self::G90AsAbsolute
-            | Self::LetterIInG92 { .. }
+            | Self::LetterIInG92
             | Self::DwellNoTime
             | Self::CAxisNotConnected
             | Self::LiveToolStopped

@@ -67,7 +67,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             A program that calls itself, or two that call each other, never end.",
         NoReturn => "This subprogram ends without M99.\n\
             A control stops here with an alarm. The picture goes on behind the call.",
-        EndlessMain => "M99 in a main program makes it begin again, for ever; one round is drawn.\n\
+        EndlessMain => "Run as a main program, this one begins again at M99, for ever; one round is drawn.\n\
             That is usual with a bar feeder. As a subprogram, called by M98 from another, it would return to its caller. Write M30 to end the program.",
         TooManyRepeats => "From here more than {most} blocks were run by jumps, loops and calls; the run ends.\n\
             The loop has no end, or far too many rounds. Look at what should end it: its condition, its counter, or L of the call.",
@@ -177,13 +177,11 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ToolNumber => "`{word}` is not a tool number.\n\
             Write station and offset, such as T0101.",
         G90AsAbsolute => "G90 on a lathe is the turning cycle, not absolute programming.\n\
-            X and Z are always absolute here, U and W incremental. As it stands, the next X or Z would start a cycle: delete G90.",
+            X and Z are always absolute here, U and W incremental. Here X or Z without a G code of its own starts a cycle: delete G90, or write G00 or G01 before them.",
         LetterIIsTaper => "I in G92 was read as the taper, as R.\n\
             FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
-        LetterIIsThreads => "I in G92 was read as threads per inch.\n\
-            FANUC reads I as the taper (the old spelling of R), GSK as threads per inch.",
-        G28NoAxis => "{code} names no axis, so nothing moves.\n\
-            Write U0 W0 behind {code} to send both axes there.",
+        G28NoAxis => "{code} names no axis: on FANUC controls nothing moves; others send all axes there. Nothing is drawn.\n\
+            Write U0 W0 behind {code} to send both axes there on all of them. Said once.",
         DwellWithPoint => "`{word}` has a point; it was read as seconds.\n\
             FANUC takes milliseconds without a point and raises an alarm here; Haas reads seconds. X or U give seconds everywhere.",
         DwellNoTime => "G04 has no time, so it does not wait.\n\
@@ -253,8 +251,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
         TaperBeyondLength => "`{word}` is larger than the length of `{axis}{limit}`: the cut would begin outside the start point.\n\
             When R and the way to the end point have different signs, the start of the cut must not lie beyond the start point.",
-        TaperNotExtended => "R{taper} is the taper of the drawing, not of the real start point: the cut leaves the stock at {axis}{crossing}, not {axis}{wanted}.\n\
-            The cut begins outside the stock, so R must be longer in proportion: R{needed}.",
+        TaperNotExtended => "From this start point R{taper} meets the edge of the stock at {axis}{crossing}; for {axis}{wanted} it would be R{needed}.\n\
+            R counts from the start point, which lies outside the stock. Is R{taper} the height of the cone on the drawing? Then extend it in proportion. If it was worked out for this start point, it is right.",
         ContourNotNamed => "{code} needs both P and Q.\n\
             P names the first block of the contour by its N number, Q the last.",
         ContourNotFound => "No block has the number that `{word}` names.\n\
@@ -349,8 +347,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Write G40 first, on a move before the plane changes.",
         LeadRunsOut => "With `{word}` the lead of G34 is zero after {reached} {mm}, and the thread is {length} {mm} long.\n\
             K is the change of lead for each turn; it must leave the lead positive to the end.",
-        CompensationIdle => "Nose radius compensation is on, but it changes nothing in this {code}.\n\
-            Threads are cut without it; G90 and G94 need a nose radius in the tool's offset.",
+        CompensationIdle => "Nose radius compensation is on, but it is not applied in this {code}.\n\
+            Threads and grooves are cut without it, roughing on most controls too; G90 and G94 need a nose radius in the tool's offset.",
         LeadingZero => "`{word}` counts as {value}: a zero in front changes nothing.\n\
             A decimal point was probably lost: `{meant}`. Without it the number is ten times or more too large.",
         PointMissing => "`{word}` has no decimal point, though the program writes all others with one.\n\

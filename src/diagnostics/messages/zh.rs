@@ -67,7 +67,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             程序调用自身，或两个程序互相调用，永远不会结束。",
         NoReturn => "该子程序结尾没有 M99。\n\
             系统在此报警停止；图形从调用处之后继续。",
-        EndlessMain => "主程序中的 M99 使程序从头再来，无限循环；图中只画一遍。\n\
+        EndlessMain => "作为主程序运行时，本程序在 M99 处从头再来，无限循环；图中只画一遍。\n\
             自动送料加工常这样写。作为子程序由 M98 调用时，则返回调用它的程序。结束程序请写 M30。",
         TooManyRepeats => "从这里起，跳转、循环和调用执行的程序段超过 {most} 段，运行结束。\n\
             循环没有终点，或次数太多。请检查循环条件、计数变量或调用的 L。",
@@ -177,13 +177,11 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
         ToolNumber => "`{word}` 不是有效的 T 代码。\n\
             请写刀号和刀补号，如 T0101。",
         G90AsAbsolute => "车床上的 G90 是外圆切削循环，不是绝对值编程。\n\
-            车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。留着 G90，下一个 X 或 Z 就会启动循环：请删去 G90。",
+            车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。这里的 X 或 Z 没有自己的 G 代码，会启动循环：请删去 G90，或在其前写 G00 或 G01。",
         LetterIIsTaper => "G92 中的 I 已按锥度（同 R）读取。\n\
             FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
-        LetterIIsThreads => "G92 中的 I 已按每英寸牙数读取。\n\
-            FANUC 把 I 当作锥度（R 的旧写法），GSK 把 I 当作每英寸牙数。",
-        G28NoAxis => "{code} 没有指定轴，刀具不动。\n\
-            要让两轴都返回该点，请在 {code} 后写 U0 W0。",
+        G28NoAxis => "{code} 没有指定轴：FANUC 系统上刀具不动，有的系统各轴都返回。图中不画移动。\n\
+            在 {code} 后写 U0 W0，各种系统上两轴都返回该点。只提示一次。",
         DwellWithPoint => "`{word}` 带小数点，按秒读取。\n\
             FANUC 的 P 为毫秒，不带小数点，否则报警；Haas 读作秒。用 X 或 U 在各种系统上都是秒。",
         DwellNoTime => "G04 没有写时间，不会暂停。\n\
@@ -253,8 +251,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             R 与 {axis} 的符号不一致时，要求 |R| ≤ |U/2|。",
         TaperBeyondLength => "`{word}` 超过 `{axis}{limit}` 的长度：切削起点会落到循环起点之外。\n\
             R 与 {axis} 的符号不一致时，要求 |R| ≤ |W|。",
-        TaperNotExtended => "R{taper} 是图样上的锥度，没有考虑实际的循环起点：锥面与毛坯边缘交于 {axis}{crossing}，而不是 {axis}{wanted}。\n\
-            切削起点在毛坯之外，R 的绝对值要按比例加大：R{needed}。",
+        TaperNotExtended => "从这个起点起，R{taper} 的锥面与毛坯边缘交于 {axis}{crossing}；要交于 {axis}{wanted}，应为 R{needed}。\n\
+            R 从循环起点算起，而起点在毛坯之外。R{taper} 如果是图样上锥面的高度，要按比例加大；如果已按这个起点算出，就是对的。",
         ContourNotNamed => "{code} 必须同时写 P 和 Q。\n\
             P 是精加工路线第一个程序段的顺序号，Q 是最后一个程序段的顺序号。",
         ContourNotFound => "找不到 `{word}` 指定的程序段。\n\
@@ -349,8 +347,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             请先在换平面之前的移动段中写 G40 取消补偿。",
         LeadRunsOut => "按 `{word}`，G34 的导程在 {reached} {mm} 后减小到零，而螺纹长 {length} {mm}。\n\
             K 是主轴每转的导程增减量，直到终点导程都必须大于零。",
-        CompensationIdle => "刀尖半径补偿已打开，但对这里的 {code} 不起作用。\n\
-            车螺纹时不进行补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
+        CompensationIdle => "刀尖半径补偿已打开，但这里的 {code} 不进行补偿。\n\
+            车螺纹、切槽时不补偿，多数系统粗车时也不补偿；G90、G94 要在刀补中输入刀尖半径才有效。",
         LeadingZero => "`{word}` 的值是 {value}：前面的零不起作用。\n\
             很可能漏了小数点，应为 `{meant}`。漏掉后数值大了十倍以上。",
         PointMissing => "`{word}` 没有小数点，而程序中其他数都写了小数点。\n\

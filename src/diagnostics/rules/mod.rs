@@ -8,4 +8,4 @@ pub mod plausible;
 mod taper;
 pub mod thread;
 
-pub use taper::{shape as taper_shape, taper_not_extended};
+pub use taper::{Reading as TaperReading, shape as taper_shape, taper_not_extended};

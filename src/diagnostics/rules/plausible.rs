@@ -5,6 +5,7 @@
 //! style.
 
 mod increments;
+mod passes;
 mod points;
 mod signs;
 
@@ -13,7 +14,7 @@ use std::collections::BTreeMap;
 use crate::control::dialect::DecimalRule;
 use crate::control::words::Reading;
 use crate::diagnostics::{Diagnostic, Fix, Message};
-use crate::motion::{Motion, MotionKind, Motions, Step};
+use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Parser;
 use crate::text::source::Span;
@@ -55,8 +56,12 @@ struct Row {
     /// Its first motion, and one past its last.
     motions: Option<(usize, usize)>,
     arc: bool,
+    /// G32, G33 or G92 is in force.
+    thread: bool,
     /// It moves at rapid, as far as the text tells.
     rapid: bool,
+    /// The same, and it names a place and is no cycle.
+    moves_at_rapid: bool,
     /// It stands in a contour, P to Q.
     contour: bool,
     /// Its sequence number.
@@ -135,7 +140,7 @@ impl<'a> Program<'a> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
-        let mut rapid = true;
+        let (mut rapid, mut thread) = (true, false);
         while parser.next_block(&mut block) {
             if rows.len() >= most {
                 return None;
@@ -158,6 +163,11 @@ impl<'a> Program<'a> {
                 let value = if negative { -value } else { value };
                 let decimals = number.has_point().then_some(number.decimals);
                 if word.address == b'G' && number.decimals == 0 {
+                    match number.mantissa {
+                        32 | 33 | 92 => thread = true,
+                        0..=3 | 90 | 94 => thread = false,
+                        _ => {}
+                    }
                     match number.mantissa {
                         code if SETTINGS.contains(&code) => role = Role::Other,
                         74..=76 if has(b"XZ") => role = Role::Deep,
@@ -197,7 +207,9 @@ impl<'a> Program<'a> {
                 words: first..words.len(),
                 motions: None,
                 arc,
+                thread,
                 rapid,
+                moves_at_rapid: rapid && role == Role::Place && has(b"XZUW"),
                 contour: false,
                 sequence: block.sequence,
                 parts,

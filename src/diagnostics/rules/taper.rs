@@ -11,15 +11,23 @@ use crate::geometry::Point;
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;
 
-/// Tells when R looks like the taper of the drawing though the cut begins outside the blank: R would be a
-/// round number at the blank's surface, but the cut leaves the blank at an odd place.
+/// What may be meant by an R that is a round number at the blank's surface, while the cut leaves the blank at an odd place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The height of the cone on the drawing, not extended to the start point: no drawing has the other numbers.
+    HeightOnDrawing,
+    /// That, or an R worked out for the start point: the cone is a usual one, or its edge could be dimensioned.
+    OrForStartPoint,
+}
+
+/// Tells when R looks like the taper of the drawing though the cut begins outside the blank, and how sure that is.
 pub fn taper_not_extended(
     cycle: Single,
     start: Point,
     end: Point,
     taper: f64,
     stock: Stock,
-) -> Option<Message> {
+) -> Option<(Message, Reading)> {
     if taper == 0.0 {
         return None;
     }
@@ -51,13 +59,31 @@ pub fn taper_not_extended(
     let fits_drawing = is_tenth(crossing) || at_zero.is_some_and(is_tenth);
     let coarse = is_round(wanted) && !is_round(crossing);
     let fine = is_tenth(wanted) && !fits_drawing;
-    (coarse && !at_zero.is_some_and(is_round) || fine).then(|| Message::TaperNotExtended {
-        taper,
-        needed: taper / part,
-        crossing,
-        wanted,
-        axis,
-    })
+    let (height, length) = match cycle {
+        Single::Facing => (end.x - start.x, taper),
+        Single::Turning | Single::Threading => (taper, end.z - start.z),
+    };
+    let other = is_hundredth(crossing) || is_usual_cone((height / length).abs());
+    let reading = if other { Reading::OrForStartPoint } else { Reading::HeightOnDrawing };
+    let told = Message::TaperNotExtended { taper, needed: taper / part, crossing, wanted, axis };
+    (coarse && !at_zero.is_some_and(is_round) || fine).then_some((told, reading))
+}
+
+/// Whether a drawing may give a cone by its slope (radius over length): a usual 1:n in the diameter (ISO 1119), or a half or whole degree to the
+/// axis. R has three decimals, so the slope is known to as many digits.
+fn is_usual_cone(slope: f64) -> bool {
+    const RATIOS: [f64; 13] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 30.0, 50.0];
+    const DIGITS: f64 = 5e-4;
+    let ratio = 1.0 / (2.0 * slope);
+    let near = |value: f64, to: f64| (value - to).abs() <= DIGITS * to.max(1.0);
+    let by_ratio = RATIOS.into_iter().any(|usual| near(ratio, usual));
+    let degrees = slope.atan().to_degrees();
+    by_ratio || near(2.0 * degrees, (2.0 * degrees).round())
+}
+
+/// Whether a drawing may carry this length at all: a multiple of a hundredth of a millimetre.
+fn is_hundredth(length: f64) -> bool {
+    (length * 100.0 - (length * 100.0).round()).abs() <= 0.01
 }
 
 /// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the axis, or becomes
@@ -117,13 +143,30 @@ mod tests {
     #[test]
     fn seed_004_needs_r_minus_24_from_x54() {
         let (start, end) = (Point::new(27.0, 5.0), Point::new(15.0, 0.0));
-        let Some(Message::TaperNotExtended { needed, crossing, wanted, .. }) =
+        let Some((Message::TaperNotExtended { needed, crossing, wanted, .. }, Reading::HeightOnDrawing)) =
             taper_not_extended(Single::Facing, start, end, -20.0, STOCK)
         else {
             panic!("R-20 from X54 must be told")
         };
         assert!((needed + 24.0).abs() < 1e-9 && (crossing + 16.6667).abs() < 1e-3 && wanted == -20.0);
         assert_eq!(taper_not_extended(Single::Facing, start, end, -24.0, STOCK), None);
+    }
+
+    #[test]
+    fn a_usual_cone_may_have_been_worked_out_for_the_start_point() {
+        // 1:5 over 23 mm, worked out for the start point: X46 at the face.
+        let reading = |taper: f64, from: f64| {
+            let (start, end) = (Point::new(30.0, from), Point::new(25.0, -20.0));
+            taper_not_extended(Single::Turning, start, end, taper, STOCK).map(|told| told.1)
+        };
+        assert_eq!(reading(-2.3, 3.0), None);
+        // 1:5 over 25 mm, round at both ends only for the start point.
+        assert_eq!(reading(-2.5, 5.0), None);
+        assert_eq!(reading(-3.0, 2.0), Some(Reading::HeightOnDrawing));
+        // The edge at X45.2 could be dimensioned.
+        assert_eq!(reading(-3.0, 5.0), Some(Reading::OrForStartPoint));
+        // 2 mm in the diameter over 24 mm are 1:12.
+        assert_eq!(reading(-1.0, 4.0), Some(Reading::OrForStartPoint));
     }
 
     #[test]

@@ -14,10 +14,18 @@ impl Program<'_> {
         };
         // Where numbers without a point count increments, zeros in front of a length are a habit.
         let numbers: &[u8] = if self.decimal == DecimalRule::LeastIncrement { b"F" } else { numbers };
-        let bare = |word: &&Word| numbers.contains(&word.address) && word.decimals.is_none();
+        let bare = |word: &&Word| {
+            numbers.contains(&word.address) && word.decimals.is_none() && !self.is_threads_per_inch(word)
+        };
         let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
-        // Who pads lengths more than once, `Z02`, counts on it; nobody pads a feed.
-        let lengths = found.iter().filter(|word| word.address != b'F').count();
+        // Who pads lengths more than once, `Z02` and `X00`, counts on it; nobody pads a feed.
+        let zero = |word: &&Word| {
+            b"XZUW".contains(&word.address)
+                && word.value == 0.0
+                && word.span.of(self.text)[1..].starts_with(b"00")
+        };
+        let zeros = self.words.iter().filter(bare).filter(zero).count();
+        let lengths = found.iter().filter(|word| word.address != b'F').count() + zeros;
         let alone = found.into_iter().filter(|word| word.address == b'F' || lengths == 1);
         let tell = |word: &Word| {
             let written = self.quote(word);
@@ -30,6 +38,11 @@ impl Program<'_> {
         alone.map(tell).collect()
     }
 
+    /// I of a thread on GSK controls: so many to the inch, which is mostly a whole number.
+    fn is_threads_per_inch(&self, word: &Word) -> bool {
+        word.address == b'I' && !word.negative && self.rows[word.block].thread
+    }
+
     /// A single number without a point in a program that writes points, unless it is meant to count increments.
     pub(super) fn missing_points(&self) -> Vec<Diagnostic> {
         if self.decimal == DecimalRule::LeastIncrement {
@@ -38,6 +51,7 @@ impl Program<'_> {
         let lengths = |word: &&Word| {
             (b"XZUWRIK".contains(&word.address)
                 && self.rows[word.block].role == Role::Place
+                && !self.is_threads_per_inch(word)
                 && word.value != 0.0)
                 || word.address == b'F' && word.value != 0.0
         };

@@ -1,6 +1,16 @@
 //! Lost minus signs: a Z that cuts away from the chuck.
+//!
+//! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck outward or in the
+//! sub-spindle. `passes` tells how a tool came to a move; only where no such reading is left is a minus missed.
 
+use super::passes::{CENTRE, Pass};
 use super::*;
+
+/// The farthest that a tool leaves the face at feed before the next rapid, mm.
+const LEAVES: f64 = 10.0;
+
+/// What a tool may go on beyond the place where cuts begin, mm.
+const OVERRUN: f64 = 3.0;
 
 impl Program<'_> {
     /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
@@ -18,29 +28,88 @@ impl Program<'_> {
                 continue;
             }
             let meant = -word.value;
-            let flagged =
-                match behind.filter(|behind| behind.address == b'Z' && !self.rows[behind.block].rapid) {
-                    // Between its neighbours with the minus, and the next one lies at −Z.
-                    Some(behind) => {
-                        let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
-                        behind.negative && low <= meant && meant <= high && word.value > before.value + 0.001
-                    }
-                    // A contour leads into the work, and so does an arc.
-                    None if row.contour && before.value >= 0.0 && !self.rows[before.block].contour => {
-                        word.value > before.value + 0.001
-                    }
-                    None if row.arc && before.value.abs() < 0.001 => true,
-                    // The last of a row that went on that way: no retreat goes so far.
-                    None => {
-                        let near = word.value <= 3.0 * before.value.abs() && word.value * self.unit >= 5.0;
-                        before.negative && meant < before.value && near && !self.rows[before.block].rapid
-                    }
-                };
-            if flagged {
+            // A rapid between two places: the second belongs to another pass.
+            let in_one_go = |behind: &&Word| {
+                behind.address == b'Z'
+                    && !self.rows[word.block + 1..=behind.block].iter().any(|row| row.moves_at_rapid)
+            };
+            let flagged = match behind.filter(in_one_go) {
+                // Between its neighbours with the minus, and the next one lies at −Z.
+                Some(behind) => {
+                    let (low, high) = (before.value.min(behind.value), before.value.max(behind.value));
+                    behind.negative && low <= meant && meant <= high && word.value > before.value + 0.001
+                }
+                // A contour leads into the work, and so does an arc.
+                None if row.contour && before.value >= 0.0 && !self.rows[before.block].contour => {
+                    word.value > before.value + 0.001
+                }
+                None if row.arc && before.value.abs() < 0.001 => !self.comes_from_behind(word),
+                // The last of a row that went on that way: no retreat goes so far.
+                None => {
+                    let near = word.value <= 3.0 * before.value.abs() && word.value * self.unit >= 5.0;
+                    before.negative
+                        && meant < before.value
+                        && near
+                        && !self.rows[before.block].moves_at_rapid
+                        && !self.draws_back(before, word)
+                }
+            };
+            if flagged && !self.leaves_the_face(before, word, behind) {
                 told.push(self.minus(word));
             }
         }
         told
+    }
+
+    /// Two moves along Z alone and then no further cut: the tool comes back the way it went.
+    fn draws_back(&self, before: &Word, word: &Word) -> bool {
+        let row = &self.rows[word.block];
+        let along_z = |row: &Row| !self.words_of(row).iter().any(|word| b"XU".contains(&word.address));
+        let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
+        let mut moves = self.rows[before.block..=word.block].iter().filter(|row| row.role == Role::Place);
+        let next = self.rows.get(word.block + 1);
+        let goes_on =
+            next.is_some_and(|row| row.role == Role::Place && !row.parts && !row.rapid && !along_z(row));
+        !cycle && !goes_on && moves.all(along_z)
+    }
+
+    /// The last rapid along Z before a word ended behind the face: what follows cuts outward.
+    fn comes_from_behind(&self, word: &Word) -> bool {
+        let stretch = self.rows[..word.block].iter().rev().take_while(|row| !row.parts);
+        let rapids = stretch.filter(|row| row.moves_at_rapid);
+        let mut lengths =
+            rapids.filter_map(|row| self.words_of(row).iter().find(|word| word.address == b'Z'));
+        lengths.next().is_some_and(|length| length.negative && length.value != 0.0)
+    }
+
+    /// The tool came in along the face, to the centre or to the bore of a tube, and now goes away from it.
+    fn leaves_the_face(&self, before: &Word, word: &Word, behind: Option<&Word>) -> bool {
+        let row = &self.rows[word.block];
+        let own = |address: u8| self.words_of(row).iter().find(|word| word.address == address);
+        if before.value < 0.0 || row.arc {
+            return false;
+        }
+        let x_of = |row: &Row| self.words_of(row).iter().find(|word| word.address == b'X').copied();
+        let mut crossways = self.rows[..word.block].iter().rev().take_while(|row| !row.parts);
+        let Some((last, at_rapid)) =
+            crossways.find_map(|row| x_of(row).map(|word| (word, row.moves_at_rapid)))
+        else {
+            return false;
+        };
+        if at_rapid {
+            return false;
+        }
+        if last.value <= 0.0 {
+            return true;
+        }
+        let Some(first) = crossways.find_map(x_of) else { return false };
+        if own(b'X').is_some() || first.value <= last.value {
+            return false;
+        }
+        // Back to where it came from, rather than on to the next diameter.
+        let to = behind.map_or(self.rows.len(), |behind| behind.block + 1);
+        let next = self.rows[word.block + 1..to].iter().find_map(x_of);
+        next.is_some_and(|next| next.value >= 0.8 * first.value)
     }
 
     pub(super) fn minus(&self, word: &Word) -> Diagnostic {
@@ -67,36 +136,98 @@ impl Program<'_> {
         front
     }
 
-    /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`.
+    /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one that a rapid brought there.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut told = Vec::new();
         let Some(front) = self.approach() else { return Vec::new() };
         // Which tools cut toward the chuck: one that never does works on the other side.
         let mut inward: BTreeMap<u16, usize> = BTreeMap::new();
+        let mut turns = false;
         for index in 0..self.motions.len() {
             let motion = self.motions.get(index);
+            turns |= motion.kind.cuts() && motion.process.turn != SpindleTurn::Stopped;
             if motion.kind.cuts() && motion.to.z < motion.from.z && motion.to.z < 0.0 {
                 *inward.entry(motion.process.tool.0).or_default() += 1;
             }
         }
         let mut outward: BTreeMap<u16, usize> = BTreeMap::new();
-        for row in self.rows.iter().filter(|row| row.role != Role::Other) {
-            let Some(word) = self.words_of(row).iter().find(|word| word.address == b'Z') else { continue };
-            let Some((from, to)) = row.motions else { continue };
+        let mut pass = Pass::default();
+        for (row, word, (from, to)) in self.positive_lengths() {
             let place = word.value * self.unit;
-            if word.negative || place <= 0.0 || !self.leads_away(from, to, place, front) {
+            pass.advance(self.motions, from);
+            let first = self.motions.get(from);
+            // A bar is pulled or stopped while the spindle stands still.
+            if turns && first.process.turn == SpindleTurn::Stopped {
                 continue;
             }
-            let tool = self.motions.get(from).process.tool.0;
-            *outward.entry(tool).or_default() += 1;
-            told.push((tool, self.minus(word)));
+            let lost = match row.moves_at_rapid {
+                true => self.plunges_in_air(&pass, from, to, place),
+                false => !self.faces_in_steps(row) && self.leads_away(&pass, from, to, place, front),
+            };
+            if lost {
+                let tool = first.process.tool.0;
+                *outward.entry(tool).or_default() += 1;
+                told.push((tool, self.minus(word)));
+            }
         }
         let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains_key(tool);
         told.into_iter().filter(|(tool, _)| !works_outward(tool)).map(|(_, told)| told).collect()
     }
 
+    /// Blocks with a Z greater than zero, and what they moved, in the order in which they ran.
+    fn positive_lengths(&self) -> Vec<(&Row, &Word, (usize, usize))> {
+        let rows = self.rows.iter().filter(|row| row.role != Role::Other);
+        let mut found: Vec<_> = rows
+            .filter_map(|row| {
+                let word = self.words_of(row).iter().find(|word| word.address == b'Z')?;
+                (!word.negative && word.value > 0.0).then_some((row, word, row.motions?))
+            })
+            .collect();
+        found.sort_by_key(|found| found.2.0);
+        found
+    }
+
+    /// `Z3`, `Z2`, `Z1` of a facing cycle: the steps of a thick saw cut.
+    fn faces_in_steps(&self, row: &Row) -> bool {
+        let length = |row: &Row| self.words_of(row).iter().find(|word| word.address == b'Z').copied();
+        let Some(own) = length(row) else { return false };
+        let behind = self.rows[own.block + 1..].iter().take_while(|row| !row.parts && !row.moves_at_rapid);
+        let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
+        let next = behind.into_iter().find_map(length);
+        cycle && next.is_some_and(|next| !next.negative && next.value < own.value)
+    }
+
+    /// Whether a rapid led to `place`, in front of a face that is cut already, and the tool then cuts straight in there.
+    fn plunges_in_air(&self, pass: &Pass, from: usize, to: usize, place: f64) -> bool {
+        let last = self.motions.get(to - 1);
+        if last.kind != MotionKind::Rapid || last.cycle.is_some() || (last.to.z - place).abs() > 0.001 {
+            return false;
+        }
+        let Some(face) = pass.empty_beyond(self.motions.get(from).process.tool.0) else { return false };
+        let mut behind = (to..self.motions.len()).map(|index| self.motions.get(index));
+        let first = behind.find(|motion| motion.kind != MotionKind::Dwell && motion.from.x != motion.to.x);
+        let plunges = |cut: Motion| {
+            cut.kind.cuts()
+                && !cut.process.uncertain
+                && cut.cycle.is_none()
+                && (cut.from.z - place).abs() <= 0.001
+                && (cut.to.z - place).abs() <= 0.001
+                && cut.to.x < cut.from.x
+        };
+        // Straight out again, as from a groove; a chamfer at a face goes on along Z.
+        let out = behind.find(|motion| motion.kind != MotionKind::Dwell);
+        let comes_out =
+            out.is_none_or(|motion| motion.to.x > motion.from.x && (motion.to.z - place).abs() <= 0.001);
+        place > face + OVERRUN && first.is_some_and(plunges) && comes_out && !self.has_several_frames()
+    }
+
+    /// G55 to G59: the zero point of another spindle may lie elsewhere.
+    fn has_several_frames(&self) -> bool {
+        self.words.iter().any(|word| word.address == b'G' && (55.0..=59.0).contains(&word.value))
+    }
+
     /// Whether the motions of a block cut toward +Z to `place`, in front of the work, where cuts begin at `front`.
-    pub(super) fn leads_away(&self, from: usize, to: usize, place: f64, front: f64) -> bool {
+    fn leads_away(&self, pass: &Pass, from: usize, to: usize, place: f64, front: f64) -> bool {
         // A corner takes off a little at the end.
         let reaches = |z: f64| (place - CORNER..=place + 0.001).contains(&z);
         let goes_there = |motion: &Motion| reaches(motion.to.z) && motion.to.z > motion.from.z + 0.001;
@@ -119,7 +250,25 @@ impl Program<'_> {
         let Some(cut) = motions.find(|motion| motion.kind.cuts() && goes_there(motion)) else { return false };
         let next = (to < self.motions.len()).then(|| self.motions.get(to));
         let goes_on = next.is_some_and(|next| next.kind.cuts());
+        if pass.begins.is_some_and(|begins| begins.z < -0.001) {
+            // From the chuck outward, or in the sub-spindle.
+            return false;
+        }
+        if let Some(before) = &pass.before {
+            let comes_in = before.to.x < before.from.x && before.to.z >= -0.001;
+            let drawn_back = (before.from.x - before.to.x).abs() <= 0.001
+                && (cut.to.x - cut.from.x).abs() <= 0.001
+                && before.to.z < before.from.z;
+            let centre = if cut.center.is_some() { -0.001 } else { CENTRE };
+            let to_its_start = pass.begins.is_some_and(|begins| place <= begins.z + OVERRUN);
+            if drawn_back && (to_its_start || !goes_on) || comes_in && before.to.x <= centre {
+                return false;
+            }
+            if comes_in && !goes_on && place - cut.from.z <= LEAVES {
+                return false;
+            }
+        }
         // Who leaves at feed goes a little way; who cuts on there cuts air.
-        place - cut.from.z.max(front) > if goes_on { 3.0 } else { 10.0 }
+        place - cut.from.z.max(front) > if goes_on { OVERRUN } else { LEAVES }
     }
 }

@@ -1,0 +1,85 @@
+//! How a tool came to a move: from where, by which cuts, and what was cut before.
+//!
+//! In: motions, in order. Out: the pass under way.
+
+use crate::geometry::Point;
+use crate::motion::{Motion, MotionKind, Motions};
+
+/// At or over the centre, mm: a facing cut ends here.
+pub(super) const CENTRE: f64 = 0.5;
+
+/// The cuts of a tool since its last rapid, and the face that earlier cuts have made.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pass {
+    /// Motions taken in so far.
+    next: usize,
+    /// Where its first cut begins; nothing before a cut.
+    pub begins: Option<Point>,
+    /// Its last cut; nothing before the first.
+    pub before: Option<Motion>,
+    /// Z of the lowest face that was cut to the centre, mm.
+    faced: Option<f64>,
+    tool: u16,
+    /// The farthest Z at which earlier tools, and the tool under way, began their cuts, mm.
+    others: Option<f64>,
+    own: Option<f64>,
+}
+
+fn farther(front: Option<f64>, z: f64) -> Option<f64> {
+    Some(front.map_or(z, |front| front.max(z)))
+}
+
+impl Pass {
+    /// Takes in the motions before `to`. They are asked for in order.
+    pub fn advance(&mut self, motions: &Motions, to: usize) {
+        for index in self.next..to {
+            self.take(motions.get(index));
+        }
+        self.next = self.next.max(to);
+    }
+
+    fn take(&mut self, motion: Motion) {
+        if motion.kind == MotionKind::Dwell {
+            return;
+        }
+        let tool = motion.process.tool.0;
+        if tool != self.tool {
+            if let Some(own) = self.own.take() {
+                self.others = farther(self.others, own);
+            }
+            self.tool = tool;
+            (self.begins, self.before) = (None, None);
+        }
+        if !motion.kind.cuts() || motion.cycle.is_some() {
+            (self.begins, self.before) = (None, None);
+        }
+        if !motion.kind.cuts() {
+            return;
+        }
+        let along_face = (motion.to.z - motion.from.z).abs() <= 0.001;
+        if along_face && motion.to.x < motion.from.x && motion.to.x <= CENTRE {
+            self.faced = Some(self.faced.map_or(motion.to.z, |face| face.min(motion.to.z)));
+        }
+        if motion.cycle.is_some() {
+            self.own = farther(self.own, motion.from.z);
+            return;
+        }
+        if self.begins.is_none() {
+            self.begins = Some(motion.from);
+            self.own = farther(self.own, motion.from.z);
+        }
+        self.before = Some(motion);
+    }
+
+    /// The Z beyond which nothing of the blank is left: a face was cut there, or other tools than `tool` began their cuts.
+    pub fn empty_beyond(&self, tool: u16) -> Option<f64> {
+        let others = match self.own.filter(|_| tool != self.tool) {
+            Some(own) => farther(self.others, own),
+            None => self.others,
+        };
+        match (self.faced, others) {
+            (Some(face), Some(front)) => Some(face.min(front)),
+            (face, front) => face.or(front),
+        }
+    }
+}

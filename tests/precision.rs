@@ -1,0 +1,9 @@
+//! How often what is told is true: judged programs, and judged messages of real programs.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "precision/harmless.rs"]
+mod harmless;
+#[path = "precision/judged.rs"]
+mod judged;
+#[path = "precision/minus.rs"]
+mod minus;
