@@ -16,6 +16,7 @@ use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
 use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
+use crate::shop::fitting::Fitting;
 use crate::shop::{Shop, danger};
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -40,13 +41,18 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Adds what is to be told of what happens at the machine, where a blank or a machine is given to hold it against.
+    /// Adds what is to be told of what happens at the machine: what runs into what, where a blank or a machine is given to hold it
+    /// against, and which tools are not known.
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
             self.diagnostics.extend(rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules));
-            sort_by_place(&mut self.diagnostics);
+        } else {
+            let fitting = Fitting::new(&self.motions, &self.setup);
+            let unknown = rules::machine::unknown_tools(&fitting, &self.motions);
+            self.diagnostics.extend(unknown.filter_map(|told| self.setup.rules.graded(told)));
         }
+        sort_by_place(&mut self.diagnostics);
     }
 }
 

@@ -497,6 +497,8 @@ pub enum Message {
     PartTooManyCorners { most: usize },
     /// Somebody has stopped the taking off of material.
     PartStopped { done: usize, all: usize },
+    /// Every tool that could be meant would cut into the contour.
+    ToolUnknown { tool: String },
     /// The setup names tools, but not this one.
     ToolNotListed { tool: String },
     /// A rapid goes through the work.
@@ -558,6 +560,7 @@ impl Message {
             | Self::PartTooManyMotions { .. }
             | Self::PartTooManyCorners { .. }
             | Self::PartStopped { .. }
+            | Self::ToolUnknown { .. }
             | Self::NotCompared { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
@@ -824,6 +827,7 @@ impl Message {
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
+            Self::ToolUnknown { .. } => ("I-TOOL-UNKNOWN", "tool-unknown", Info, None),
             Self::PartStopped { .. } => ("I-PART-STOPPED", "part-stopped", Info, None),
             Self::PartTooManyCorners { .. } => ("I-PART-CORNERS", "part-too-many-corners", Info, None),
             Self::ToolNotListed { .. } => ("W-TOOL-NOT-LISTED", "tool-not-in-setup", Warning, None),

@@ -4,6 +4,7 @@
 //! before the picture; must not know the text of the program.
 
 pub mod assumed;
+mod choice;
 pub mod clock;
 pub mod compare;
 pub mod danger;
@@ -13,6 +14,7 @@ pub mod guess;
 pub mod part;
 pub mod region;
 pub mod steps;
+mod surface;
 pub mod sweep;
 pub mod tally;
 pub mod timing;
@@ -60,7 +62,9 @@ impl Shop {
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
         let fitting = Fitting::new(motions, setup);
-        let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
+        // With a tool that nobody knows, no part is better than a wrong one.
+        let known = fitting.stock().filter(|_| fitting.unknown().is_empty());
+        let part = known.map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
         let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
         Self { fitting, part, watch, machine: setup.machine, limits, full, motions: motions.len() }

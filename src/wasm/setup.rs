@@ -71,7 +71,7 @@ impl Playground {
 
 impl Playground {
     fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
-        let guessed = guessed(self.run.motions());
+        let guessed = guessed(self.run.motions(), self.run.setup());
         let given = self.run.as_given();
         answer(&Subject {
             given: &given,

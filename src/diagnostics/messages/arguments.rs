@@ -364,7 +364,7 @@ impl Message {
                 vec![("done", Count(*done as i64)), ("all", Count(*all as i64))]
             }
             Self::NoteWord { word, expected } => vec![("word", Text(word)), ("expected", Text(expected))],
-            Self::ToolNotListed { tool } => vec![("tool", Text(tool))],
+            Self::ToolNotListed { tool } | Self::ToolUnknown { tool } => vec![("tool", Text(tool))],
             Self::RapidThroughStock { x, z }
             | Self::DoglegThroughStock { x, z }
             | Self::IntoJaws { x, z }

@@ -233,6 +233,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::PartTooManyMotions { most: 5 },
         Message::PartTooManyCorners { most: 5 },
         Message::PartStopped { done: 3, all: 5 },
+        Message::ToolUnknown { tool: "X1".into() },
         Message::ToolNotListed { tool: "X1".into() },
         Message::RapidThroughStock { x: 1.5, z: 1.5 },
         Message::DoglegThroughStock { x: 1.5, z: 1.5 },

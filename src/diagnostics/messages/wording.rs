@@ -51,7 +51,7 @@ wordings! {
     CornerAxis, CornerTwice, CornerInThread, CornerWithCompensation, CyclePlane, CycleWord, CycleAxis,
     FinishStart, FinishWithoutRoughing, AngleNoPoint, CompensationOnArc, CompensationOvercut,
     CompensationNoIntersection, CompensationPlane, LeadRunsOut, CompensationIdle,
-    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, NotCompared, CoolantOff, FeedModeNotNamed, ToolNotNamed, FeedOnlyForFinishing, StopBehindMove, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, ToolNotListed,
+    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, NotCompared, CoolantOff, FeedModeNotNamed, ToolNotNamed, FeedOnlyForFinishing, StopBehindMove, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, ToolUnknown, ToolNotListed,
     RapidThroughStock, DoglegThroughStock, RapidAlongStock, IntoJaws, IntoTailstock, HolderInStock, SlopeTooSteep,
     BelowCenter, OverTravel,
 }
@@ -271,6 +271,7 @@ impl Wording {
             Message::NoteWord { .. } => Self::NoteWord,
             Message::PartTooManyMotions { .. } => Self::PartTooManyMotions,
             Message::PartStopped { .. } => Self::PartStopped,
+            Message::ToolUnknown { .. } => Self::ToolUnknown,
             Message::PartTooManyCorners { .. } => Self::PartTooManyCorners,
             Message::ToolNotListed { .. } => Self::ToolNotListed,
             Message::RapidThroughStock { .. } => Self::RapidThroughStock,

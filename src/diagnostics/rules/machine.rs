@@ -6,6 +6,7 @@
 use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
+use crate::shop::fitting::Fitting;
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
@@ -20,6 +21,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagn
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
+    told.extend(unknown_tools(shop.fitting(), motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
@@ -28,6 +30,16 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels) -> Vec<Diagn
         }
     }
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
+}
+
+/// A message for each tool that is not known, at its first cut; nothing where no part could be shown anyway.
+pub fn unknown_tools(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
+    let unknown = if fitting.stock().is_some() { fitting.unknown() } else { &[] };
+    unknown.iter().map(|&index| {
+        let (station, offset) = motions.get(index).process.tool;
+        let tool = format!("T{station:02}{offset:02}");
+        Diagnostic::new(Message::ToolUnknown { tool }, motions.span(index))
+    })
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
