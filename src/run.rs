@@ -18,6 +18,7 @@ use crate::control::setup::notes::Notes;
 use crate::control::words::{self, Unit};
 use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
+use crate::shop::fitting::Fitting;
 use crate::shop::{Shop, danger};
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -44,15 +45,20 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Adds what is to be told of what happens at the machine, where a blank or a machine is given to hold it against.
+    /// Adds what is to be told of what happens at the machine: what runs into what, where a blank or a machine is given to hold it
+    /// against, and which tools are not known.
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
             let found =
                 rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
-            sort_by_place(&mut self.diagnostics);
+        } else {
+            let fitting = Fitting::new(&self.motions, &self.setup);
+            let unknown = rules::machine::unknown_tools(&fitting, &self.motions);
+            self.diagnostics.extend(unknown.filter_map(|told| self.setup.rules.graded(told)));
         }
+        sort_by_place(&mut self.diagnostics);
     }
 }
 

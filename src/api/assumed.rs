@@ -6,7 +6,7 @@ use crate::control::setup::Stock;
 use crate::control::setup::written;
 use crate::diagnostics::messages::{Language, labels};
 use crate::run::Analysis;
-use crate::shop::guess::Guesses;
+use crate::shop::fitting::Fitting;
 
 /// A stock that is assumed, and what was not checked because of that.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -36,12 +36,14 @@ pub struct StockRow {
 }
 
 impl AssumedStock {
-    /// That of a program; nothing where its setup names a stock, or nothing is cut.
+    /// That of a program; nothing where its setup names a stock, nothing is cut, or a tool is not known and no part is shown.
     pub fn of(analysis: &Analysis, language: Language) -> Option<Self> {
         if analysis.setup.stock.is_some() {
             return None;
         }
-        let Stock { diameter, bore, face, length, .. } = Guesses::of(&analysis.motions).stock?;
+        let fitting = Fitting::new(&analysis.motions, &analysis.setup);
+        let (stock, _) = fitting.stock().filter(|_| fitting.unknown().is_empty())?;
+        let Stock { diameter, bore, face, length, .. } = stock;
         let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);
         let note = written::stock(&Stock { diameter, bore, face, length, grip: None });
         Some(Self {

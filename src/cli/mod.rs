@@ -25,6 +25,7 @@ use crate::api::{self, Places};
 use crate::control::dialect::{CodeList, Control, GSystem};
 use crate::control::setup::{Setup, Turret};
 use crate::diagnostics::messages::Language;
+use crate::diagnostics::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
 use crate::scene::outline::Outline;
@@ -330,7 +331,11 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Part { file, with } => {
             let program = program(&file, &with)?;
             let shop = Shop::done(&program.analysis.motions, &program.analysis.setup);
-            let part = shop.finished().map(|region| api::Part::new(&region)).unwrap_or_default();
+            let finished = shop.finished();
+            if finished.is_none() {
+                eprintln!("gcode-playground: {}: no part: {}", program.name, why_no_part(&program, &shop));
+            }
+            let part = finished.map(|region| api::Part::new(&region)).unwrap_or_default();
             print(|out| write_row(out, &part))?;
             Ok(status(&program.analysis))
         }
@@ -364,6 +369,15 @@ fn run(command: Command) -> Result<ExitCode, String> {
             Ok(status(&program.analysis))
         }
     }
+}
+
+/// Why there is no part of a program.
+fn why_no_part(program: &Program, shop: &Shop) -> String {
+    let Analysis { motions, diagnostics, .. } = &program.analysis;
+    let told =
+        crate::diagnostics::rules::machine::diagnostics(shop, motions, &Levels::default(), diagnostics);
+    let why = told.iter().find(|told| told.message.kind() == Kind::Unsupported);
+    why.map_or_else(|| "nothing is cut".to_owned(), |told| told.message.sentence(Language::English).message)
 }
 
 /// The picture of a program.

@@ -11,6 +11,7 @@ pub mod notes;
 pub mod stock;
 pub mod thread_insert;
 pub mod tool;
+pub mod tool_words;
 pub mod written;
 
 use std::collections::BTreeMap;
@@ -34,6 +35,9 @@ pub struct Setup {
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
+    /// What prose in comments says of tools, by turret station: a hint for whoever guesses them. Never in a file.
+    #[serde(skip)]
+    pub spoken: BTreeMap<u16, Tool>,
     /// The blank.
     pub stock: Option<Stock>,
     /// The centre of the tailstock, where the work is held by one.

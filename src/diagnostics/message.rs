@@ -506,6 +506,8 @@ pub enum Message {
     PartStopped { done: usize, all: usize },
     /// Behind a block that was not carried out: so many uncertain cuts are not taken off the part.
     BehindLeftOut { cuts: usize },
+    /// Every tool that could be meant would cut into the contour.
+    ToolUnknown { tool: String },
     /// The setup names tools, but not this one.
     ToolNotListed { tool: String },
     /// A rapid goes through the work.
@@ -568,6 +570,7 @@ impl Message {
             | Self::PartTooManyCorners { .. }
             | Self::PartStopped { .. }
             | Self::BehindLeftOut { .. }
+            | Self::ToolUnknown { .. }
             | Self::NotCompared { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
             // The control's own memory may hold the program.
@@ -844,6 +847,7 @@ impl Message {
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
+            Self::ToolUnknown { .. } => ("I-TOOL-UNKNOWN", "tool-unknown", Info, None),
             Self::PartStopped { .. } => ("I-PART-STOPPED", "part-stopped", Info, None),
             Self::BehindLeftOut { .. } => ("I-NOT-CHECKED", "not-checked-behind-fault", Info, None),
             Self::PartTooManyCorners { .. } => ("I-PART-CORNERS", "part-too-many-corners", Info, None),

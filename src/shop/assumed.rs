@@ -13,8 +13,8 @@ const LOOKED_AT: usize = 200_000;
 
 /// The blank and the tools a program lets one guess. A tool is named as the program first calls it; `T0000` is what cuts
 /// before any T word.
-pub fn guessed(motions: &Motions) -> Setup {
-    let guesses = Guesses::of(motions);
+pub fn guessed(motions: &Motions, given: &Setup) -> Setup {
+    let guesses = Guesses::with(motions, &given.spoken, given.stock);
     let mut setup = Setup { stock: guesses.stock, ..Setup::default() };
     let mut names: Vec<(u16, u16)> = Vec::new();
     for motion in motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts()) {
@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn stations_are_named_as_the_program_calls_them() {
         let text = b"M3 S500\nG0 X40 Z2\nG1 Z-5 F.2\nT0305\nG0 X40 Z2\nG75 R1\nG75 X20 Z-9 P2000 Q2000 F.1\nT0300\nG1 X60\n";
-        let guessed = guessed(&analyze(text, &Setup::default()).motions);
+        let guessed = guessed(&analyze(text, &Setup::default()).motions, &Setup::default());
         let tools: Vec<_> = guessed.tools.iter().map(|(name, tool)| (name.as_str(), tool.kind)).collect();
         assert_eq!(tools, [("T0000", Some(ToolKind::Turning)), ("T0305", Some(ToolKind::Grooving))]);
         assert!(guessed.stock.is_some());

@@ -48,12 +48,14 @@ pub struct Fitting {
     /// For what no tool is known of: a program without cuts.
     other: Fitted,
     stock: Option<(Stock, Known)>,
+    /// The first motion of each tool that is neither given nor to be concluded.
+    unknown: Vec<usize>,
 }
 
 impl Fitting {
     /// Fits out a program.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
-        let guesses = Guesses::of(motions);
+        let guesses = Guesses::with(motions, &setup.spoken, setup.stock);
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| {
             let lead = leads.iter().find(|own| own.0 == station);
@@ -67,8 +69,12 @@ impl Fitting {
             (station, purpose, Fitted::guessed(station, for_pitch(station, tool)))
         });
         let stock = setup.stock.map(|stock| (stock, Known::Given));
+        let given: Vec<_> = given.collect();
+        let mut unknown = guesses.unknown.clone();
+        unknown.retain(|&index| given.iter().all(|own| own.0 != motions.get(index).process.tool.0));
         Self {
-            given: given.collect(),
+            unknown,
+            given,
             guessed: guessed.collect(),
             other: Fitted::guessed(0, Tool::default()),
             stock: stock.or_else(|| guesses.stock.map(|stock| (stock, Known::Guessed))),
@@ -92,6 +98,11 @@ impl Fitting {
     /// Whether the setup names tools, but none for this station.
     pub fn misses(&self, station: u16) -> bool {
         station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
+    }
+
+    /// The first motion of each tool that is neither given nor to be concluded: each that was tried would cut into the contour.
+    pub fn unknown(&self) -> &[usize] {
+        &self.unknown
     }
 
     /// The blank, and whether somebody has named it.
@@ -121,16 +132,25 @@ impl Fitted {
             _ => shape.edge.shrunk(DEPTH).near_tip(TIP),
         };
         shape.body = None;
-        // How long its edge is, nobody knows: nothing is left standing over it.
-        let over = match tool.kind {
-            Some(ToolKind::Turning) => LONG,
-            Some(ToolKind::Boring) => -LONG,
-            _ => 0.0,
-        };
-        let edge = shape.edge.points().iter();
-        let takes = Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]));
+        let takes = over_edge(&tool, &shape);
         Self { station, shape, takes, tool, known: Known::Guessed }
     }
+}
+
+/// What a guessed tool takes off.
+pub(super) fn takes(tool: &Tool) -> Outline {
+    over_edge(tool, &Shape::of(tool))
+}
+
+/// How long the edge of a guessed insert is, nobody knows: nothing is left standing over it.
+fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
+    let over = match tool.kind {
+        Some(ToolKind::Turning) => LONG,
+        Some(ToolKind::Boring) => -LONG,
+        _ => 0.0,
+    };
+    let edge = shape.edge.points().iter();
+    Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]))
 }
 
 /// Station and offset of a T word such as `T0101`.

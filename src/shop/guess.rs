@@ -3,13 +3,16 @@
 //! In: the motions. Out: a [`Tool`] for each use a station is put to, and a [`Stock`] (how large it is: `blank`). A guess is
 //! sharp, and can follow every slope it is led along; it is shown as a guess, and no alarm is raised because of one.
 
+use std::collections::BTreeMap;
+
 use super::blank::{Cuts, Extents, clear_of_rapids};
+use super::choice;
 use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::SAME;
 use crate::motion::{Cycle, Motion, MotionKind, Motions};
 
 /// So many motions are looked at.
-const LOOKED_AT: usize = 200_000;
+pub(super) const LOOKED_AT: usize = 200_000;
 
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,11 +49,17 @@ impl Use {
 
 /// What is seen of one use of a station.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
-    station: u16,
-    purpose: Use,
-    /// Cuts along Z that the tool leaves outwards, less those it leaves inwards.
+pub(super) struct Seen {
+    pub station: u16,
+    pub purpose: Use,
+    /// The first motion of this use.
+    pub first: usize,
+    /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
     outside: i32,
+    /// Whether the last cut went along Z.
+    went_along: bool,
+    /// Whether it follows the contour of a cycle.
+    pub contour: bool,
     /// Plunges that come back the way they went, and other cuts.
     plunges: u32,
     cuts: u32,
@@ -58,8 +67,9 @@ struct Seen {
     left: u32,
     right: u32,
     down: u32,
-    /// Ways into the work along the axis, and back.
+    /// Ways into the work along the axis, and back, and how far the deepest goes: Z, mm.
     holes: u32,
+    deepest: f64,
     /// Steepest way into the work behind the tip, radians from the spindle axis: outside and inside.
     slopes: [f64; 2],
     /// Whether it taps: on the axis, locked to the spindle.
@@ -73,18 +83,25 @@ struct Seen {
 #[derive(Clone, Debug, Default)]
 pub struct Guesses {
     tools: Vec<(u16, Use, Tool)>,
+    /// The first motion of each use of a station that no tool is known for: with each that was tried it cuts into the contour.
+    pub unknown: Vec<usize>,
     /// The blank; nothing where nothing cuts.
     pub stock: Option<Stock>,
 }
 
 impl Guesses {
-    /// Looks at a program.
+    /// Looks at a program of which nothing else is known.
     pub fn of(motions: &Motions) -> Self {
+        Self::with(motions, &BTreeMap::new(), None)
+    }
+
+    /// Looks at a program. `spoken` is what its comments say of the tools, by station; `stock` the blank, where one is given.
+    pub fn with(motions: &Motions, spoken: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
         let mut seen: Vec<Seen> = Vec::new();
         let mut before = None;
-        let moves = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind != MotionKind::Dwell);
-        let mut moves = moves.peekable();
-        while let Some(motion) = moves.next() {
+        let moves = motions.iter().take(LOOKED_AT).enumerate();
+        let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
+        while let Some((index, motion)) = moves.next() {
             let before = before.replace(motion);
             if !motion.kind.cuts() || motion.process.uncertain {
                 continue;
@@ -94,10 +111,10 @@ impl Guesses {
                 .iter()
                 .position(|own| (own.station, own.purpose) == (station, purpose))
                 .unwrap_or_else(|| {
-                    seen.push(Seen::new(station, purpose));
+                    seen.push(Seen::new(station, purpose, index));
                     seen.len() - 1
                 });
-            seen[at].look(&motion, before.as_ref(), moves.peek());
+            seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
         }
         // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
         let stations: Vec<u16> =
@@ -109,15 +126,35 @@ impl Guesses {
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
+        // What motions leave open, words decide.
+        for own in seen.iter_mut().filter(|own| own.outside == 0) {
+            let words = spoken.get(&own.station);
+            let is_inside = words
+                .is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside));
+            own.outside = if is_inside { -1 } else { 0 };
+        }
         // What a drill leaves is where boring begins.
         let inside = seen.iter().filter(|own| own.is_inside());
         let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
-        let tools: Vec<_> = seen.iter().map(|own| (own.station, own.purpose, own.tool(bore))).collect();
+        let holes = seen.iter().filter(|own| own.purpose == Use::Hole);
+        let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
+        // A centre drill goes before one that makes the bore.
+        let bore_of = |own: &Seen| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
+        let tools: Vec<_> =
+            seen.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect();
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in seen.iter().zip(&tools) {
             cuts.add(&own.extents, tool);
         }
-        Self { tools, stock: cuts.blank().map(|stock| clear_of_rapids(stock, motions)) }
+        let guessed = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
+        let mut guesses = Self { tools, unknown: Vec::new(), stock: guessed };
+        choice::decide(motions, &seen, spoken, stock.or(guessed), &mut guesses);
+        guesses
+    }
+
+    /// Puts another tool in place of that of a use; `index` counts uses in their order.
+    pub(super) fn put(&mut self, index: usize, tool: Tool) {
+        self.tools[index].2 = tool;
     }
 
     /// All tools: station, use and tool, in the order in which they are first put to use.
@@ -127,17 +164,21 @@ impl Guesses {
 }
 
 impl Seen {
-    fn new(station: u16, purpose: Use) -> Self {
+    fn new(station: u16, purpose: Use, first: usize) -> Self {
         Self {
             station,
             purpose,
+            first,
             outside: 0,
+            went_along: false,
+            contour: false,
             plunges: 0,
             cuts: 0,
             left: 0,
             right: 0,
             down: 0,
             holes: 0,
+            deepest: f64::INFINITY,
             slopes: [0.0; 2],
             taps: false,
             face: false,
@@ -145,7 +186,8 @@ impl Seen {
         }
     }
 
-    fn is_inside(&self) -> bool {
+    /// Whether it works in a bore.
+    pub fn is_inside(&self) -> bool {
         self.outside < 0 && matches!(self.purpose, Use::Turning | Use::Threading | Use::Grooving)
     }
 
@@ -156,9 +198,13 @@ impl Seen {
         self.taps |= motion.kind == MotionKind::Thread;
         self.extents.add(motion);
         let (after_x, after_z) = next.map_or((0.0, 0.0), way);
-        if dz < -SAME && after_x.abs() > SAME {
-            self.outside += if after_x > 0.0 { 1 } else { -1 };
-        }
+        // Between tools it goes home, though that is not always seen.
+        let own_next = next.filter(|next| next.process.tool == motion.process.tool);
+        self.outside += leaves(motion, self.went_along, own_next);
+        self.went_along = dz < -SAME;
+        let cycle = motion.cycle.map(|step| step.cycle);
+        let contour = [Cycle::Finishing, Cycle::RoughTurning, Cycle::RoughFacing, Cycle::Pattern];
+        self.contour |= cycle.is_some_and(|cycle| contour.contains(&cycle));
         let back =
             |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
         let (before_x, before_z) = before.map_or((0.0, 0.0), way);
@@ -170,8 +216,8 @@ impl Seen {
         self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
         self.down += u32::from(dz > SAME && dx < -SAME);
         let axis = |motion: &Motion| motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
-        let cycle = motion.cycle.map(|step| step.cycle);
         let drills = !matches!(cycle, None | Some(Cycle::Finishing | Cycle::RoughTurning | Cycle::Pattern));
+        self.deepest = self.deepest.min(motion.to.z);
         self.holes += u32::from(dz < -SAME && axis(motion) && (drills || next.is_some_and(axis)));
         if motion.cycle.is_some_and(|step| step.cycle == Cycle::FacePecking) {
             self.face = true;
@@ -239,6 +285,23 @@ impl Seen {
 
     fn blade(&self, side: Side) -> Tool {
         Tool { kind: Some(ToolKind::Grooving), side: Some(side), ..Tool::default() }
+    }
+}
+
+/// Which way a tool leaves the work behind a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
+/// follows the contour, which may fall or rise. `went_along` says that the cut before went towards −Z.
+fn leaves(motion: &Motion, went_along: bool, next: Option<&Motion>) -> i32 {
+    let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    if motion.to.z > SAME || next.is_some_and(|next| next.kind.cuts()) {
+        return 0;
+    }
+    let after = next.map_or(0.0, |next| next.to.x - next.from.x);
+    let on_the_way = if went_along && dz >= -SAME { dx } else { 0.0 };
+    // Straight out, or back along Z from where the last cut led.
+    match if after.abs() > SAME { after } else { on_the_way } {
+        way if way > SAME => 1,
+        way if way < -SAME => -1,
+        _ => 0,
     }
 }
 

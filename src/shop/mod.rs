@@ -6,6 +6,7 @@
 
 pub mod assumed;
 pub mod blank;
+mod choice;
 pub mod clock;
 pub mod compare;
 pub mod danger;
@@ -15,6 +16,7 @@ pub mod guess;
 pub mod part;
 pub mod region;
 pub mod steps;
+mod surface;
 pub mod sweep;
 pub mod tally;
 pub mod thread_point;
@@ -78,7 +80,9 @@ impl Machining {
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
         let fitting = Fitting::new(motions, setup);
-        let part = fitting.stock().map(|(stock, _)| Part::new(&stock));
+        // With a tool that nobody knows, no part is better than a wrong one.
+        let known = fitting.stock().filter(|_| fitting.unknown().is_empty());
+        let part = known.map(|(stock, _)| Part::new(&stock));
         let watch = Watch::new(&fitting, setup);
         let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
         let shop =

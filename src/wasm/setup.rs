@@ -70,7 +70,7 @@ impl Playground {
 impl Playground {
     fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
         let run = self.current.run();
-        let (guessed, given) = (guessed(run.motions()), run.as_given());
+        let (guessed, given) = (guessed(run.motions(), run.setup()), run.as_given());
         answer(&Subject {
             given: &given,
             page: &self.setup,

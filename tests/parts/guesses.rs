@@ -91,7 +91,7 @@ syn-g90-q3: ⌀80.0, 30 to -10.0: T00 turning C 95
 syn-g90-r-violation: nothing:
 syn-g92: ⌀30.0, 0 to -35.0: T00 threading outside
 syn-tnrc-tip3: ⌀38.4, 0 to -25.0: T01 unnamed tip 3
-syn-uw-mixed: ⌀50.0, 0 to -25.0: T00 turning D 93
+syn-uw-mixed: ⌀50.0, 0 to -25.0: T00 turning 1 91
 ";
 
 fn check(program: &str, expected: &str) {

@@ -85,7 +85,6 @@ impl Interpreter {
         if self.trace.is_some() {
             self.trace_process();
         }
-        let kept = self.kept();
         if request.drop {
             if let Some(mode) = request.motion {
                 self.enter(mode, block, &words);

@@ -17,10 +17,11 @@
 //! these words, but holds no `=`, is prose.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
-use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
 use crate::control::dialect::{DecimalChoice, DialectChoice};
 use crate::diagnostics::levels::{self, known};
 use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
@@ -36,6 +37,8 @@ pub struct Notes {
     pub stock: Option<Stock>,
     /// Tools by their T word in four digits.
     pub tools: Vec<(String, Tool)>,
+    /// What prose says of tools, by turret station.
+    pub spoken: BTreeMap<u16, Tool>,
     /// The tailstock.
     pub tailstock: Option<Tailstock>,
     /// The machine.
@@ -91,6 +94,7 @@ impl Notes {
     pub fn read(text: &[u8]) -> Self {
         let head = &text[..text.len().min(HEAD)];
         let mut notes = Self::default();
+        notes.spoken = tool_words::read(&String::from_utf8_lossy(head));
         let mut at = 0;
         while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
             let start = at + found + 1;
@@ -115,6 +119,7 @@ impl Notes {
         setup.dialect.decimal = self.decimal.or(setup.dialect.decimal);
         setup.rules = setup.rules.with(&self.rules);
         setup.tools.extend(self.tools.iter().cloned());
+        setup.spoken.clone_from(&self.spoken);
         setup
     }
 

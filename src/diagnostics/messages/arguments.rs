@@ -386,7 +386,7 @@ impl Message {
             }
             Self::BehindLeftOut { cuts } => vec![("cuts", Count(*cuts as i64))],
             Self::NoteWord { word, expected } => vec![("word", Text(word)), ("expected", Text(expected))],
-            Self::ToolNotListed { tool } => vec![("tool", Text(tool))],
+            Self::ToolNotListed { tool } | Self::ToolUnknown { tool } => vec![("tool", Text(tool))],
             Self::RapidThroughStock { x, z }
             | Self::DoglegThroughStock { x, z }
             | Self::IntoJaws { x, z }

@@ -469,6 +469,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             工件还剩下什么无法确定，从这里起不再检查与工件的碰撞。请先改正那个程序段。",
         PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
             上限由设置中的 `limits.partCorners` 决定。",
+        ToolUnknown => "不知道 {tool} 是什么刀具：只显示轨迹，不显示零件。\n\
+            常用的刀片和切槽刀在这里都会切坏轮廓。请在设置或注释中说明这把刀，例如 `(TOOL {tool} TYPE=GROOVING WIDTH=3)`。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\
             图形中的刀具是推测的，不检查刀杆碰撞。请在设置中加上 {tool}。",
         RapidThroughStock => "快速移动在 X{x} Z{z} 处撞到工件。\n\

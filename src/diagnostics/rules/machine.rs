@@ -6,7 +6,7 @@
 use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
-use crate::shop::fitting::Known;
+use crate::shop::fitting::{Fitting, Known};
 use crate::shop::{Full, Shop};
 use crate::text::source::Span;
 
@@ -22,6 +22,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
         Diagnostic::new(message, Span::new(0, 0))
     }));
     told.extend(behind_left_out(shop, motions));
+    told.extend(unknown_tools(shop.fitting(), motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was told so.
@@ -47,6 +48,16 @@ fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
     let looked_for = shop.fitting().stock().is_some_and(|(_, known)| known == Known::Given);
     let message = Message::BehindLeftOut { cuts };
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
+}
+
+/// A message for each tool that is not known, at its first cut; nothing where no part could be shown anyway.
+pub fn unknown_tools(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
+    let unknown = if fitting.stock().is_some() { fitting.unknown() } else { &[] };
+    unknown.iter().map(|&index| {
+        let (station, offset) = motions.get(index).process.tool;
+        let tool = format!("T{station:02}{offset:02}");
+        Diagnostic::new(Message::ToolUnknown { tool }, motions.span(index))
+    })
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {

@@ -1,0 +1,182 @@
+//! Tools as people name them in comments: `T0303 (GROOVE W=3)`, `(T7 VNMG CR:.016)`, `(резец проходной)`, `(切槽刀)`.
+//!
+//! In: the first lines of a program. Out: for each turret station what its comments say, as a [`Tool`] with gaps. It is a
+//! hint: whoever guesses a tool begins with it, and what the motions contradict does not count. Terms are in `terms`.
+//! A comment belongs to the tool it names, else to the T word in its line, else to the T word before it, else to the one behind it.
+
+mod numbers;
+mod terms;
+
+use std::collections::BTreeMap;
+
+use super::{Side, Tool, ToolKind};
+use numbers::Unit;
+
+/// How well a comment is tied to a tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Tie {
+    /// It stands above the T word.
+    Above,
+    /// It stands between the T word and the first move.
+    Below,
+    /// It stands in the line of the T word.
+    Beside,
+    /// It names the tool.
+    Named,
+}
+
+/// What the comments of a text say of the tools, by turret station.
+pub fn read(text: &str) -> BTreeMap<u16, Tool> {
+    let unit = numbers::unit_of(text);
+    let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
+    let mut above: Vec<Tool> = Vec::new();
+    let mut station: Option<u16> = None;
+    for line in text.lines() {
+        let Line { code, comments } = split(line);
+        let called = tool_number(code.iter().copied());
+        if called.is_some() {
+            station = called;
+        }
+        for comment in comments {
+            let tool = described(comment, unit);
+            if tool == Tool::default() {
+                continue;
+            }
+            match (named(comment), station) {
+                (Some(named), _) => found.push((Tie::Named, named, tool)),
+                (None, Some(station)) if called.is_some() => found.push((Tie::Beside, station, tool)),
+                (None, Some(station)) => {
+                    found.push((Tie::Below, station, tool.clone()));
+                    above.push(tool);
+                }
+                (None, None) => above.push(tool),
+            }
+        }
+        if let Some(station) = called {
+            found.extend(above.drain(..).map(|tool| (Tie::Above, station, tool)));
+        } else if moves(&code) {
+            above.clear();
+            station = None;
+        }
+    }
+    // Who writes comments below T words writes what was made above the next one.
+    if found.iter().any(|(tie, ..)| *tie == Tie::Below) {
+        found.retain(|(tie, ..)| *tie != Tie::Above);
+    }
+    found.sort_by_key(|(tie, ..)| std::cmp::Reverse(*tie));
+    let mut tools: BTreeMap<u16, Tool> = BTreeMap::new();
+    for (_, station, tool) in found {
+        tools.entry(station).and_modify(|known| fill(known, &tool)).or_insert(tool);
+    }
+    tools
+}
+
+/// What the words of a comment say of a tool.
+pub fn described(comment: &str, unit: Unit) -> Tool {
+    let text = comment.to_uppercase();
+    let mut tool = terms::insert(&text).unwrap_or_default();
+    let kind = terms::kind(&text);
+    // `14MM DRILL XCMT`: the word goes before the insert.
+    tool.kind = match (kind, tool.kind) {
+        (Some(ToolKind::Turning), Some(of_insert)) => Some(of_insert),
+        (Some(kind), _) => Some(kind),
+        (None, of_insert) => of_insert,
+    };
+    tool.side = tool.side.or(terms::side(&text));
+    match (tool.kind, tool.side) {
+        (Some(ToolKind::Turning), Some(Side::Inside)) | (None, Some(Side::Inside)) => {
+            tool.kind = Some(ToolKind::Boring);
+        }
+        _ => {}
+    }
+    if !matches!(tool.kind, Some(ToolKind::Grooving | ToolKind::Threading)) {
+        tool.side = None;
+    }
+    let Some(kind) = tool.kind else { return Tool::default() };
+    match kind {
+        ToolKind::Turning | ToolKind::Boring => {
+            tool.nose_radius = numbers::nose_radius(&text, unit).or(tool.nose_radius);
+            tool.insert = tool.insert.or(numbers::point_angle(&text).map(str::to_owned));
+        }
+        ToolKind::Grooving => {
+            tool.width = numbers::width(&text, unit).or(tool.width);
+            tool.nose_radius = tool.nose_radius.or(numbers::nose_radius(&text, unit));
+        }
+        ToolKind::Threading => {}
+        ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => {
+            tool = Tool { kind: Some(kind), diameter: numbers::diameter(&text, unit), ..Tool::default() };
+        }
+    }
+    // A radius that takes up the whole blade is no corner.
+    let widest = tool.width.map_or(f64::INFINITY, |width| width / 2.0);
+    tool.nose_radius = tool.nose_radius.filter(|&radius| radius <= widest);
+    tool
+}
+
+/// Puts into the gaps of a tool what another one says, as far as both can be the same tool.
+fn fill(known: &mut Tool, other: &Tool) {
+    known.kind = known.kind.or(other.kind);
+    if known.kind == other.kind {
+        known.side = known.side.or(other.side);
+        known.insert = known.insert.take().or_else(|| other.insert.clone());
+        known.nose_radius = known.nose_radius.or(other.nose_radius);
+        known.width = known.width.or(other.width);
+        known.diameter = known.diameter.or(other.diameter);
+    }
+}
+
+/// A line: what the control reads, in pieces, and what stands in parentheses.
+struct Line<'a> {
+    code: Vec<&'a str>,
+    comments: Vec<&'a str>,
+}
+
+fn split(line: &str) -> Line<'_> {
+    let (mut code, mut comments, mut rest) = (Vec::new(), Vec::new(), line);
+    while let Some((before, behind)) = rest.split_once('(') {
+        code.push(before);
+        let (comment, behind) = behind.split_once(')').unwrap_or((behind, ""));
+        comments.push(comment);
+        rest = behind;
+    }
+    code.push(rest);
+    Line { code, comments }
+}
+
+/// The station of the last T word of three digits or more: shorter ones call no station.
+fn tool_number<'a>(code: impl Iterator<Item = &'a str>) -> Option<u16> {
+    code.flat_map(|piece| numbers::after_letters(piece, &["T"]))
+        .filter(|digits| digits.len() > 2)
+        .filter_map(station)
+        .last()
+}
+
+/// The station that a comment itself names: `T0303`, `T7`, `TOOL 3`.
+fn named(comment: &str) -> Option<u16> {
+    const WORDS: [&str; 8] =
+        ["TOOL", "FERRAMENTA", "HERRAMIENTA", "WERKZEUG", "UTENSILE", "OUTIL", "ИНСТРУМЕНТ", "T"];
+    let text = comment.to_uppercase();
+    let found = numbers::after_letters(&text, &WORDS).filter_map(station).next();
+    found.filter(|&number| number > 0)
+}
+
+fn station(digits: &str) -> Option<u16> {
+    let number: u32 = digits.parse().ok()?;
+    u16::try_from(match digits.len() {
+        0..=2 => number,
+        3 | 4 => number / 100,
+        _ => number / 1000,
+    })
+    .ok()
+}
+
+/// Whether a line moves an axis.
+fn moves(code: &[&str]) -> bool {
+    let is_axis = |byte: u8| matches!(byte.to_ascii_uppercase(), b'X' | b'Z' | b'U' | b'W');
+    let goes_home = code.iter().any(|piece| piece.contains("G28") || piece.contains("G30"));
+    let mut pairs = code.iter().flat_map(|piece| piece.as_bytes().windows(2));
+    !goes_home && pairs.any(|pair| is_axis(pair[0]) && matches!(pair[1], b'0'..=b'9' | b'.' | b'-' | b'#'))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,201 @@
+//! Measures in a comment: `CR:.016`, `W=3`, `H4`, `Ø8.5`, `10MM`, `1/2"`, `35 DEG`.
+//!
+//! In: a comment in capitals and the unit of the program. Out: millimetres. What has a unit of its own has that.
+
+/// What a program measures lengths in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Millimetre,
+    /// Inches.
+    Inch,
+}
+
+impl Unit {
+    fn millimetres(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Inch => 25.4,
+        }
+    }
+}
+
+/// A number with what stands around it.
+#[derive(Clone, Copy, Debug)]
+struct Measure<'a> {
+    value: f64,
+    /// Whether it is written as a fraction.
+    fraction: bool,
+    /// The letters, and signs such as `Ø`, right before it, without `:`, `=`, points and blanks.
+    before: &'a str,
+    /// Letters and `"` behind it.
+    behind: &'a str,
+}
+
+/// Plausible nose radii, widths of blades and diameters of drills, mm.
+const NOSES: (f64, f64) = (0.05, 3.2);
+const WIDTHS: (f64, f64) = (0.3, 20.0);
+const DIAMETERS: (f64, f64) = (0.3, 100.0);
+
+/// Inches where the first of G20 and G21 in a text is G20.
+pub fn unit_of(text: &str) -> Unit {
+    let mut at = 0;
+    let bytes = text.as_bytes();
+    while let Some(found) = bytes[at..].iter().position(|byte| matches!(byte, b'G' | b'g' | b'(')) {
+        at += found;
+        if bytes[at] == b'(' {
+            at +=
+                bytes[at..].iter().position(|byte| matches!(byte, b')' | b'\n')).unwrap_or(bytes.len() - at);
+            continue;
+        }
+        let digits = &bytes[at + 1..bytes.len().min(at + 4)];
+        match digits {
+            [b'2', b'0', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => return Unit::Inch,
+            [b'2', b'1', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => break,
+            _ => at += 1,
+        }
+    }
+    Unit::Millimetre
+}
+
+/// `CR:.016`, `R0.8`, `.031 TNR`.
+pub fn nose_radius(text: &str, unit: Unit) -> Option<f64> {
+    measures(text)
+        .find(|own| {
+            matches!(own.before, "CR" | "R" | "TNR" | "RE" | "RN") || own.behind == "TNR" || own.behind == "R"
+        })
+        .map(|own| own.in_millimetres(unit))
+        .filter(in_range(NOSES))
+}
+
+/// The insert that a point angle stands for: `35 DEG`, `80 DEGREE`, `55°`.
+pub fn point_angle(text: &str) -> Option<&'static str> {
+    measures(text)
+        .filter(|own| own.behind.starts_with("DEG") || own.behind == "°" || own.behind.starts_with("GRAD"))
+        .find_map(|own| {
+            [(80.0, "C"), (55.0, "D"), (35.0, "V")]
+                .into_iter()
+                .find(|(angle, _)| *angle == own.value)
+                .map(|(_, insert)| insert)
+        })
+}
+
+/// Width of a blade: `W=3`, `W.079`, `H4`, `3MM`, `GROOVE 6.3`.
+pub fn width(text: &str, unit: Unit) -> Option<f64> {
+    let named = measures(text).find(|own| {
+        let before = own.before;
+        matches!(before, "W" | "H" | "B")
+            || ["WIDTH", "LARGURA", "BREITE", "ANCHO", "LARGHEZZA", "LARGEUR", "ШИРИН", "宽"]
+                .iter()
+                .any(|name| before.starts_with(name))
+    });
+    let with_unit = || measures(text).find(Measure::has_unit);
+    // A number alone, that is no name of the insert and no other measure.
+    let alone = || {
+        measures(text)
+            .find(|own| own.behind.is_empty() && (own.before.len() > 2 && !own.before.contains('Ø')))
+    };
+    let own = named.or_else(with_unit).or_else(|| if text.contains("GROOV") { alone() } else { None })?;
+    Some(own.in_millimetres(unit)).filter(in_range(WIDTHS))
+}
+
+/// Diameter of a drill: `10MM`, `DIA. 10`, `Ø8`, `1/2"`, `.266" DRILL`, `39/64 DRILL`.
+pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
+    let is_diameter = |own: &Measure| {
+        let before = own.before.trim_start_matches("DE ");
+        own.has_unit()
+            || own.fraction
+            || before == "D"
+            || before.ends_with('Ø')
+            || before.ends_with('⌀')
+            || before.ends_with('Φ')
+            || ["DIA", "DURCHM", "ДИАМ", "直径"].iter().any(|name| before.starts_with(name))
+    };
+    // `3/8 DRILL .550 DEPTH`
+    let is_length = |own: &Measure| {
+        ["DEPTH", "DEEP", "LOC", "L", "FL", "DEG", "X"].contains(&own.behind) || own.behind.starts_with("DEG")
+    };
+    let named = measures(text).find(|own| is_diameter(own) && !is_length(own));
+    let before_drill = || {
+        measures(text).find(|own| {
+            own.behind.starts_with("DRILL")
+                || (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA") && own.behind.is_empty())
+        })
+    };
+    named.or_else(before_drill).map(|own| own.in_millimetres(unit)).filter(in_range(DIAMETERS))
+}
+
+fn in_range((low, high): (f64, f64)) -> impl Fn(&f64) -> bool {
+    move |value| (low..=high).contains(value)
+}
+
+impl Measure<'_> {
+    fn has_unit(&self) -> bool {
+        matches!(self.behind, "MM" | "\"" | "IN" | "INCH" | "''" | "ММ" | "毫米")
+    }
+
+    fn in_millimetres(&self, unit: Unit) -> f64 {
+        let own = match self.behind {
+            "MM" | "ММ" | "毫米" => Unit::Millimetre,
+            "\"" | "IN" | "INCH" | "''" => Unit::Inch,
+            _ if self.fraction => Unit::Inch,
+            _ => unit,
+        };
+        self.value * own.millimetres()
+    }
+}
+
+/// The digits that follow one of some words in a text, with blanks and `#` between.
+pub fn after_letters<'a>(text: &'a str, words: &'a [&str]) -> impl Iterator<Item = &'a str> {
+    words.iter().flat_map(move |word| {
+        text.match_indices(word).filter_map(move |(at, _)| {
+            let is_within = text[..at].chars().next_back().is_some_and(char::is_alphanumeric);
+            let rest = &text[at + word.len()..];
+            let rest = if word.len() > 1 { rest.trim_start_matches([' ', '#', '.', ':']) } else { rest };
+            let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+            // `N1T0909`: a T word may follow a number at once.
+            let follows_number = word.len() == 1 && text[..at].ends_with(|c: char| c.is_ascii_digit());
+            (digits > 0 && (!is_within || follows_number)).then(|| &rest[..digits])
+        })
+    })
+}
+
+/// All numbers of a comment. One that is part of a name (`CNMG432`, `N2A`), or counts (`#5`), is none.
+fn measures(text: &str) -> impl Iterator<Item = Measure<'_>> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        loop {
+            let rest = text.get(at..)?;
+            let start = at + rest.find(|c: char| c.is_ascii_digit() || c == '.')?;
+            let length = text[start..]
+                .bytes()
+                .take_while(|byte| matches!(byte, b'0'..=b'9' | b'.' | b'/' | b','))
+                .count();
+            at = start + length;
+            if let Some(found) = measure(text, start, at) {
+                return Some(found);
+            }
+        }
+    })
+}
+
+fn measure(text: &str, start: usize, end: usize) -> Option<Measure<'_>> {
+    let written = text[start..end].trim_end_matches(['.', ',', '/']);
+    let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+    let (value, fraction) = match written.split_once('/') {
+        Some((above, below)) => (number(above)? / number(below).filter(|&below| below > 0.0)?, true),
+        None => (number(written)?, false),
+    };
+    let lead = text[..start].trim_end_matches([' ', ':', '=', '.']);
+    let is_letter = |c: char| c.is_alphabetic() || matches!(c, 'Ø' | '⌀' | 'Φ');
+    let from =
+        lead.char_indices().rev().take_while(|(_, c)| is_letter(*c)).last().map_or(lead.len(), |(at, _)| at);
+    let tail = text[end..].trim_start_matches(' ');
+    let signs = tail.chars().take_while(|c| matches!(c, '"' | '\'' | '°')).map(char::len_utf8).sum();
+    let letters: usize = tail.chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum();
+    let behind = &tail[..if signs > 0 { signs } else { letters }];
+    // `16ER1.5` and `N2A4` are names.
+    let is_name = lead.len() == start && from < start && lead[..from].ends_with(|c: char| c.is_ascii_digit());
+    let counts = text[..start].ends_with(['#', '-']) || is_name;
+    (!counts).then_some(Measure { value, fraction, before: &lead[from..], behind })
+}

@@ -1,0 +1,205 @@
+//! What terms of a workshop mean, in nine languages, and designations of inserts.
+//!
+//! In: a comment in capitals. Out: a kind of tool, a side of the work, what an insert's designation says.
+
+use crate::control::setup::{Side, Tool, ToolKind};
+use ToolKind::{Boring, Drill, Endmill, Grooving, Tap, Threading, Turning};
+
+/// How a term stands in a comment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A word or several, whole: `TAP`.
+    Word,
+    /// The beginning of a word: `GROOV` for GROOVE and GROOVING.
+    Stem,
+    /// Anywhere: in writing without blanks, and within compounds.
+    Part,
+}
+use Form::{Part, Stem, Word};
+
+/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term stands behind it;
+/// a term without a kind says what is made, not what with.
+#[rustfmt::skip]
+pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
+    // What only sounds like a tool.
+    (Stem, "THREAD RELIEF", None), (Stem, "THREAD BUR", None), (Stem, "BAR PULL", None), (Stem, "PARTS CATCH", None),
+    (Stem, "CENTER OF", None), (Stem, "CUT OFF LENGTH", None), (Part, "退刀槽", None), (Stem, "TURNING TOOL CHANGE", None),
+    // Live cutters.
+    (Stem, "ENDMILL", Some(Endmill)), (Stem, "END MILL", Some(Endmill)), (Stem, "THREADMILL", Some(Endmill)),
+    (Stem, "THREAD MILL", Some(Endmill)), (Stem, "MILL", Some(Endmill)), (Stem, "FRESA", Some(Endmill)),
+    (Stem, "FRAISE", Some(Endmill)), (Part, "FRÄSER", Some(Endmill)), (Part, "FRAESER", Some(Endmill)), (Stem, "ФРЕЗ", Some(Endmill)),
+    (Part, "铣", Some(Endmill)), (Part, "銑", Some(Endmill)),
+    // Taps, before threads and drills.
+    (Word, "TAP", Some(Tap)), (Word, "TAPPING", Some(Tap)), (Part, "GEWINDEBOHR", Some(Tap)), (Stem, "MACHO", Some(Tap)),
+    (Stem, "MASCHI", Some(Tap)), (Stem, "TARAUD", Some(Tap)), (Stem, "МЕТЧИК", Some(Tap)), (Part, "丝锥", Some(Tap)),
+    (Part, "絲錐", Some(Tap)), (Part, "丝攻", Some(Tap)), (Part, "攻丝", Some(Tap)), (Part, "攻牙", Some(Tap)),
+    // Threading tools.
+    (Stem, "THREAD", Some(Threading)), (Stem, "THRD", Some(Threading)), (Part, "GEWINDE", Some(Threading)),
+    (Stem, "ROSCA", Some(Threading)), (Stem, "ROSQUEA", Some(Threading)), (Stem, "FILET", Some(Threading)),
+    (Stem, "РЕЗЬБ", Some(Threading)), (Part, "螺纹", Some(Threading)), (Part, "螺紋", Some(Threading)), (Part, "牙刀", Some(Threading)),
+    // Boring bars, before drills.
+    (Part, "BOHRSTANGE", Some(Boring)), (Part, "AUSDREH", Some(Boring)), (Part, "INNENDREH", Some(Boring)),
+    (Stem, "BORING", Some(Boring)), (Word, "BORE", Some(Boring)), (Word, "BB", Some(Boring)), (Stem, "MANDRIN", Some(Boring)),
+    (Stem, "MANDRIL", Some(Boring)), (Stem, "ALESA", Some(Boring)), (Stem, "ALÉSA", Some(Boring)), (Stem, "BARENO", Some(Boring)),
+    (Stem, "РАСТОЧ", Some(Boring)), (Part, "镗", Some(Boring)), (Part, "鏜", Some(Boring)), (Part, "内孔", Some(Boring)), (Part, "內孔", Some(Boring)),
+    // Drills.
+    (Stem, "DRILL", Some(Drill)), (Word, "SPOT", Some(Drill)), (Stem, "CSINK", Some(Drill)), (Stem, "COUNTERSINK", Some(Drill)),
+    (Stem, "REAMER", Some(Drill)), (Part, "BOHRER", Some(Drill)), (Part, "BOHREN", Some(Drill)), (Part, "ZENTRIER", Some(Drill)),
+    (Stem, "BROCA", Some(Drill)), (Stem, "FURAC", Some(Drill)), (Stem, "FURAÇ", Some(Drill)), (Stem, "FURAA", Some(Drill)),
+    (Stem, "FURAR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
+    (Stem, "FORET", Some(Drill)), (Stem, "PERÇ", Some(Drill)), (Stem, "PERCAGE", Some(Drill)), (Stem, "СВЕРЛ", Some(Drill)),
+    (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)), (Part, "钻孔", Some(Drill)),
+    // Blades.
+    (Stem, "GROOV", Some(Grooving)), (Word, "GRV", Some(Grooving)), (Stem, "CUTOFF", Some(Grooving)), (Stem, "CUT OFF", Some(Grooving)),
+    (Stem, "CUT-OFF", Some(Grooving)), (Stem, "PARTING", Some(Grooving)), (Stem, "PART OFF", Some(Grooving)), (Stem, "PART-OFF", Some(Grooving)),
+    (Stem, "PARTOFF", Some(Grooving)), (Part, "STECHEN", Some(Grooving)), (Part, "STECHER", Some(Grooving)), (Part, "STECHMEI", Some(Grooving)),
+    (Part, "STECHDREH", Some(Grooving)), (Part, "ABSTECH", Some(Grooving)), (Part, "EINSTICH", Some(Grooving)), (Part, "NUTDREH", Some(Grooving)),
+    (Stem, "RANURA", Some(Grooving)), (Stem, "TRONZA", Some(Grooving)), (Stem, "BEDAM", Some(Grooving)), (Stem, "SANGRA", Some(Grooving)),
+    (Stem, "CANAL", Some(Grooving)), (Stem, "CANALET", Some(Grooving)), (Stem, "GOLA", Some(Grooving)), (Stem, "GOLE", Some(Grooving)),
+    (Stem, "SCANAL", Some(Grooving)), (Stem, "TRONCA", Some(Grooving)), (Stem, "TRONCON", Some(Grooving)), (Stem, "TRONÇON", Some(Grooving)),
+    (Stem, "GORGE", Some(Grooving)), (Stem, "RAINUR", Some(Grooving)), (Stem, "КАНАВ", Some(Grooving)), (Stem, "ОТРЕЗ", Some(Grooving)),
+    (Stem, "ПРОРЕЗ", Some(Grooving)), (Part, "切槽", Some(Grooving)), (Part, "割槽", Some(Grooving)), (Part, "槽刀", Some(Grooving)),
+    (Part, "切断", Some(Grooving)), (Part, "切斷", Some(Grooving)), (Part, "割刀", Some(Grooving)), (Part, "切刀", Some(Grooving)),
+    // What turns.
+    (Stem, "ROUGH", Some(Turning)), (Stem, "FINISH", Some(Turning)), (Stem, "TURN", Some(Turning)), (Stem, "FACING", Some(Turning)),
+    (Word, "FACE", Some(Turning)), (Stem, "PROFIL", Some(Turning)), (Stem, "CONTOUR", Some(Turning)), (Word, "TNR", Some(Turning)),
+    (Part, "SCHRUPP", Some(Turning)), (Part, "SCHLICHT", Some(Turning)), (Part, "DREHEN", Some(Turning)), (Part, "DREHMEI", Some(Turning)),
+    (Part, "DREHSTAHL", Some(Turning)), (Stem, "DESBASTE", Some(Turning)), (Stem, "DESBBASTE", Some(Turning)), (Word, "DESB", Some(Turning)),
+    (Stem, "ACABA", Some(Turning)), (Word, "ACAB", Some(Turning)), (Word, "TORN", Some(Turning)), (Stem, "TORNEA", Some(Turning)),
+    (Stem, "USINAGEM", Some(Turning)), (Stem, "FACEA", Some(Turning)), (Stem, "CILINDRA", Some(Turning)), (Stem, "REFRENTA", Some(Turning)),
+    (Stem, "SGROSS", Some(Turning)), (Stem, "FINITURA", Some(Turning)), (Stem, "TORNIT", Some(Turning)), (Stem, "SFACC", Some(Turning)),
+    (Stem, "EBAUCHE", Some(Turning)), (Stem, "ÉBAUCHE", Some(Turning)), (Stem, "FINITION", Some(Turning)), (Stem, "CHARIOT", Some(Turning)),
+    (Stem, "ПРОХОДН", Some(Turning)), (Stem, "ПОДРЕЗ", Some(Turning)), (Stem, "ЧЕРНОВ", Some(Turning)), (Stem, "ЧИСТОВ", Some(Turning)),
+    (Stem, "ТОЧЕН", Some(Turning)), (Stem, "ТОКАР", Some(Turning)), (Part, "外圆", Some(Turning)), (Part, "外圓", Some(Turning)), (Part, "粗车", Some(Turning)),
+    (Part, "精车", Some(Turning)), (Part, "粗車", Some(Turning)), (Part, "精車", Some(Turning)), (Part, "端面", Some(Turning)), (Part, "偏刀", Some(Turning)),
+    (Part, "车刀", Some(Turning)), (Part, "車刀", Some(Turning)),
+];
+
+/// Terms and the side of the work they name.
+#[rustfmt::skip]
+pub const SIDES: &[(Form, &str, Side)] = &[
+    (Stem, "FACE GROOV", Side::Face), (Stem, "FACIAL", Side::Face), (Part, "PLANSTECH", Side::Face), (Part, "PLANEINSTECH", Side::Face),
+    (Part, "AXIALEINSTECH", Side::Face), (Part, "AXIALSTECH", Side::Face), (Stem, "GOLA FRONTALE", Side::Face), (Stem, "RANURADO FRONTAL", Side::Face),
+    (Stem, "КАНАВОЧНЫЙ ТОРЦ", Side::Face), (Part, "端面槽", Side::Face), (Part, "端面切槽", Side::Face),
+    (Word, "ID", Side::Inside), (Word, "I.D", Side::Inside), (Stem, "INSIDE", Side::Inside), (Stem, "INTERN", Side::Inside),
+    (Stem, "INTERIOR", Side::Inside), (Stem, "INTÉRIEUR", Side::Inside), (Stem, "INTERIEUR", Side::Inside), (Word, "INT", Side::Inside), (Word, "INTER", Side::Inside),
+    (Part, "INNEN", Side::Inside), (Stem, "ВНУТР", Side::Inside), (Part, "内", Side::Inside), (Part, "內", Side::Inside),
+    (Word, "OD", Side::Outside), (Word, "O.D", Side::Outside), (Stem, "OUTSIDE", Side::Outside), (Stem, "EXTERN", Side::Outside),
+    (Stem, "EXTERIOR", Side::Outside), (Stem, "EXTÉRIEUR", Side::Outside), (Stem, "EXTERIEUR", Side::Outside), (Stem, "ESTERN", Side::Outside), (Word, "EXT", Side::Outside),
+    (Part, "AUSSEN", Side::Outside), (Part, "AUßEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
+];
+
+/// Beginnings of designations of blades, and which side of the work they are for.
+#[rustfmt::skip]
+const BLADES: &[(&str, Side)] = &[
+    ("MGMN", Side::Outside), ("MGGN", Side::Outside), ("DGN", Side::Outside), ("GTN", Side::Outside), ("N151", Side::Outside),
+    ("N123", Side::Outside), ("TAG", Side::Outside), ("TGFH", Side::Outside), ("GIQR", Side::Inside), ("GIQL", Side::Inside),
+    ("MIFR", Side::Face), ("MIFL", Side::Face),
+];
+
+/// The kind of tool that a comment names.
+pub fn kind(text: &str) -> Option<ToolKind> {
+    KINDS.iter().find(|(form, term, _)| stands(text, term, *form)).and_then(|(.., kind)| *kind)
+}
+
+/// The side of the work that a comment names.
+pub fn side(text: &str) -> Option<Side> {
+    SIDES.iter().find(|(form, term, _)| stands(text, term, *form)).map(|(.., side)| *side)
+}
+
+/// Whether a term stands in a comment.
+fn stands(text: &str, term: &str, form: Form) -> bool {
+    text.match_indices(term).any(|(at, _)| {
+        let before = text[..at].chars().next_back().is_some_and(char::is_alphabetic);
+        let behind = text[at + term.len()..].chars().next().is_some_and(char::is_alphabetic);
+        match form {
+            Word => !before && !behind,
+            Stem => !before,
+            Part => true,
+        }
+    })
+}
+
+/// The tool of the first designation of an insert in a comment.
+pub fn insert(text: &str) -> Option<Tool> {
+    let mut words = text.split([' ', ',', ';', ':', '(', '=']).filter(|word| !word.is_empty()).peekable();
+    while let Some(word) = words.next() {
+        let next = words.peek().copied().unwrap_or_default();
+        if let Some(tool) = turning(word, next).or_else(|| threading(word)).or_else(|| blade(word, next)) {
+            return Some(tool);
+        }
+    }
+    None
+}
+
+/// `CNMG120408`, `CCGT 09T304`, `VNMG 2.5-1-SF`: shape, clearance, tolerance, kind (ISO 1832), then metric digits in pairs, or
+/// those of ANSI B212.4, the last of which is the nose radius in 64ths of an inch.
+fn turning(word: &str, next: &str) -> Option<Tool> {
+    let letters = word.get(..4)?;
+    let sets = ["CDVTWSRK", "NBCPAEFDG", "MGUEACHJKLN", "GMTNAWXQRUHFJ"];
+    if !letters.chars().zip(sets).all(|(letter, set)| set.contains(letter)) {
+        return None;
+    }
+    let size = if word.len() > 4 { &word[4..] } else { next };
+    let has_size = size.starts_with(|first: char| first.is_ascii_digit());
+    // Alone they are a word like any other, but for the usual ones.
+    let usual = ["CDVTWSR", "NBCP", "MG", "GMTAX"];
+    if !has_size && !(word.len() == 4 && letters.chars().zip(usual).all(|(letter, set)| set.contains(letter)))
+    {
+        return None;
+    }
+    let mut tool = Tool { kind: Some(Turning), insert: Some(letters.to_owned()), ..Tool::default() };
+    if !has_size {
+        return Some(tool);
+    }
+    let digits = |part: &str| part.len() == 2 && part.bytes().all(|byte| byte.is_ascii_digit());
+    let metric = (size.get(..2), size.get(4..6));
+    if let (Some(edge), Some(nose)) = metric
+        && digits(edge)
+        && digits(nose)
+    {
+        tool.insert = Some(format!("{letters}{edge}"));
+        tool.nose_radius = nose.parse().ok().map(|tenths: f64| tenths / 10.0);
+        return Some(tool);
+    }
+    let size = size.split_terminator(|c: char| c.is_alphabetic()).next().unwrap_or_default();
+    let last = size.trim_end_matches('-').chars().next_back().and_then(|digit| digit.to_digit(10));
+    tool.nose_radius =
+        last.filter(|&sixtyfourths| sixtyfourths > 0 && size.len() > 2).map(|n| f64::from(n) * 25.4 / 64.0);
+    Some(tool)
+}
+
+/// `16ER1.5ISO`, `22IR`: a thread insert for the outside or the inside.
+fn threading(word: &str) -> Option<Tool> {
+    let (size, rest) = word.split_at_checked(2)?;
+    let known = ["06", "08", "11", "16", "22", "27"].contains(&size);
+    let side = match rest.get(..2)? {
+        "ER" | "EL" => Side::Outside,
+        "IR" | "IL" => Side::Inside,
+        _ => return None,
+    };
+    known.then(|| Tool { kind: Some(Threading), side: Some(side), ..Tool::default() })
+}
+
+/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a blade, and its width where that is known to stand in it.
+fn blade(word: &str, next: &str) -> Option<Tool> {
+    let (name, side) = BLADES.iter().find(|(name, _)| word.starts_with(name))?;
+    let own = &word[name.len()..];
+    // `TAGGED` is no blade.
+    if own.starts_with(char::is_alphabetic) && *name == "TAG" {
+        return None;
+    }
+    let size = if own.is_empty() { next } else { own };
+    let number = |text: &str| text.parse::<f64>().ok();
+    let leading = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let width = match *name {
+        "MGMN" | "MGGN" => number(&size[..leading(size)]).map(|w| if w >= 100.0 { w / 100.0 } else { w }),
+        // Tenths of the width, then the corner.
+        "DGN" if leading(size) == 4 => number(&size[..2]).map(|w| w / 10.0),
+        "TAG" => size.strip_prefix('N').and_then(|rest| number(&rest[..leading(rest)])),
+        "GIQR" | "GIQL" | "MIFR" | "MIFL" => size.split('-').nth(1).and_then(number),
+        _ => None,
+    };
+    let width = width.filter(|width| (0.3..=20.0).contains(width));
+    Some(Tool { kind: Some(Grooving), side: Some(*side), width, ..Tool::default() })
+}

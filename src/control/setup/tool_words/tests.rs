@@ -1,0 +1,156 @@
+use super::terms::{Form, KINDS, SIDES};
+use super::*;
+
+/// What a comment says, in a line: kind, side, insert, nose radius, width and diameter.
+fn words(comment: &str, unit: Unit) -> String {
+    let tool = described(comment, unit);
+    let measure = |name: &str, value: Option<f64>| {
+        value.map_or(String::new(), |value| format!(" {name}{}", (100.0 * value).round() / 100.0))
+    };
+    let mut line = tool.kind.map_or("nothing", ToolKind::name).to_owned();
+    line += &tool.side.map_or(String::new(), |side| format!(" {}", side.name()));
+    line += &tool.insert.map_or(String::new(), |insert| format!(" {insert}"));
+    line + &measure("r", tool.nose_radius) + &measure("w", tool.width) + &measure("d", tool.diameter)
+}
+
+#[test]
+fn every_term_has_its_meaning() {
+    for (form, term, kind) in KINDS {
+        for comment in [(*term).to_owned(), format!("T7 {term} 3"), term.to_lowercase()] {
+            assert_eq!(terms::kind(&comment.to_uppercase()), *kind, "{comment}");
+        }
+        if kind.is_none() || term.contains(' ') {
+            continue;
+        }
+        if *form == Form::Word {
+            assert_ne!(terms::kind(&format!("{term}QQ")), *kind, "{term}");
+        }
+        if *form != Form::Part {
+            assert_ne!(terms::kind(&format!("QQ{term}")), *kind, "{term}");
+        }
+    }
+    for (_, term, side) in SIDES {
+        assert_eq!(terms::side(&format!("T7 {term} 3")), Some(*side), "{term}");
+    }
+}
+
+#[test]
+fn nine_languages() {
+    for (comment, expected) in [
+        ("OD ROUGH R0.8", "turning r0.8"),
+        ("Drehen Schruppen CNMG120408", "turning CNMG12 r0.8"),
+        ("Aussen Schlichten VNMG 160404", "turning VNMG16 r0.4"),
+        ("Innendrehen", "boring"),
+        ("Einstechen aussen B3", "grooving outside w3"),
+        ("Abstechmeissel 3mm", "grooving w3"),
+        ("Gewindebohrer M8", "tap"),
+        ("Gewinde innen", "threading inside"),
+        ("Bohrer D8.5", "drill d8.5"),
+        ("ROSCA", "threading"),
+        ("HERRAMIENTA DE RANURAR ANCHO 4", "grooving w4"),
+        ("TRONZADO", "grooving"),
+        ("DESBASTE EXTERIOR", "turning"),
+        ("FERR. BEDAME, De 3mm", "grooving w3"),
+        ("BROCA DIA. 10MM", "drill d10"),
+        ("BROCA DE 10", "drill d10"),
+        ("FERR. MANDRILHAMENTO INT.", "boring"),
+        ("FERR TORN INT", "boring"),
+        ("sgrossatura esterna", "turning"),
+        ("filettatura", "threading"),
+        ("gola interna 2mm", "grooving inside w2"),
+        ("punta 6mm", "drill d6"),
+        ("maschio M6", "tap"),
+        ("gorge", "grooving"),
+        ("foret Ø8.5", "drill d8.5"),
+        ("резец проходной", "turning"),
+        ("резец расточной", "boring"),
+        ("резец отрезной 3мм", "grooving w3"),
+        ("резец резьбовой внутренний", "threading inside"),
+        ("сверло Ø12", "drill d12"),
+        ("метчик M10", "tap"),
+        ("切槽刀", "grooving"),
+        ("螺纹刀", "threading"),
+        ("外圆粗车刀", "turning"),
+        ("内孔镗刀", "boring"),
+        ("钻头 Ø10", "drill d10"),
+        ("丝锥", "tap"),
+        ("内螺纹刀", "threading inside"),
+    ] {
+        assert_eq!(words(comment, Unit::Millimetre), expected, "{comment}");
+    }
+}
+
+#[test]
+fn designations_and_measures() {
+    for (comment, expected) in [
+        ("T7 VNMG CR:.016", "turning VNMG r0.41"),
+        ("T7 VNMG 2.5-1-SF CR:.016", "turning VNMG r0.41"),
+        ("W.079 GROOVE TOOL", "grooving w2.01"),
+        ("DGN 2002C - W:.079", "grooving outside w2.01"),
+        ("DGN2002C", "grooving outside w2"),
+        ("TAG N2A", "grooving outside w2"),
+        ("CNMG 432", "turning CNMG r0.79"),
+        ("CCGT 3-1-AF", "turning CCGT r0.4"),
+        ("CCGT09T304FN-JS", "turning CCGT09 r0.4"),
+        ("3/4 BB - CCGT 3-1-AF/AS", "boring CCGT r0.4"),
+        ("16ER1.5ISO", "threading outside"),
+        ("22IR N60", "threading inside"),
+        ("GIQR 11-2.00-0.10", "grooving inside w2"),
+        ("MIFR 8-2.00-0.20", "grooving face w2"),
+        ("MGMN300", "grooving outside w3"),
+        ("1\" INSERT DRILL", "drill d25.4"),
+        (".159\" STUB DRILL", "drill d4.04"),
+        ("39/64 HSS DRILL", "drill d15.48"),
+        ("3/8 DRILL .550 DEPTH", "drill d9.53"),
+        ("14MM DRILL XCMT 060402", "drill d14"),
+        ("#5 CENTER DRILL 60 DEGREE", "drill"),
+        (".625 DRILL", "drill d15.88"),
+        ("1/2\" BALL ENDMILL - DRILL .560 DEPTH", "endmill d12.7"),
+        ("TOOL 3, 35 DEGREE .015 TNR", "turning V r0.38"),
+        ("GROOVE H4", "grooving w101.6"),
+        ("THREAD RELIEF", "nothing"),
+        ("PARTS CATCHER", "nothing"),
+        ("M18-1.5 THREAD", "threading"),
+        ("ROUND BAR", "nothing"),
+        ("TURNING INTRODUCTION", "turning"),
+    ] {
+        let expected = if comment == "GROOVE H4" { "grooving" } else { expected };
+        assert_eq!(words(comment, Unit::Inch), expected, "{comment}");
+    }
+    assert_eq!(words("GROOVE H4", Unit::Millimetre), "grooving w4");
+    assert_eq!(words("GROOVE 6.3", Unit::Millimetre), "grooving w6.3");
+    assert_eq!(words("GROOVE W=3", Unit::Millimetre), "grooving w3");
+}
+
+/// Station and kind of each tool.
+fn check(text: &str, expected: &[(u16, ToolKind)]) {
+    let found: Vec<_> =
+        read(text).into_iter().filter_map(|(station, tool)| Some((station, tool.kind?))).collect();
+    assert_eq!(found, expected, "{text}");
+}
+
+#[test]
+fn comments_belong_to_tools() {
+    use ToolKind::{Drill, Grooving, Threading, Turning};
+    check("T0303 (GROOVE W=3)\nG0 X40", &[(3, Grooving)]);
+    check("N3T0505(ROSCA)\n", &[(5, Threading)]);
+    check("(T0404 - ROSCA EXTERNA G76)\n(T07007 DRILL)\nG0 X1\n", &[(4, Threading), (7, Drill)]);
+    check("(TOOL 3, 35 DEG .015 TNR)\n", &[(3, Turning)]);
+    check("(GROOVE1)\nN14T0101\nN15G54\nG0 X40\n", &[(1, Grooving)]);
+    // Below: then what stands above a T word is of the tool before.
+    let below = "N1 T0707\n(DESBASTE)\nG0 X40 Z2\nG28\n(CANAL)\nT0101\n(FERR. ACABAMENTO)\nG0 X40\n(ROSCA)\nT0505\nG0 X3\n";
+    check(below, &[(1, Turning), (7, Turning)]);
+    // What a comment in the header says of a tool goes before what is made with it.
+    check("(T02002 VNMG 2.5-1 CR:.016)\n(GROOVE)\nT02002\nG0 X1\n", &[(2, Turning)]);
+    check("(GROOVE)\nG0 X40 Z2\nT0101\n", &[]);
+    // Two digits call no station.
+    check("T01 (DRILL)\n", &[]);
+}
+
+#[test]
+fn the_unit_is_that_of_the_program() {
+    let width = |text: &str| read(text)[&3].width;
+    assert_eq!(width("(G21)\nG20\nT0303 (GROOVE W.1)"), Some(2.54));
+    assert_eq!(width("G21 T0303 (GROOVE W3)"), Some(3.0));
+    assert_eq!(width("G200 T0303 (GROOVE W3)"), Some(3.0));
+}

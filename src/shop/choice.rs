@@ -1,0 +1,230 @@
+//! Which of the tools that come into question for a use leaves the contour whole.
+//!
+//! In: the motions, what was seen of each use, what comments say, the blank. Out: the guesses, with another tool where the first
+//! would cut into the surface that all tips leave together, or the word that none is known. Must not know the text.
+
+use std::collections::BTreeMap;
+
+use super::fitting::takes;
+use super::guess::{Guesses, LOOKED_AT, Seen, Use};
+use super::surface::{Facing, Stations, Surface, Track};
+use super::sweep::way_of;
+use crate::control::setup::{Side, Stock, Tool, ToolKind};
+use crate::geometry::SAME;
+use crate::motion::Motions;
+
+/// Widths of blades that are tried, mm.
+const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
+
+/// Width of a blade whose tip alone is known, mm: it makes the contour as it is programmed.
+const THIN: f64 = 0.04;
+
+/// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
+const TO_AXIS: f64 = 1.0;
+
+/// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool does not go on
+/// behind it: a longer piece is parted off.
+const IN_FRONT: [f64; 2] = [3.0, 0.5];
+
+/// Beyond this, mm, a program has a slip, and no blank.
+const LONGEST: f64 = 5000.0;
+
+/// Puts the tool that does it in place of each guess that would cut too deep.
+pub(super) fn decide(
+    motions: &Motions,
+    seen: &[Seen],
+    spoken: &BTreeMap<u16, Tool>,
+    stock: Option<Stock>,
+    guesses: &mut Guesses,
+) {
+    for (index, own) in seen.iter().enumerate() {
+        if let Some(words) = spoken.get(&own.station) {
+            let guess = guesses.tools().nth(index).map(|(.., tool)| with_words(own.purpose, tool, words));
+            guess.into_iter().for_each(|tool| guesses.put(index, tool));
+        }
+    }
+    let Some(stock) = stock else { return };
+    let Some(led) = Led::of(motions, seen, &stock) else { return };
+    for (index, own) in seen.iter().enumerate().filter(|(_, own)| own.purpose == Use::Turning) {
+        let Some(first) = guesses.tools().nth(index).map(|(.., tool)| tool.clone()) else { continue };
+        if first.kind == Some(ToolKind::Grooving) {
+            // It only plunges.
+            continue;
+        }
+        let grooves = seen.iter().any(|other| other.station == own.station && other.purpose == Use::Grooving);
+        let words = spoken.get(&own.station).cloned().unwrap_or_default();
+        let is_blade = words.kind == Some(ToolKind::Grooving) || (grooves && own.station > 0 && !own.contour);
+        let mut all = candidates(&first, own, &words);
+        let (inserts, blades): (Vec<Tool>, Vec<Tool>) =
+            all.drain(..).partition(|tool| tool.kind != Some(ToolKind::Grooving));
+        let mut found = None;
+        if is_blade {
+            found = blades.iter().find(|tool| led.does(index, own, tool));
+        }
+        let found = found
+            .or_else(|| inserts.iter().find(|tool| led.does(index, own, tool)))
+            .or_else(|| blades.iter().find(|tool| led.does(index, own, tool)));
+        match found {
+            Some(tool) => guesses.put(index, tool.clone()),
+            None => guesses.unknown.push(own.first),
+        }
+    }
+}
+
+/// A guess with what comments say of it, as far as they speak of the same kind of tool.
+fn with_words(purpose: Use, guess: &Tool, words: &Tool) -> Tool {
+    let same = guess.kind == words.kind;
+    let mut tool = guess.clone();
+    match purpose {
+        Use::Hole | Use::Live if same => tool.diameter = words.diameter.or(tool.diameter),
+        _ if same && guess.kind == Some(ToolKind::Grooving) => {
+            tool.width = words.width;
+            // A face is grooved by G74, and the other sides by G75.
+            tool.side = words.side.filter(|_| guess.side != Some(Side::Face)).or(tool.side);
+        }
+        Use::Threading if same => tool.side = words.side.or(tool.side),
+        _ => {}
+    }
+    tool
+}
+
+/// What comes into question for a turning use: inserts from the usual to the sharpest, then blades from the widest.
+fn candidates(first: &Tool, own: &Seen, words: &Tool) -> Vec<Tool> {
+    let inside = own.is_inside();
+    let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
+    let insert = |insert: &str, entering: Option<f64>| Tool {
+        kind: Some(kind),
+        insert: Some(insert.into()),
+        entering_angle: entering,
+        tip: first.tip,
+        ..Tool::default()
+    };
+    let mut all = Vec::new();
+    if let Some(letter) = words.insert.as_deref().and_then(|insert| insert.chars().next()) {
+        let entering = match letter {
+            'C' | 'W' => Some(95.0),
+            'D' | 'V' | 'K' => Some(93.0),
+            'T' => Some(91.0),
+            _ => None,
+        };
+        all.push(insert(words.insert.as_deref().unwrap_or_default(), entering));
+    }
+    all.push(first.clone());
+    all.extend([insert("D", Some(93.0)), insert("V", Some(93.0)), insert("V", Some(72.5))]);
+    let needle = Tool { insert: None, point_angle: Some(1.0), ..insert("", Some(91.0)) };
+    all.push(needle);
+    let side = words.side.unwrap_or(if inside { Side::Inside } else { Side::Outside });
+    let blade = |width: f64| Tool {
+        kind: Some(ToolKind::Grooving),
+        side: Some(side),
+        width: Some(width),
+        ..Tool::default()
+    };
+    match words.width {
+        Some(width) => all.push(blade(width)),
+        None => all.extend(WIDTHS.map(blade)),
+    }
+    all.push(Tool { tip: Some(if inside { 6 } else { 8 }), ..blade(THIN) });
+    all
+}
+
+/// Where tools are led, and what is to stay.
+struct Led {
+    tracks: Vec<Track>,
+    stations: Stations,
+    outside: Surface,
+    inside: Surface,
+    /// Z of the finished face, mm.
+    front: f64,
+}
+
+impl Led {
+    fn of(motions: &Motions, seen: &[Seen], stock: &Stock) -> Option<Self> {
+        let turns = |own: &Seen| matches!(own.purpose, Use::Turning | Use::Grooving);
+        if !seen.iter().any(|own| own.purpose == Use::Turning) {
+            return None;
+        }
+        let cuts = || {
+            let all = motions.iter().take(LOOKED_AT);
+            all.filter(|motion| motion.kind.cuts() && !motion.process.uncertain && motion.rotary.is_none())
+        };
+        let (mut low, mut high) = (f64::INFINITY, stock.face);
+        for motion in cuts() {
+            low = low.min(motion.to.z.min(motion.from.z));
+            high = high.max(motion.from.z);
+        }
+        let behind = low < -SAME;
+        // The bar behind all cuts is held, and no part.
+        let back = low.max(stock.back());
+        low = low.min(stock.back());
+        if high - low > LONGEST {
+            return None;
+        }
+        let stations = Stations::between(low, high);
+        let facing = |own: &Seen| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
+        let mut tracks = vec![Track::default(); seen.len()];
+        let mut faces: Vec<(f64, usize)> = Vec::new();
+        for motion in cuts() {
+            let use_of = (motion.process.tool.0, Use::of(&motion));
+            let Some(index) = seen.iter().position(|own| (own.station, own.purpose) == use_of) else {
+                continue;
+            };
+            if !turns(&seen[index]) {
+                continue;
+            }
+            let way = way_of(&motion);
+            tracks[index].add(&way, facing(&seen[index]), &stations);
+            let across = (motion.to.z - motion.from.z).abs() <= SAME;
+            if across && motion.to.x <= TO_AXIS && motion.from.x > TO_AXIS {
+                faces.push((motion.to.z, index));
+            }
+        }
+        let of = |side: Facing| {
+            let own = move |(own, _): &(&Seen, &Track)| turns(own) && facing(own) == side;
+            seen.iter().zip(&tracks).filter(own).map(|(_, track)| track)
+        };
+        // Where something was turned in front of it, a cut to the axis parts it off.
+        let turned = of(Facing::Outwards)
+            .filter_map(|track| track.highest_between(&stations, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME));
+        let turned = turned.fold(f64::NEG_INFINITY, f64::max);
+        let face = if behind { stock.face.min(0.0) } else { stock.face };
+        let is_face = |&(z, index): &(f64, usize)| {
+            let [goes_on, ends] = IN_FRONT;
+            let left = if tracks[index].goes_on_behind(&stations, z) { goes_on } else { ends };
+            z + left >= turned
+        };
+        let front = faces.iter().filter(|face| is_face(face)).map(|face| face.0).fold(face, f64::min);
+        let outside = Surface::of(
+            of(Facing::Outwards),
+            (Facing::Outwards, stations),
+            stock.diameter / 2.0,
+            (back, front),
+        );
+        let inside =
+            Surface::of(of(Facing::Inwards), (Facing::Inwards, stations), stock.bore / 2.0, (back, front));
+        Some(Self { tracks, stations, outside, inside, front })
+    }
+
+    /// Whether a tool can do what was seen of a use.
+    fn does(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
+        let track = &self.tracks[index];
+        let (facing, surface) = match own.is_inside() {
+            true => (Facing::Inwards, &self.inside),
+            false => (Facing::Outwards, &self.outside),
+        };
+        let outline = takes(tool);
+        if tool.kind != Some(ToolKind::Grooving) {
+            return !surface.is_gouged(&outline, track);
+        }
+        if !track.plunges.iter().any(|(z, _)| *z < self.front - SAME) {
+            return false;
+        }
+        // A tip alone: what it makes is the contour, if it is led along all of it.
+        if tool.tip.is_some() {
+            return track.clears_plunges(&self.stations, self.front);
+        }
+        // Both corners of a blade are led along the walls of a groove, each by its own blocks; but a contour is made by one.
+        let is_groove = !own.contour && track.is_valley();
+        is_groove || !Surface::of_one(track, (facing, self.stations)).is_gouged(&outline, track)
+    }
+}

@@ -1,0 +1,251 @@
+//! With tools that are only guessed the part has the contour that was programmed, or no part is shown: random contours, the
+//! programs of the tests, and ways of programming that a wrong guess would spoil.
+
+use gcode_playground::analyze;
+use gcode_playground::control::setup::Setup;
+use gcode_playground::geometry::Point;
+use gcode_playground::motion::{Cycle, Motion, Motions};
+use gcode_playground::run::Analysis;
+use gcode_playground::shop::Shop;
+use gcode_playground::shop::region::Region;
+use proptest::prelude::*;
+
+use crate::fixtures::all;
+
+/// Largest difference in radius, mm.
+const TOLERANCE: f64 = 0.06;
+
+/// Stations this near to a wall, mm, may have the radius of either side.
+const BESIDE: f64 = 0.1;
+
+/// Straight pieces of an arc.
+const PIECES: u32 = 200;
+
+fn run(program: &str) -> (Analysis, Shop) {
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    let shop = Shop::done(&analysis.motions, &analysis.setup);
+    (analysis, shop)
+}
+
+fn way(motion: &Motion) -> Vec<Point> {
+    match motion.arc() {
+        None => vec![motion.from, motion.to],
+        Some(arc) => (0..=PIECES).map(|piece| arc.at(f64::from(piece) / f64::from(PIECES))).collect(),
+    }
+}
+
+/// Least radius at which some motions cross a station.
+fn least<'a>(motions: impl Iterator<Item = &'a Motion>, z: f64) -> Option<f64> {
+    let mut found: Option<f64> = None;
+    for motion in motions {
+        for ends in way(motion).windows(2) {
+            let (a, b) = (ends[0], ends[1]);
+            let plunges = (a.z - b.z).abs() <= 1e-9 && (a.z - z).abs() <= BESIDE;
+            if plunges {
+                let x = a.x.min(b.x);
+                found = Some(found.map_or(x, |least| least.min(x)));
+            }
+            if (a.z - b.z).abs() > 1e-9 && (a.z.min(b.z)..=a.z.max(b.z)).contains(&z) {
+                let x = a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x);
+                found = Some(found.map_or(x, |least| least.min(x)));
+            }
+        }
+    }
+    found
+}
+
+/// Holds the outside of a part against the way of the tip: each station where it is led along Z.
+fn compare(part: &Region, cuts: &[Motion], stations: impl Iterator<Item = f64>) -> Result<(), String> {
+    for z in stations {
+        let near = [-BESIDE, -BESIDE / 2.0, 0.0, BESIDE / 2.0, BESIDE];
+        let near: Vec<f64> = near.iter().filter_map(|by| least(cuts.iter(), z + by)).collect();
+        let (low, high) =
+            near.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
+        let found = part.radii(z).last().map_or(0.0, |material| material.1);
+        if near.len() == 5 && (found < low - TOLERANCE || found > high.max(0.0) + TOLERANCE) {
+            return Err(format!("Z{z:.2}: radius {found:.3}, the tip goes from {low:.3} to {high:.3}"));
+        }
+    }
+    Ok(())
+}
+
+fn cuts(motions: &Motions) -> Vec<Motion> {
+    motions.iter().filter(|motion| motion.kind.cuts()).collect()
+}
+
+/// A contour from right to left: steps along Z and in diameter, and which are arcs.
+fn contour() -> impl Strategy<Value = Vec<(u32, i32, u32)>> {
+    prop::collection::vec((0u32..12, -12i32..14, 0u32..4), 2..9)
+}
+
+fn blocks(steps: &[(u32, i32, u32)]) -> (String, f64) {
+    let (mut z, mut x) = (0.0, 30.0);
+    let mut text = String::new();
+    for &(along, across, form) in steps {
+        let (dz, dx) = (f64::from(along), f64::from(across));
+        z -= dz;
+        x = f64::max(x + dx, 6.0);
+        let chord = dz.hypot(dx / 2.0);
+        // An arc that bulges enough to be seen, and turns by less than a quarter.
+        text += &match form {
+            0 if chord > 2.0 && dz > 0.0 => format!("G02 X{x} Z{z} R{:.3}\n", 1.2 * chord),
+            1 if chord > 2.0 && dz > 0.0 => format!("G03 X{x} Z{z} R{:.3}\n", 1.2 * chord),
+            _ => format!("G01 X{x} Z{z}\n"),
+        };
+    }
+    (text, z)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_finished_contour_is_there_or_no_part_is(steps in contour()) {
+        let (blocks, end) = blocks(&steps);
+        prop_assume!(end < -1.0);
+        let program = format!(
+            "(STOCK D=160 LENGTH=120)\nT0101\nG97 S500 M03\nG00 X30 Z2\nG01 Z0 F0.2\n{blocks}X170\nG00 Z5\n"
+        );
+        let (analysis, shop) = run(&program);
+        match shop.finished() {
+            None => prop_assert!(!shop.fitting().unknown().is_empty(), "{program}"),
+            Some(part) => {
+                let all = cuts(&analysis.motions);
+                let stations = (0..60).map(|index| end * (f64::from(index) + 0.37) / 60.0);
+                let compared = compare(&part, &all, stations);
+                prop_assert!(compared.is_ok(), "{compared:?}\n{program}");
+            }
+        }
+    }
+}
+
+/// Where G70 leads a tool last, and no other tool after it.
+#[test]
+fn finishing_passes_of_all_programs_are_there() {
+    let mut seen = 0;
+    for program in all() {
+        let analysis = analyze(program.text.as_bytes(), &Setup::from_json(&program.setup).expect("a setup"));
+        let shop = Shop::done(&analysis.motions, &analysis.setup);
+        let all: Vec<Motion> = cuts(&analysis.motions);
+        let finishing = |motion: &Motion| motion.cycle.is_some_and(|step| step.cycle == Cycle::Finishing);
+        let own: Vec<Motion> = all.iter().filter(|motion| finishing(motion)).copied().collect();
+        let given = |motion: &Motion| {
+            let (station, offset) = motion.process.tool;
+            analysis.setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
+        };
+        let Some(first) = own.first().filter(|motion| !given(motion)) else { continue };
+        let is_bore = own.last().is_some_and(|last| last.to.x < first.from.x);
+        if is_bore {
+            continue;
+        }
+        let Some(part) = shop.finished() else { panic!("{}: no part", program.id) };
+        let low = own.iter().map(|motion| motion.to.z).fold(f64::INFINITY, f64::min);
+        let stations = (0..80).map(|index| low * (f64::from(index) + 0.37) / 80.0);
+        let others: Vec<Motion> = all.iter().filter(|motion| !finishing(motion)).copied().collect();
+        let stations = stations.filter(|&z| least(others.iter(), z) >= least(own.iter(), z));
+        if let Err(difference) = compare(&part, &own, stations) {
+            panic!("{}: {difference}", program.id);
+        }
+        seen += 1;
+    }
+    assert!(seen > 3, "{seen} programs");
+}
+
+/// Kinds of the tools, in order; and diameters of the part at some Z.
+fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
+    let (analysis, shop) = run(program);
+    let kinds: Vec<&str> =
+        shop.fitting().tools().map(|fitted| fitted.tool.kind.map_or("none", |kind| kind.name())).collect();
+    assert_eq!(kinds.join(" "), tools, "{program}");
+    assert!(!analysis.diagnostics.iter().any(|told| told.is_error()), "{:?}", analysis.diagnostics);
+    let Some(part) = shop.finished() else {
+        assert!(diameters.is_empty(), "no part: {program}");
+        return;
+    };
+    for &(z, diameter) in diameters {
+        let found = part.radii(z).last().map_or(0.0, |material| 2.0 * material.1);
+        assert!((found - diameter).abs() < 0.1, "Z{z}: {found}, not {diameter}\n{program}");
+    }
+}
+
+const HEAD: &str = "G21 G99 G97 S500 M03\n";
+
+/// A blade that roughs by plunges and is then led along all of the contour, hills and valleys, as some programming systems do.
+#[test]
+fn a_blade_led_along_a_contour_makes_the_contour() {
+    let mut program = format!("{HEAD}(GROOVE2)\nT0101\nG00 X64 Z1\n");
+    for (z, x) in [(-1.0, 22.0), (-2.0, 24.0), (-10.0, 42.0), (-11.0, 44.0), (-30.0, 26.0), (-31.0, 24.5)] {
+        program += &format!("G00 Z{z}\nG01 X60 F0.1\nX{x}\nX{} Z{}\nX62\nG00 X64\n", x + 2.0, z + 1.0);
+    }
+    program += "G00 Z2\nX20\nG01 Z0 F0.1\nG03 X40 Z-10 R10\nG01 X50 Z-15\nX50 Z-20\nG02 X24 Z-33 R13\nG01 Z-40\nX60 Z-50\nX64\nG00 Z2\n";
+    check(&program, "grooving", &[(-12.5, 45.0), (-17.0, 50.0), (-36.0, 24.0), (-45.0, 42.0)]);
+}
+
+/// The same tool plunges in cycles, then cuts the walls: a blade as wide as its comment says.
+#[test]
+fn a_groove_is_finished_by_the_blade_that_made_it() {
+    let program = format!(
+        "{HEAD}N1T0909(OD ROUGH R0.8)\nG00 X62 Z2\nG90 X60 Z-60 F0.2\nG00 X100 Z50\nN2T0808(GROOVE H4)\nG00 X64 Z-34\n\
+         G75 R0.1\nG75 X40 Z-20 P2000 Q3500 F0.1\nG00 X64\nZ-18\nG01 X60 F0.1\nX58 Z-19\nX40\nZ-25\nG00 X64\nZ-36\nG01 X60\nX58 Z-35\nX40\nZ-25\nG00 X64\n"
+    );
+    check(
+        &program,
+        "turning grooving grooving",
+        &[(-10.0, 60.0), (-16.0, 40.0), (-30.0, 40.0), (-40.0, 60.0)],
+    );
+}
+
+/// A contour that narrows towards the chuck is outside all the same: the tool leaves it outwards.
+#[test]
+fn a_contour_that_falls_is_no_bore() {
+    let program = format!("{HEAD}T0404\nG00 X66 Z2\nG01 X60 Z0 F0.2\nX56 Z-25\nX52 Z-45\nG00 X70 Z3\n");
+    check(&program, "turning", &[(-12.5, 58.0), (-40.0, 53.0)]);
+    // Bare G28 moves nothing here: the next tool goes to the axis from where this one stood.
+    let program = format!(
+        "{HEAD}T0707\nG00 X43 Z1\nG01 X41 Z0 F0.2\nG03 X55 Z-7 R7\nG28\nT0808\nG00 X0 Z1\nG01 Z-5 F0.1\nG00 Z2\n"
+    );
+    check(&program, "turning drill", &[(-8.0, 55.0)]);
+}
+
+/// What an insert named in a comment cannot do, another one does.
+#[test]
+fn words_do_not_spoil_the_part() {
+    let falls = "G00 X40 Z2\nG01 Z-10 F0.2\nX30 Z-20\nZ-30\nX44\nG00 Z2\n";
+    check(&format!("{HEAD}T0101 (CNMG120408)\n{falls}"), "turning", &[(-15.0, 35.0)]);
+    check(&format!("{HEAD}T0101 (GROOVE 3MM)\n{falls}"), "turning", &[(-15.0, 35.0)]);
+}
+
+#[test]
+fn words_give_measures() {
+    let program = format!("{HEAD}T0202\n(BROCA 8MM)\nG00 X0 Z2\nG01 Z-20 F0.2\nG00 Z2\n");
+    let (_, shop) = run(&program);
+    let drill = shop.fitting().tools().next().expect("a drill");
+    assert_eq!(drill.tool.diameter, Some(8.0));
+    let program = format!("{HEAD}T0303 (GROOVE W=2)\nG00 X42 Z-20\nG01 X30 F0.1\nG00 X42\n");
+    let (_, shop) = run(&program);
+    let blade = shop.fitting().tools().next().expect("a blade");
+    assert_eq!(blade.tool.width, Some(2.0));
+}
+
+/// One tool that turns and parts off can only be a blade.
+#[test]
+fn parting_off_leaves_the_part() {
+    let program = format!("{HEAD}T0101\nG00 X42 Z2\nX38\nG01 Z-45 F0.2\nX44\nG00 Z-40\nG01 X-1\nG00 X44\n");
+    check(&program, "grooving", &[(-10.0, 38.0), (-36.0, 38.0), (-38.0, 0.0), (-42.0, 38.0)]);
+}
+
+#[test]
+fn where_no_tool_will_do_no_part_is_shown() {
+    let program = format!(
+        "{HEAD}T0303\nG00 X52 Z2\nX42 Z-10\nG01 X30 F0.1\nZ-20\nX36 Z-30\nX28 Z-38\nX42\nG00 Z-24\nG01 X20\nG00 X52\n"
+    );
+    let (mut analysis, shop) = run(&program);
+    assert_eq!(shop.fitting().unknown().len(), 1);
+    assert!(shop.finished().is_none() && shop.part_at(&analysis.motions, 1, 0.0).is_none());
+    analysis.look_at_machine();
+    let told: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
+    assert!(told.contains(&"tool-unknown"), "{told:?}");
+    // A tool that somebody names is believed.
+    let named = format!("(TOOL T0303 TYPE=GROOVING WIDTH=3)\n{program}");
+    assert!(run(&named).1.finished().is_some());
+}
