@@ -505,7 +505,7 @@ impl<'a> Parser<'a> {
     /// Whether nothing but another program, or its sign, stands behind a percent sign: `M30%` as the last line of a file.
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
-        let behind = &self.lexer.text()[self.lexer.position() as usize..];
+        let behind = &self.lexer.text()[self.lexer.position()..];
         let line = behind.iter().position(|&byte| byte == b'\n').unwrap_or(behind.len());
         let next = behind.iter().take(SEARCHED).find(|byte| !byte.is_ascii_whitespace() && **byte != b';');
         let blank = behind[..line].iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';');

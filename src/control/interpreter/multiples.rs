@@ -450,7 +450,7 @@ fn clears(start: Point, roughed: &Landmarks, shape: &Shape) -> bool {
     let ends = || shape.moves.iter().map(|routed| routed.motion.to);
     let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
     let outside = if roughed.start.x >= roughed.first.x { 1.0 } else { -1.0 };
-    let Some(last) = ends().last() else { return true };
+    let Some(last) = ends().next_back() else { return true };
     // The face is at Z0, where the cycle that roughed began in front of it.
     let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
     if front * (start.z - face) < -NEAR {
