@@ -57,7 +57,7 @@ enum Material {
     /// Nothing yet: the program has to run first.
     Untouched,
     /// It is being taken off, which nobody sees.
-    UnderWay(Machining),
+    UnderWay(Box<Machining>),
     /// It is off.
     Off(Box<Machined>),
 }
@@ -165,14 +165,14 @@ impl Current {
                 let machining = Machining::new(self.run.motions(), self.run.setup());
                 self.take_off(machining, motions);
             }
-            Material::UnderWay(machining) => self.take_off(machining, motions),
+            Material::UnderWay(machining) => self.take_off(*machining, motions),
         }
         matches!(self.material, Material::Off(_))
     }
 
     fn take_off(&mut self, machining: Machining, motions: usize) {
         match machining.advance(self.run.motions(), motions) {
-            Advanced::UnderWay(machining) => self.material = Material::UnderWay(machining),
+            Advanced::UnderWay(machining) => self.material = Material::UnderWay(Box::new(machining)),
             Advanced::Done(shop) => self.machined(shop),
         }
     }
