@@ -17,8 +17,8 @@ async function listen(page: Page): Promise<() => Promise<Setup>> {
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { kind, json } = message as { kind?: string; json?: string };
-      if (kind === 'setup') Reflect.set(window, 'lastSetup', json);
+      const { setup } = message as { setup?: string };
+      if (setup !== undefined) Reflect.set(window, 'lastSetup', setup);
       Reflect.apply(post, this, [message, ...rest]);
     };
   });

@@ -182,6 +182,8 @@ export class Newest<K extends QuestionKind> {
   readonly #answered: (answer: Answer<K>) => void;
   #busy = false;
   #next: { readonly ask: Questions[K]['ask'] } | undefined;
+  /** The answer under way is not wanted any more. */
+  #forgotten = false;
 
   constructor(client: CoreClient, about: K, answered: (answer: Answer<K>) => void) {
     this.#client = client;
@@ -192,21 +194,24 @@ export class Newest<K extends QuestionKind> {
   ask(ask: Questions[K]['ask']): void {
     if (this.#busy) {
       this.#next = { ask };
+      this.#forgotten = false;
       return;
     }
     this.#busy = true;
+    this.#forgotten = false;
     void this.#client.ask(this.#about, ask).then((answer) => {
       const next = this.#next;
       this.#busy = false;
       this.#next = undefined;
       // An answer that a newer question has overtaken is still shown: better a little late than frozen.
-      this.#answered(answer);
+      if (!this.#forgotten) this.#answered(answer);
       if (next !== undefined) this.ask(next.ask);
     });
   }
 
-  /** Drops a question that has not been sent yet. */
+  /** Drops what has not been sent yet, and the answer to what has. */
   forget(): void {
     this.#next = undefined;
+    this.#forgotten = true;
   }
 }

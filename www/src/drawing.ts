@@ -53,6 +53,8 @@ export class Drawing {
   #travel = 0;
   #panning = { dx: 0, dy: 0 };
   #at = { x: 0, y: 0 };
+  /** The pointer is over the picture, and nothing is dragged. */
+  #pointing = false;
 
   readonly #label: (strings: Strings, motions: number) => string;
 
@@ -200,7 +202,7 @@ export class Drawing {
     canvas.addEventListener('pointerup', (event) => this.#up(event));
     canvas.addEventListener('pointercancel', (event) => this.#pointers.delete(event.pointerId));
     canvas.addEventListener('pointerleave', (event) => {
-      if (event.pointerType === 'mouse') this.#events.left();
+      if (event.pointerType === 'mouse') this.#left();
     });
     canvas.addEventListener('dblclick', () => this.#events.fit());
     canvas.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
@@ -224,6 +226,7 @@ export class Drawing {
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) {
       this.#at = now;
+      this.#pointing = true;
       this.#point();
       return;
     }
@@ -240,7 +243,7 @@ export class Drawing {
     this.#travel += Math.hypot(dx, dy);
     this.#pointers.set(event.pointerId, now);
     if (this.#travel < this.#slop(event)) return;
-    this.#events.left();
+    this.#left();
     this.#panning.dx += dx;
     this.#panning.dy += dy;
     this.#pan();
@@ -258,7 +261,15 @@ export class Drawing {
     return event.pointerType === 'mouse' ? CLICK_SLOP.mouse : CLICK_SLOP.touch;
   }
 
-  readonly #point = perFrame(() => this.#events.pointed(this.#at.x, this.#at.y));
+  #left(): void {
+    this.#pointing = false;
+    this.#events.left();
+  }
+
+  readonly #point = perFrame(() => {
+    // It may have left again since.
+    if (this.#pointing) this.#events.pointed(this.#at.x, this.#at.y);
+  });
   readonly #pan = perFrame(() => {
     this.#events.pan(this.#panning.dx, this.#panning.dy);
     this.#panning = { dx: 0, dy: 0 };
