@@ -219,12 +219,15 @@ impl Led {
         if !track.plunges.iter().any(|(z, _)| *z < self.front - SAME) {
             return false;
         }
-        // A tip alone: what it makes is the contour, if it is led along all of it.
+        // A tip alone: what it makes is the contour, if it or another one is led along all of it.
         if tool.tip.is_some() {
-            return track.clears_plunges(&self.stations, self.front);
+            return surface.clears_plunges(track, self.front);
         }
         // Both corners of a blade are led along the walls of a groove, each by its own blocks; but a contour is made by one.
-        let is_groove = !own.contour && track.is_valley();
-        is_groove || !Surface::of_one(track, (facing, self.stations)).is_gouged(&outline, track)
+        let begins_at_face = track.goes_on_behind(&self.stations, self.front);
+        let is_groove = !own.contour && !begins_at_face && track.is_valley();
+        let own_surface = Surface::of_one(track, (facing, self.stations));
+        let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };
+        is_groove || !own_surface.is_gouged(&outline, &track.without_parting(parting))
     }
 }

@@ -14,6 +14,12 @@ use crate::motion::{Cycle, Motion, MotionKind, Motions};
 /// So many motions are looked at.
 pub(super) const LOOKED_AT: usize = 200_000;
 
+/// A shorter way back along +Z only clears the bottom of a groove, mm.
+const SHORT: f64 = 2.0;
+
+/// A rapid that moves less across the axis than this share of its way along it does not leave the work.
+const ASIDE: f64 = 0.1;
+
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Use {
@@ -56,8 +62,8 @@ pub(super) struct Seen {
     pub first: usize,
     /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
     outside: i32,
-    /// Whether the last cut went along Z.
-    went_along: bool,
+    /// How far the last cut behind the face went along Z, mm.
+    along: f64,
     /// Whether it follows the contour of a cycle.
     pub contour: bool,
     /// Plunges that come back the way they went, and other cuts.
@@ -170,7 +176,7 @@ impl Seen {
             purpose,
             first,
             outside: 0,
-            went_along: false,
+            along: 0.0,
             contour: false,
             plunges: 0,
             cuts: 0,
@@ -200,8 +206,8 @@ impl Seen {
         let (after_x, after_z) = next.map_or((0.0, 0.0), way);
         // Between tools it goes home, though that is not always seen.
         let own_next = next.filter(|next| next.process.tool == motion.process.tool);
-        self.outside += leaves(motion, self.went_along, own_next);
-        self.went_along = dz < -SAME;
+        self.outside += leaves(motion, self.along, own_next);
+        self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         let cycle = motion.cycle.map(|step| step.cycle);
         let contour = [Cycle::Finishing, Cycle::RoughTurning, Cycle::RoughFacing, Cycle::Pattern];
         self.contour |= cycle.is_some_and(|cycle| contour.contains(&cycle));
@@ -289,14 +295,20 @@ impl Seen {
 }
 
 /// Which way a tool leaves the work behind a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
-/// follows the contour, which may fall or rise. `went_along` says that the cut before went towards −Z.
-fn leaves(motion: &Motion, went_along: bool, next: Option<&Motion>) -> i32 {
+/// follows the contour, which may fall or rise. `along` is how far the cut before went along Z.
+fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
-    if motion.to.z > SAME || next.is_some_and(|next| next.kind.cuts()) {
+    // A cut to the axis faces the work; and a little back along +Z, from the bottom of a groove, it may go on either side.
+    let faces = dx < -SAME && motion.to.x <= 1.0;
+    if motion.to.z > SAME || faces || next.is_some_and(|next| next.kind.cuts()) {
         return 0;
     }
+    let goes_back = (SAME..SHORT).contains(&dz) && dx.abs() <= SAME;
+    let aside = |next: &&Motion| (next.to.x - next.from.x).abs() > ASIDE * (next.to.z - next.from.z).abs();
+    let next = next.filter(|_| !goes_back).filter(aside);
     let after = next.map_or(0.0, |next| next.to.x - next.from.x);
-    let on_the_way = if went_along && dz >= -SAME { dx } else { 0.0 };
+    let escapes = along.abs() > SAME && dz * along <= SAME * SAME;
+    let on_the_way = if escapes { dx } else { 0.0 };
     // Straight out, or back along Z from where the last cut led.
     match if after.abs() > SAME { after } else { on_the_way } {
         way if way > SAME => 1,

@@ -109,6 +109,13 @@ impl Track {
         Some(stations.z(index))
     }
 
+    /// The same without the ways that part the work off: those that end below a height.
+    pub fn without_parting(&self, least: f64) -> Self {
+        let mut track = self.clone();
+        track.plunges.retain(|(_, height)| *height > least);
+        track
+    }
+
     /// Whether it is led along Z right behind a place.
     pub fn goes_on_behind(&self, stations: &Stations, z: f64) -> bool {
         let next = stations.at_least(z).min(STATIONS);
@@ -126,15 +133,6 @@ impl Track {
             }
             rising |= b > a + SAME;
             !(rising && b < a - SAME)
-        })
-    }
-
-    /// Whether each plunge behind `front` ends on or above the surface that the tip is led along, so that no ring is left beside it.
-    pub fn clears_plunges(&self, stations: &Stations, front: f64) -> bool {
-        self.plunges.iter().filter(|(z, _)| *z < front - SAME).all(|&(z, height)| {
-            let next = stations.at_least(z);
-            let near = next.saturating_sub(2)..(next + 3).min(STATIONS);
-            near.into_iter().any(|index| self.along[index] <= height + GOUGE)
         })
     }
 }
@@ -174,6 +172,15 @@ impl Surface {
     pub fn of_one(track: &Track, (facing, stations): (Facing, Stations)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
         Self { facing, stations, heights: track.along.iter().map(stays).collect() }
+    }
+
+    /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left beside it.
+    pub fn clears_plunges(&self, track: &Track, front: f64) -> bool {
+        track.plunges.iter().filter(|(z, _)| *z < front - SAME).all(|&(z, height)| {
+            let next = self.stations.at_least(z);
+            let near = next.saturating_sub(2).min(STATIONS)..(next + 3).min(STATIONS);
+            self.heights[near].iter().any(|own| *own <= height + GOUGE)
+        })
     }
 
     /// Whether an outline led along a track takes off any of it.
@@ -267,9 +274,13 @@ mod tests {
 
     #[test]
     fn valleys_and_rings() {
+        let clears = |track: &Track| {
+            let side = (Facing::Outwards, PLACES);
+            Surface::of([track].into_iter(), side, 30.0, (-40.0, 0.0)).clears_plunges(track, 0.0)
+        };
         let valley = led(&[(30.0, -10.0), (25.0, -10.0), (25.0, -15.0), (30.0, -20.0)]);
-        assert!(valley.is_valley() && valley.clears_plunges(&PLACES, 0.0));
+        assert!(valley.is_valley() && clears(&valley));
         assert!(!led(&[(30.0, -10.0), (25.0, -12.0), (28.0, -15.0), (20.0, -20.0)]).is_valley());
-        assert!(!led(&[(30.0, -10.0), (25.0, -10.0)]).clears_plunges(&PLACES, 0.0));
+        assert!(!clears(&led(&[(30.0, -10.0), (25.0, -10.0)])));
     }
 }

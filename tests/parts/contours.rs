@@ -200,6 +200,9 @@ fn a_groove_is_finished_by_the_blade_that_made_it() {
 fn a_contour_that_falls_is_no_bore() {
     let program = format!("{HEAD}T0404\nG00 X66 Z2\nG01 X60 Z0 F0.2\nX56 Z-25\nX52 Z-45\nG00 X70 Z3\n");
     check(&program, "turning", &[(-12.5, 58.0), (-40.0, 53.0)]);
+    // To the face at feed, over the face, and away along Z.
+    let program = format!("{HEAD}T0101\nG00 X50 Z1\nG01 Z0 F0.2\nX-1\nG00 Z1\nX40\nG01 Z-20\nG00 Z1\nX60\n");
+    check(&program, "turning", &[(-10.0, 40.0)]);
     // Bare G28 moves nothing here: the next tool goes to the axis from where this one stood.
     let program = format!(
         "{HEAD}T0707\nG00 X43 Z1\nG01 X41 Z0 F0.2\nG03 X55 Z-7 R7\nG28\nT0808\nG00 X0 Z1\nG01 Z-5 F0.1\nG00 Z2\n"

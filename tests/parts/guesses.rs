@@ -87,7 +87,7 @@ syn-g32: ⌀30.2, 0 to -30.0: T00 threading outside
 syn-g71-id: ⌀50.0 bore 17.6, 0 to -45.0: T00 boring C 95
 syn-g76-um: ⌀29.9, 0 to -40.0: T00 threading outside
 syn-g90-q1: ⌀115.0 bore 60.0, 0 to -60.0: T00 boring C 95
-syn-g90-q3: ⌀80.0, 30 to -10.0: T00 turning C 95
+syn-g90-q3: ⌀80.0, 30 to -10.0: T00 turning D 93
 syn-g90-r-violation: nothing:
 syn-g92: ⌀30.0, 0 to -35.0: T00 threading outside
 syn-tnrc-tip3: ⌀38.4, 0 to -25.0: T01 unnamed tip 3

@@ -93,8 +93,8 @@ impl Notes {
     /// Reads the comments at the head of a text.
     pub fn read(text: &[u8]) -> Self {
         let head = &text[..text.len().min(HEAD)];
-        let mut notes = Self::default();
-        notes.spoken = tool_words::read(&String::from_utf8_lossy(head));
+        let spoken = tool_words::read(&String::from_utf8_lossy(head));
+        let mut notes = Self { spoken, ..Self::default() };
         let mut at = 0;
         while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
             let start = at + found + 1;

@@ -144,8 +144,8 @@ fn turning(word: &str, next: &str) -> Option<Tool> {
     let has_size = size.starts_with(|first: char| first.is_ascii_digit());
     // Alone they are a word like any other, but for the usual ones.
     let usual = ["CDVTWSR", "NBCP", "MG", "GMTAX"];
-    if !has_size && !(word.len() == 4 && letters.chars().zip(usual).all(|(letter, set)| set.contains(letter)))
-    {
+    let is_usual = word.len() == 4 && letters.chars().zip(usual).all(|(letter, set)| set.contains(letter));
+    if !(has_size || is_usual) {
         return None;
     }
     let mut tool = Tool { kind: Some(Turning), insert: Some(letters.to_owned()), ..Tool::default() };
