@@ -1,4 +1,5 @@
 //! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
+#![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::control::setup::{Setup, Turret};
 use gcode_playground::current::Current;
