@@ -421,9 +421,13 @@ impl Writer<'_> {
         if now.tool != process.tool {
             lines.push(format!("T{:02}{:02}", process.tool.0, process.tool.1));
         }
-        if let Some(highest) = process.clamp.filter(|_| now.clamp != process.clamp) {
+        let limits = [('S', now.clamp, process.clamp), ('Q', now.lowest, process.lowest)];
+        let limits = limits.into_iter().filter(|(_, before, after)| before != after);
+        let limits: String =
+            limits.filter_map(|(letter, _, after)| Some(format!(" {letter}{}", whole(after?)))).collect();
+        if !limits.is_empty() {
             let code = if matches!(self.list, CodeList::B | CodeList::C) { "G92" } else { "G50" };
-            lines.push(format!("{code} S{}", whole(highest)));
+            lines.push(format!("{code}{limits}"));
         }
         if now.speed != process.speed {
             lines.push(match process.speed {

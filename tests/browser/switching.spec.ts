@@ -6,7 +6,7 @@ import { writeFileSync } from 'node:fs';
 import { examples } from './page';
 import { freshLoads, fromEnvironment, switching } from './switching/scenario';
 
-const options = fromEnvironment({ seed: 20, steps: 150, states: 12 });
+const options = fromEnvironment({ seed: 20, steps: 100, states: 10 });
 const programs = examples.map(({ id }) => id);
 
 test('switching at random always ends at the picture of a fresh start', async ({ page }, info) => {

@@ -40,11 +40,6 @@ fn least<'a>(motions: impl Iterator<Item = &'a Motion>, z: f64) -> Option<f64> {
     for motion in motions {
         for ends in way(motion).windows(2) {
             let (a, b) = (ends[0], ends[1]);
-            let plunges = (a.z - b.z).abs() <= 1e-9 && (a.z - z).abs() <= BESIDE;
-            if plunges {
-                let x = a.x.min(b.x);
-                found = Some(found.map_or(x, |least| least.min(x)));
-            }
             if (a.z - b.z).abs() > 1e-9 && (a.z.min(b.z)..=a.z.max(b.z)).contains(&z) {
                 let x = a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x);
                 found = Some(found.map_or(x, |least| least.min(x)));
@@ -58,11 +53,18 @@ fn least<'a>(motions: impl Iterator<Item = &'a Motion>, z: f64) -> Option<f64> {
 fn compare(part: &Region, cuts: &[Motion], stations: impl Iterator<Item = f64>) -> Result<(), String> {
     for z in stations {
         let near = [-BESIDE, -BESIDE / 2.0, 0.0, BESIDE / 2.0, BESIDE];
-        let near: Vec<f64> = near.iter().filter_map(|by| least(cuts.iter(), z + by)).collect();
+        let mut near: Vec<f64> = near.iter().filter_map(|by| least(cuts.iter(), z + by)).collect();
+        if near.len() < 5 {
+            continue;
+        }
+        // Walls, and the bottoms of plunges.
+        for ends in cuts.iter().filter(|cut| cut.from.z == cut.to.z && (cut.from.z - z).abs() <= BESIDE) {
+            near.extend([ends.from.x, ends.to.x]);
+        }
         let (low, high) =
             near.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
         let found = part.radii(z).last().map_or(0.0, |material| material.1);
-        if near.len() == 5 && (found < low - TOLERANCE || found > high.max(0.0) + TOLERANCE) {
+        if found < low - TOLERANCE || found > high.max(0.0) + TOLERANCE {
             return Err(format!("Z{z:.2}: radius {found:.3}, the tip goes from {low:.3} to {high:.3}"));
         }
     }

@@ -37,7 +37,7 @@ pub fn read(text: &str) -> BTreeMap<u16, Tool> {
         if called.is_some() {
             station = called;
         }
-        for comment in comments {
+        for comment in comments.into_iter().filter(|comment| !is_note(comment)) {
             let tool = described(comment, unit);
             if tool == Tool::default() {
                 continue;
@@ -168,6 +168,12 @@ fn station(digits: &str) -> Option<u16> {
         _ => number / 1000,
     })
     .ok()
+}
+
+/// Whether a comment is a note of the setup (`TOOL T0101 TYPE=TURNING`), which is read as such.
+fn is_note(comment: &str) -> bool {
+    let mut words = comment.split_ascii_whitespace();
+    words.next().is_some_and(|word| word.eq_ignore_ascii_case("TOOL")) && comment.contains('=')
 }
 
 /// Whether a line moves an axis.

@@ -101,7 +101,7 @@ fn designations_and_measures() {
         ("1\" INSERT DRILL", "drill d25.4"),
         (".159\" STUB DRILL", "drill d4.04"),
         ("39/64 HSS DRILL", "drill d15.48"),
-        ("3/8 DRILL .550 DEPTH", "drill d9.53"),
+        ("3/8 DRILL .550 DEPTH", "drill d9.52"),
         ("14MM DRILL XCMT 060402", "drill d14"),
         ("#5 CENTER DRILL 60 DEGREE", "drill"),
         (".625 DRILL", "drill d15.88"),
@@ -143,6 +143,8 @@ fn comments_belong_to_tools() {
     // What a comment in the header says of a tool goes before what is made with it.
     check("(T02002 VNMG 2.5-1 CR:.016)\n(GROOVE)\nT02002\nG0 X1\n", &[(2, Turning)]);
     check("(GROOVE)\nG0 X40 Z2\nT0101\n", &[]);
+    // What is a note of the setup is no prose.
+    check("(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\n", &[]);
     // Two digits call no station.
     check("T01 (DRILL)\n", &[]);
 }
