@@ -417,6 +417,7 @@ impl Writer<'_> {
     /// its own: what blocks of a contour command, and the turning back of a tap.
     fn follow(&mut self, process: &Process, units: Units) {
         let Some(now) = self.process.replace(*process) else { return };
+        let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };
         let mut lines = Vec::new();
         if now.tool != process.tool {
             lines.push(format!("T{:02}{:02}", process.tool.0, process.tool.1));
@@ -432,7 +433,7 @@ impl Writer<'_> {
         if now.speed != process.speed {
             lines.push(match process.speed {
                 SpindleSpeed::Constant(rpm) => format!("G97 S{}", whole(rpm)),
-                SpindleSpeed::Surface { speed } => format!("G96 S{}", whole(speed)),
+                SpindleSpeed::Surface { speed } => format!("G96 S{}", whole(speed / unit.surface_metres())),
             });
         }
         if now.turn != process.turn {
@@ -463,16 +464,16 @@ impl Writer<'_> {
         if !self.out.is_empty() && !self.out.ends_with(['\n', '\r']) {
             self.out.push('\n');
         }
-        // A cutting speed is given in metres.
-        let metric = self.inch && units == Units::OfProgram && now.speed != process.speed;
-        if metric {
-            self.line(self.unit_code(Unit::Millimetre));
+        // A cutting speed was given in feet, and as a whole number.
+        let in_feet = self.inch && units == Units::Millimetres && now.speed != process.speed;
+        if in_feet {
+            self.line(self.unit_code(Unit::Inch));
         }
         for line in lines {
             self.line(&line);
         }
-        if metric {
-            self.line(self.unit_code(Unit::Inch));
+        if in_feet {
+            self.line(self.unit_code(Unit::Millimetre));
         }
     }
 

@@ -136,7 +136,7 @@ fn a_header_with_g90_does_not_cut() {
 #[test]
 fn homes_and_dwells_in_all_their_spellings() {
     check("G0 X50 Z5\nG28", &["W-G28-NO-AXIS"], (50.0, 5.0));
-    check("G0 X50 Z5\nG28U0.V0.", &["N-AXIS"], (300.0, 5.0));
+    check("G0 X50 Z5\nG28U0.V0.", &[], (300.0, 5.0));
     check("G0 X50 Z5\nG28U0.W0.", &[], (300.0, 300.0));
     check("G0 X50 Z5\nG4X1.\nG4U1.0\nG4P500\nG0 X40", &[], (40.0, 5.0));
     check("G0 X50 Z5\nG4\nG0 X40", &["W-DWELL-NO-TIME"], (40.0, 5.0));

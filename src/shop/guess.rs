@@ -134,10 +134,14 @@ impl Guesses {
         }
         // What motions leave open, words decide.
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
-            let words = spoken.get(&own.station);
-            let is_inside = words
-                .is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside));
-            own.outside = if is_inside { -1 } else { 0 };
+            own.outside = if bores(spoken.get(&own.station)) { -1 } else { 0 };
+        }
+        // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
+        let is_drilled = seen.iter().any(|own| own.purpose == Use::Hole);
+        if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
+            for own in seen.iter_mut().filter(|own| !bores(spoken.get(&own.station))) {
+                own.outside = own.outside.max(0);
+            }
         }
         // What a drill leaves is where boring begins.
         let inside = seen.iter().filter(|own| own.is_inside());
@@ -292,6 +296,11 @@ impl Seen {
     fn blade(&self, side: Side) -> Tool {
         Tool { kind: Some(ToolKind::Grooving), side: Some(side), ..Tool::default() }
     }
+}
+
+/// Whether a comment says that a tool works in a bore.
+fn bores(words: Option<&Tool>) -> bool {
+    words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
 }
 
 /// Which way a tool leaves the work behind a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it

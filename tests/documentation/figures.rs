@@ -51,7 +51,7 @@ pub const FIGURES: &[Figure] = &[
     figure("README.md", "(from 1,", Held::By("tests/cli.rs", "check_prints_one_object_a_line")),
     figure(
         "README.md",
-        "0.001 mm, and is written",
+        "0.001 mm at the same feed and speed",
         Held::By("tests/programs.rs", "expanded_programs_make_the_same_motions"),
     ),
     figure(
@@ -128,6 +128,17 @@ pub const FIGURES: &[Figure] = &[
     ),
     figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/shop/danger.rs", "shrunk(0.01)")),
     figure("README.md", "\"G90, pass 3: retract at feed to X40 Z-20\"", Held::Shown(stroke)),
+    figure(
+        "README.md",
+        "A Y of 0 changes nothing",
+        Held::By("tests/uncertain.rs", "y_that_stays_0_changes_nothing"),
+    ),
+    figure(
+        "ARCHITECTURE.md",
+        "or 0.3 s have passed",
+        Held::Stated("www/src/worker.ts", "const SHOW_PATH_AFTER_MS = 300;"),
+    ),
+    figure("ARCHITECTURE.md", "code of group 01", Held::NotRun("the name of a group of codes")),
     figure("README.md", "(□ is 1)", Held::Shown(slash)),
     figure(
         "ARCHITECTURE.md",

@@ -73,7 +73,7 @@ pub fn dear_cycles() -> Vec<Hostile> {
         um("G74 of 9000 pecks", called(START, "G74R.1\nG74Z-9Q1\n"), "E-TOO-MANY-MOTIONS", 367),
         um("G75 of pecks both ways", called(START, "G75R.1\nG75X90Z-9P99Q99\n"), "E-TOO-MANY-MOTIONS", 691),
         um("G75 of too many pecks", called(START, "G75R.1\nG75X90Z-9P1Q1\n"), "E-TOO-MANY-PASSES", 5),
-        case("G83 by far too little", called(START, "G83Z-9999Q1F1\n"), "E-TOO-MANY-MOTIONS", 137),
+        case("G83 by far too little", called(START, "G83Z-9999.Q1F1\n"), "E-TOO-MANY-MOTIONS", 137),
         case("G90 again and again", called(START, "G90X90Z-9\n"), "W-NO-END", 104858),
         case("G92 again and again", called(START, "G92X90Z-9F2\n"), "W-NO-END", 87383),
         case("G90 in a loop", format!("O1\n{START}N9 G90X90Z-9\nGOTO 9\n"), "W-ENDLESS", 6),

@@ -93,7 +93,7 @@ pub fn long_texts() -> Vec<Hostile> {
             99866,
         ),
         case("G1 A1", text("G1 A1 F1\n"), "PS0056", 2),
-        case("G1 X1 ,R1", text("G1 U1 ,R1 F1\n"), "PS0051", 2),
+        case("G1 X1 ,R1", text("G1 U1 ,R1 F1\n"), "W-CORNER-STRAIGHT", 2),
         case("G4", text("G4 U1\n"), "W-NO-END", 174_763),
     ]
 }
