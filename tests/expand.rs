@@ -91,7 +91,9 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
     });
     let told: BTreeSet<_> = before.diagnostics.iter().map(|told| told.message.slug()).collect();
     let more = after.diagnostics.iter().find(|more| {
-        matches!(more.severity, Severity::Error | Severity::Warning) && !told.contains(more.message.slug())
+        matches!(more.severity, Severity::Error | Severity::Warning)
+            && !told.contains(more.message.slug())
+            && !(returns && more.message.slug() == "minus-missing")
     });
     let more = more?;
     why(format!("{}: {}", more.message.slug(), more.message.sentence(Language::English).message))
@@ -253,7 +255,9 @@ proptest! {
             program += &format!("{between}\n{operation}G00 X80 Z20\n");
         }
         program += "M05\nM30\n";
-        let why = difference(&program, &Setup::default());
+        // In inches the numbers are too large to be meant as such.
+        let setup = Setup::from_json(r#"{"dialect": {"decimal": "calculator"}}"#).expect("setup");
+        let why = difference(&program, &setup);
         prop_assert!(why.is_none(), "{}", why.unwrap_or_default());
     }
 }
