@@ -76,7 +76,7 @@ impl Playground {
             page: &self.setup,
             notes: run.notes(),
             guessed: &guessed,
-            decimal: self.run.decimal_rule(),
+            decimal: run.decimal_rule(),
             language: self.language,
         })
     }
