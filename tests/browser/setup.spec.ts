@@ -243,10 +243,14 @@ test('how numbers without a point are read stands in the status line, and can be
   await expect(status(page)).toContainText('W2000 counts as 2000 in here');
 });
 
-test('the reading of numbers is decided for what is pasted, not for what is typed', async ({ page }) => {
-  await begin(page, 'O0001\nG20 G99 T0101\nG97 S800 M3\nG0 X2. Z2.\nG1 Z-1. F.01\nX3.\nG0 X4. Z3.\nM30\n');
-  await editor(page).press('Control+Home');
-  await editor(page).press('End');
+test('the reading of numbers is decided for a file that is opened, not for what is typed', async ({ page }) => {
+  const rest = 'G20 G99 T0101\nG97 S800 M3\nG0 X2. Z2.\nG1 Z-1. F.01\nX3.\nG0 X4. Z3.\nM30\n';
+  await begin(page, `O0001\n${rest}`);
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('End');
   await page.keyboard.type('\nG04 X2000');
   await expect(status(page)).toContainText('X2000 counts as 2000 s here');
+  await openFile(page, 'dwell.nc', Buffer.from(`O0001\nG04 X2000\n${rest}`));
+  await expect(status(page)).toContainText('X2000 is 2 s');
 });
