@@ -11,7 +11,7 @@ use super::surface::{Facing, Stations, Surface, Track};
 use super::sweep::way_of;
 use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::SAME;
-use crate::motion::Motions;
+use crate::motion::{Motions, Process};
 
 /// Widths of blades that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
@@ -146,7 +146,8 @@ impl Led {
         }
         let cuts = || {
             let all = motions.iter().take(LOOKED_AT);
-            all.filter(|motion| motion.kind.cuts() && !motion.process.uncertain && motion.rotary.is_none())
+            let counts = |process: &Process| !process.uncertain && !process.elsewhere;
+            all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };
         let (mut low, mut high) = (f64::INFINITY, stock.face);
         for motion in cuts() {

@@ -254,3 +254,39 @@ fn where_no_tool_will_do_no_part_is_shown() {
     let named = format!("(TOOL T0303 TYPE=GROOVING WIDTH=3)\n{program}");
     assert!(run(&named).1.finished().is_some());
 }
+
+/// The sub spindle takes the part over: its frame has its zero at the other end, and its cuts go towards +Z.
+#[test]
+fn a_second_clamping_leaves_the_part_of_the_first() {
+    let first = "G54 T0101\nG00 X52 Z2\nX40\nG01 Z-30 F0.2\nX52\nG00 X60 Z5\n";
+    let second = "G55 T0101\nG00 X52 Z-8\nZ-4\nG01 X-1 F0.1\nG00 Z-8\nX52\nZ0\nG01 X-1\nG00 Z-5\nX36\nG01 Z0\nX40 Z20\nX54\nG00 X60 Z-5\n";
+    let kept = [(-2.0, 40.0), (-20.0, 40.0)];
+    check(&format!("{HEAD}{first}"), "turning", &kept);
+    let both = format!("{HEAD}{first}{second}");
+    check(&both, "turning", &kept);
+    let told = |program: &str| {
+        let mut analysis = run(program).0;
+        analysis.look_at_machine();
+        analysis.diagnostics.iter().filter(|told| told.message.slug() == "work-zero-unknown").count()
+    };
+    assert_eq!(told(&both), 1);
+    // Named tools and a named blank change nothing of it, nor is a rapid there held against the work here.
+    let named = format!("(STOCK D=50 LENGTH=60)\n(TOOL T0101 TYPE=TURNING)\n{both}");
+    let (mut analysis, shop) = run(&named);
+    let part = shop.finished().expect("a part");
+    assert!((part.radii(-20.0).last().expect("material").1 - 20.0).abs() < 0.01);
+    analysis.look_at_machine();
+    let slugs: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
+    assert_eq!(slugs.iter().filter(|slug| slug.contains("stock")).count(), 0, "{slugs:?}");
+    // Back in the first frame the cuts count again; one frame all through is the first, whichever it is.
+    let back = format!("{both}G54 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
+    check(&back, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
+    let other = format!("{HEAD}{first}").replace("G54", "G56");
+    check(&other, "turning", &kept);
+    assert_eq!(told(&other), 0);
+    // Zeros that the program gives are known.
+    let given =
+        format!("G10 L2 P2 X0 Z0\n{HEAD}{first}G55 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
+    check(&given, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
+    assert_eq!(told(&given), 0);
+}
