@@ -290,3 +290,38 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
     check(&given, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
     assert_eq!(told(&given), 0);
 }
+
+/// Corners are rounded by arcs that are not quite tangent, as rounded figures give them.
+#[test]
+fn a_groove_whose_corner_bulges_is_one_groove() {
+    let program = format!(
+        "{HEAD}T0303 (GROOVE W=2)\nG00 X52 Z-20\nG01 X41 F0.1\nG00 X52\nZ-18.4\nG01 X50\nG03 X48.2 Z-19.3 R0.9\n\
+         G01 X40\nZ-20\nG00 X52\nZ-22\nG01 X50\nG02 X48.2 Z-21 R0.9\nG01 X40\nZ-20\nG00 X52\n"
+    );
+    check(&program, "grooving", &[(-10.0, 50.0), (-20.0, 40.0)]);
+}
+
+/// A blade takes the material off in steps, each a plunge, and makes one groove; an insert finishes.
+#[test]
+fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
+    let mut program = format!("{HEAD}(GROOVE1)\nT0100\nG00 X64 Z1\n");
+    let contour = |z: f64| if z > -12.0 { 30.0 - z } else { 54.0 + z };
+    for step in 0..25 {
+        let z = -f64::from(step);
+        let x = contour(z) + 0.2;
+        program += &format!("G00 Z{z}\nG01 X{x} F0.1\nX{} Z{}\nX62\nG00 X64\n", x + 2.0, z + 1.0);
+    }
+    program += "(GROOVE2)\nG00 Z-20\nG01 X24\nX64\nG00 Z5\n\
+                T0200\nG00 X30 Z2\nG01 Z0 F0.1\nX42 Z-12\nX30 Z-24\nX64\nG00 Z5\n";
+    check(&program, "grooving turning", &[(-6.0, 36.0), (-18.0, 36.0), (-22.0, 32.0), (-20.0, 24.0)]);
+}
+
+/// The contour of a cycle turns back in X and ends deeper than anything before it: what is not asked for stays.
+#[test]
+fn a_contour_that_ends_in_the_bar_is_cut_as_it_is_written() {
+    let program = format!(
+        "{HEAD}T0101\nG00 X60 Z2\nG71 U2 R1\nG71 P100 Q200 U0.3 W0.2 F0.25\nN100 G00 X48\nG01 Z-20\nX34\nZ-45\nX26\n\
+         N200 X60\nG70 P100 Q200\n"
+    );
+    check(&program, "grooving", &[(-10.0, 48.0), (-30.0, 34.0), (-44.0, 34.0)]);
+}
