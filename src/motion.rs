@@ -269,6 +269,8 @@ pub struct Process {
     pub uncertain: bool,
     /// An earlier block could not be carried out: what is left of the material is not known.
     pub incomplete: bool,
+    /// In another work frame than the first cut, and nobody has said where its zero is: a second clamping, or the sub spindle.
+    pub elsewhere: bool,
 }
 
 /// A move as it was programmed, before compensation.
@@ -827,6 +829,22 @@ impl Motions {
         let (chunk, before) = found?;
         let own = |index: &usize| chunk.incomplete || chunk.own_process(*index).incomplete;
         Some(before + (0..chunk.len()).find(own)?)
+    }
+
+    /// The first cut that is [elsewhere](Process::elsewhere), and how many there are.
+    pub fn cuts_elsewhere(&self) -> Option<(usize, usize)> {
+        let mut first = None;
+        let mut count = 0;
+        for (chunk, before) in self.chunks.iter().zip(&self.before) {
+            if chunk.processes.iter().any(|own| own.elsewhere) {
+                let cuts = |index: &usize| chunk.own_process(*index).elsewhere && chunk.kind(*index).cuts();
+                let mut cuts = (0..chunk.len()).filter(cuts);
+                let own = cuts.next();
+                first = first.or(own.map(|index| before + index));
+                count += usize::from(own.is_some()) + cuts.count();
+            }
+        }
+        first.map(|first| (first, count))
     }
 
     /// Cuts that are uncertain.

@@ -55,8 +55,8 @@ impl Analysis {
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
             let fitting = Fitting::new(&self.motions, &self.setup);
-            let unknown = rules::machine::unknown_tools(&fitting, &self.motions);
-            self.diagnostics.extend(unknown.filter_map(|told| self.setup.rules.graded(told)));
+            let left_out = rules::machine::not_shown(&fitting, &self.motions);
+            self.diagnostics.extend(left_out.filter_map(|told| self.setup.rules.graded(told)));
         }
         sort_by_place(&mut self.diagnostics);
     }

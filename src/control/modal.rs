@@ -688,6 +688,7 @@ impl State {
             tool: self.tool,
             uncertain: !self.doubts.is_empty() && self.is_path_doubtful(),
             incomplete: self.incomplete,
+            elsewhere: self.frames.is_elsewhere(),
         }
     }
 }

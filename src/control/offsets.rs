@@ -19,6 +19,10 @@ impl ByFrame {
         self.0.iter().find(|entry| entry.0 == frame).map_or(Point::default(), |entry| entry.1)
     }
 
+    fn has(&self, frame: u16) -> bool {
+        self.0.iter().any(|entry| entry.0 == frame)
+    }
+
     fn entry(&mut self, frame: u16) -> &mut Point {
         let at = self.0.iter().position(|entry| entry.0 == frame).unwrap_or_else(|| {
             self.0.push((frame, Point::default()));
@@ -41,9 +45,23 @@ pub struct Frames {
     pub local: Point,
     /// The frame in force: 0 for G54 to 5 for G59, then those of G54.1.
     pub active: u16,
+    /// The frame in which the first cut was made.
+    cut_in: Option<u16>,
 }
 
 impl Frames {
+    /// Takes in that something is cut in the frame in force.
+    #[inline]
+    pub fn cut(&mut self) {
+        self.cut_in.get_or_insert(self.active);
+    }
+
+    /// Whether nobody has said where the zero of the frame in force is, while the first cut was made in another one.
+    #[inline]
+    pub fn is_elsewhere(&self) -> bool {
+        self.cut_in.is_some_and(|first| first != self.active) && !self.work.has(self.active)
+    }
+
     /// Machine place minus work place.
     pub fn offset(&self) -> Point {
         let (work, local) = (self.work.get(self.active), self.local);

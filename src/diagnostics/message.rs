@@ -506,6 +506,8 @@ pub enum Message {
     PartStopped { done: usize, all: usize },
     /// Behind a block that was not carried out: so many uncertain cuts are not taken off the part.
     BehindLeftOut { cuts: usize },
+    /// So many cuts are made in another work frame whose zero nobody gave, and are not taken off the part.
+    ElsewhereLeftOut { cuts: usize },
     /// Every tool that could be meant would cut into the contour.
     ToolUnknown { tool: String },
     /// The setup names tools, but not this one.
@@ -570,6 +572,7 @@ impl Message {
             | Self::PartTooManyCorners { .. }
             | Self::PartStopped { .. }
             | Self::BehindLeftOut { .. }
+            | Self::ElsewhereLeftOut { .. }
             | Self::ToolUnknown { .. }
             | Self::NotCompared { .. }
             | Self::Stopped { .. } => Kind::Unsupported,
@@ -847,6 +850,7 @@ impl Message {
             Self::SetupValue { .. } => ("E-SETUP", "setup-value", Error, None),
             Self::NoteWord { .. } => ("W-SETUP-NOTE", "setup-comment", Warning, None),
             Self::PartTooManyMotions { .. } => ("I-PART-MOTIONS", "part-too-many-motions", Info, None),
+            Self::ElsewhereLeftOut { .. } => ("I-FRAME-UNKNOWN", "work-zero-unknown", Info, None),
             Self::ToolUnknown { .. } => ("I-TOOL-UNKNOWN", "tool-unknown", Info, None),
             Self::PartStopped { .. } => ("I-PART-STOPPED", "part-stopped", Info, None),
             Self::BehindLeftOut { .. } => ("I-NOT-CHECKED", "not-checked-behind-fault", Info, None),

@@ -88,6 +88,7 @@ impl Path {
             tool: (1, 1),
             uncertain: self.uncertain,
             incomplete: self.uncertain,
+            elsewhere: false,
         };
         let (lead, seconds) = (None, None);
         self.list.push(Motion {

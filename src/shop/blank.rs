@@ -43,6 +43,9 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
         let (from, to) = (motion.from, motion.to);
         let low = from.z.min(to.z).max(stock.back());
         let along = (from.z - to.z).abs() > SAME;
+        if motion.process.elsewhere {
+            continue;
+        }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
             let diameter = stock.diameter - 2.0 * CLEAR;
             return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };

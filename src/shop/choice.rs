@@ -11,7 +11,7 @@ use super::surface::{Facing, Stations, Surface, Track};
 use super::sweep::way_of;
 use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::SAME;
-use crate::motion::Motions;
+use crate::motion::{Motions, Process};
 
 /// Widths of blades that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
@@ -25,6 +25,9 @@ const TO_AXIS: f64 = 1.0;
 /// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool does not go on
 /// behind it: a longer piece is parted off.
 const IN_FRONT: [f64; 2] = [3.0, 0.5];
+
+/// Of so many plunges of a blade that roughs for other tools one may be a groove.
+const FEW: usize = 4;
 
 /// Beyond this, mm, a program has a slip, and no blank.
 const LONGEST: f64 = 5000.0;
@@ -63,7 +66,8 @@ pub(super) fn decide(
         }
         let found = found
             .or_else(|| inserts.iter().find(|tool| led.does(index, own, tool)))
-            .or_else(|| blades.iter().find(|tool| led.does(index, own, tool)));
+            .or_else(|| blades.iter().find(|tool| led.does(index, own, tool)))
+            .or_else(|| blades.iter().find(|tool| words.kind == tool.kind && led.grooves(index, own, tool)));
         match found {
             Some(tool) => guesses.put(index, tool.clone()),
             None => guesses.unknown.push(own.first),
@@ -146,7 +150,8 @@ impl Led {
         }
         let cuts = || {
             let all = motions.iter().take(LOOKED_AT);
-            all.filter(|motion| motion.kind.cuts() && !motion.process.uncertain && motion.rotary.is_none())
+            let counts = |process: &Process| !process.uncertain && !process.elsewhere;
+            all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };
         let (mut low, mut high) = (f64::INFINITY, stock.face);
         for motion in cuts() {
@@ -205,6 +210,16 @@ impl Led {
         Some(Self { tracks, stations, outside, inside, front })
     }
 
+    /// Whether a blade roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
+    /// the surface that all tools leave.
+    fn grooves(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
+        let surface = if own.is_inside() { &self.inside } else { &self.outside };
+        let track = &self.tracks[index];
+        let steps = track.without_grooves(surface);
+        let few = FEW * (track.plunges.len() - steps.plunges.len()) <= track.plunges.len();
+        few && (tool.tip.is_some() || !surface.is_gouged(&takes(tool), &steps))
+    }
+
     /// Whether a tool can do what was seen of a use.
     fn does(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
         let track = &self.tracks[index];
@@ -221,6 +236,9 @@ impl Led {
         }
         // A tip alone: what it makes is the contour, if it or another one is led along all of it.
         if tool.tip.is_some() {
+            if own.contour {
+                return surface.clears_plunges(&track.without_last_step(&self.stations), self.front);
+            }
             return surface.clears_plunges(track, self.front);
         }
         // Both corners of a blade are led along the walls of a groove, each by its own blocks; but a contour is made by one.

@@ -177,7 +177,12 @@ impl Watch {
 
     /// Looks at the next motion, before its material is off.
     pub fn look(&mut self, index: usize, motion: &Motion, fitting: &Fitting, part: &mut Part) {
-        if self.findings.len() >= MOST || motion.kind == MotionKind::Dwell || motion.process.uncertain {
+        let process = &motion.process;
+        if self.findings.len() >= MOST
+            || motion.kind == MotionKind::Dwell
+            || process.uncertain
+            || process.elsewhere
+        {
             return;
         }
         let tool = fitting.tool(motion);

@@ -103,13 +103,74 @@ impl Guesses {
 
     /// Looks at a program. `spoken` is what its comments say of the tools, by station; `stock` the blank, where one is given.
     pub fn with(motions: &Motions, spoken: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
+        let seen = Seen::all(motions, spoken, Clamping::First);
+        let tools = tools_of(&seen);
+        let mut cuts = Cuts::default();
+        for (own, (.., tool)) in seen.iter().zip(&tools) {
+            cuts.add(&own.extents, tool);
+        }
+        let guessed = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
+        let mut guesses = Self { tools, unknown: Vec::new(), stock: guessed };
+        choice::decide(motions, &seen, spoken, stock.or(guessed), &mut guesses);
+        // Nothing is taken off there: for these a first guess will do.
+        if motions.cuts_elsewhere().is_some() {
+            for other in tools_of(&Seen::all(motions, spoken, Clamping::Other)) {
+                if guesses.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
+                    guesses.tools.push(other);
+                }
+            }
+        }
+        guesses
+    }
+
+    /// Puts another tool in place of that of a use; `index` counts uses in their order.
+    pub(super) fn put(&mut self, index: usize, tool: Tool) {
+        self.tools[index].2 = tool;
+    }
+
+    /// All tools: station, use and tool, in the order in which they are first put to use.
+    pub fn tools(&self) -> impl Iterator<Item = (u16, Use, &Tool)> {
+        self.tools.iter().map(|(station, purpose, tool)| (*station, *purpose, tool))
+    }
+}
+
+/// A first guess of the tool of each use.
+fn tools_of(seen: &[Seen]) -> Vec<(u16, Use, Tool)> {
+    // What a drill leaves is where boring begins.
+    let inside = seen.iter().filter(|own| own.is_inside());
+    let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
+    let holes = seen.iter().filter(|own| own.purpose == Use::Hole);
+    let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
+    // A centre drill goes before one that makes the bore.
+    let bore_of = |own: &Seen| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
+    seen.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect()
+}
+
+/// The cuts that are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Clamping {
+    /// Those in the frame of the first cut.
+    First,
+    /// Those [elsewhere](crate::motion::Process::elsewhere).
+    Other,
+}
+
+impl Clamping {
+    fn of(motion: &Motion) -> Self {
+        if motion.process.elsewhere { Self::Other } else { Self::First }
+    }
+}
+
+impl Seen {
+    /// What is seen of each use of a station in a clamping.
+    fn all(motions: &Motions, spoken: &BTreeMap<u16, Tool>, clamping: Clamping) -> Vec<Self> {
         let mut seen: Vec<Seen> = Vec::new();
         let mut before = None;
         let moves = motions.iter().take(LOOKED_AT).enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
         while let Some((index, motion)) = moves.next() {
             let before = before.replace(motion);
-            if !motion.kind.cuts() || motion.process.uncertain {
+            if !motion.kind.cuts() || motion.process.uncertain || Clamping::of(&motion) != clamping {
                 continue;
             }
             let (station, purpose) = (motion.process.tool.0, Use::of(&motion));
@@ -143,37 +204,9 @@ impl Guesses {
                 own.outside = own.outside.max(0);
             }
         }
-        // What a drill leaves is where boring begins.
-        let inside = seen.iter().filter(|own| own.is_inside());
-        let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
-        let holes = seen.iter().filter(|own| own.purpose == Use::Hole);
-        let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
-        // A centre drill goes before one that makes the bore.
-        let bore_of = |own: &Seen| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
-        let tools: Vec<_> =
-            seen.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect();
-        let mut cuts = Cuts::default();
-        for (own, (.., tool)) in seen.iter().zip(&tools) {
-            cuts.add(&own.extents, tool);
-        }
-        let guessed = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
-        let mut guesses = Self { tools, unknown: Vec::new(), stock: guessed };
-        choice::decide(motions, &seen, spoken, stock.or(guessed), &mut guesses);
-        guesses
+        seen
     }
 
-    /// Puts another tool in place of that of a use; `index` counts uses in their order.
-    pub(super) fn put(&mut self, index: usize, tool: Tool) {
-        self.tools[index].2 = tool;
-    }
-
-    /// All tools: station, use and tool, in the order in which they are first put to use.
-    pub fn tools(&self) -> impl Iterator<Item = (u16, Use, &Tool)> {
-        self.tools.iter().map(|(station, purpose, tool)| (*station, *purpose, tool))
-    }
-}
-
-impl Seen {
     fn new(station: u16, purpose: Use, first: usize) -> Self {
         Self {
             station,

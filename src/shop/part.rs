@@ -188,6 +188,7 @@ pub fn cut(motion: &Motion, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
 fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
     // Where the tool went is not known.
     if motion.process.uncertain
+        || motion.process.elsewhere
         || !motion.kind.cuts()
         || motion.rotary.is_some()
         || tool.shape.action == Action::Live

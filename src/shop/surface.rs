@@ -13,6 +13,9 @@ const STATIONS: usize = 800;
 /// What a guessed tool may cut too deep, mm.
 pub const GOUGE: f64 = 0.05;
 
+/// A roughing pass ends no further in front of the last step of a contour than this, mm.
+const ALLOWANCE: f64 = 1.0;
+
 /// On which side of the work a surface is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
@@ -122,18 +125,38 @@ impl Track {
         self.along[next.saturating_sub(2)..next].iter().any(|height| height.is_finite())
     }
 
-    /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other.
+    /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An arc that is not quite
+    /// tangent bulges a little.
     pub fn is_valley(&self) -> bool {
-        let mut rising = false;
-        self.along.windows(2).all(|pair| {
-            let (a, b) = (pair[0], pair[1]);
-            if a.is_infinite() || b.is_infinite() {
-                rising = false;
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        self.along.iter().all(|&height| {
+            if height.is_infinite() {
+                (lowest, highest) = (f64::INFINITY, f64::NEG_INFINITY);
                 return true;
             }
-            rising |= b > a + SAME;
-            !(rising && b < a - SAME)
+            lowest = lowest.min(height);
+            // Once it rises.
+            if height > lowest + GOUGE {
+                highest = highest.max(height);
+            }
+            height >= highest - GOUGE
         })
+    }
+
+    /// The same without plunges where what it is led along ends: the last step of a contour may go on into the bar.
+    pub fn without_last_step(&self, stations: &Stations) -> Self {
+        let mut track = self.clone();
+        if let Some(back) = self.along.iter().position(|height| height.is_finite()) {
+            track.plunges.retain(|(z, _)| *z > stations.z(back) + ALLOWANCE);
+        }
+        track
+    }
+
+    /// The same without plunges that end below a surface: they make grooves of their own.
+    pub fn without_grooves(&self, surface: &Surface) -> Self {
+        let mut track = self.clone();
+        track.plunges.retain(|&(z, height)| surface.is_reached(z, height));
+        track
     }
 }
 
@@ -176,11 +199,15 @@ impl Surface {
 
     /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left beside it.
     pub fn clears_plunges(&self, track: &Track, front: f64) -> bool {
-        track.plunges.iter().filter(|(z, _)| *z < front - SAME).all(|&(z, height)| {
-            let next = self.stations.at_least(z);
-            let near = next.saturating_sub(2).min(STATIONS)..(next + 3).min(STATIONS);
-            self.heights[near].iter().any(|own| *own <= height + GOUGE)
-        })
+        let mut behind = track.plunges.iter().filter(|(z, _)| *z < front - SAME);
+        behind.all(|&(z, height)| self.is_reached(z, height))
+    }
+
+    /// Whether the surface is as deep as this at a place, or right beside it.
+    fn is_reached(&self, z: f64, height: f64) -> bool {
+        let next = self.stations.at_least(z);
+        let near = next.saturating_sub(2).min(STATIONS)..(next + 3).min(STATIONS);
+        self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
     /// Whether an outline led along a track takes off any of it.
@@ -282,5 +309,8 @@ mod tests {
         assert!(valley.is_valley() && clears(&valley));
         assert!(!led(&[(30.0, -10.0), (25.0, -12.0), (28.0, -15.0), (20.0, -20.0)]).is_valley());
         assert!(!clears(&led(&[(30.0, -10.0), (25.0, -10.0)])));
+        // It bulges a little before it falls.
+        let bulging = led(&[(30.0, -20.0), (30.01, -19.9), (25.0, -15.0), (25.0, -11.0), (30.0, -10.0)]);
+        assert!(bulging.is_valley());
     }
 }

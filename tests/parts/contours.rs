@@ -254,3 +254,74 @@ fn where_no_tool_will_do_no_part_is_shown() {
     let named = format!("(TOOL T0303 TYPE=GROOVING WIDTH=3)\n{program}");
     assert!(run(&named).1.finished().is_some());
 }
+
+/// The sub spindle takes the part over: its frame has its zero at the other end, and its cuts go towards +Z.
+#[test]
+fn a_second_clamping_leaves_the_part_of_the_first() {
+    let first = "G54 T0101\nG00 X52 Z2\nX40\nG01 Z-30 F0.2\nX52\nG00 X60 Z5\n";
+    let second = "G55 T0101\nG00 X52 Z-8\nZ-4\nG01 X-1 F0.1\nG00 Z-8\nX52\nZ0\nG01 X-1\nG00 Z-5\nX36\nG01 Z0\nX40 Z20\nX54\nG00 X60 Z-5\n";
+    let kept = [(-2.0, 40.0), (-20.0, 40.0)];
+    check(&format!("{HEAD}{first}"), "turning", &kept);
+    let both = format!("{HEAD}{first}{second}");
+    check(&both, "turning", &kept);
+    let told = |program: &str| {
+        let mut analysis = run(program).0;
+        analysis.look_at_machine();
+        analysis.diagnostics.iter().filter(|told| told.message.slug() == "work-zero-unknown").count()
+    };
+    assert_eq!(told(&both), 1);
+    // Named tools and a named blank change nothing of it, nor is a rapid there held against the work here.
+    let named = format!("(STOCK D=50 LENGTH=60)\n(TOOL T0101 TYPE=TURNING)\n{both}");
+    let (mut analysis, shop) = run(&named);
+    let part = shop.finished().expect("a part");
+    assert!((part.radii(-20.0).last().expect("material").1 - 20.0).abs() < 0.01);
+    analysis.look_at_machine();
+    let slugs: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
+    assert_eq!(slugs.iter().filter(|slug| slug.contains("stock")).count(), 0, "{slugs:?}");
+    // Back in the first frame the cuts count again; one frame all through is the first, whichever it is.
+    let back = format!("{both}G54 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
+    check(&back, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
+    let other = format!("{HEAD}{first}").replace("G54", "G56");
+    check(&other, "turning", &kept);
+    assert_eq!(told(&other), 0);
+    // Zeros that the program gives are known.
+    let given =
+        format!("G10 L2 P2 X0 Z0\n{HEAD}{first}G55 T0101\nG00 X42 Z2\nX36\nG01 Z-10\nX42\nG00 X60 Z5\n");
+    check(&given, "turning", &[(-5.0, 36.0), (-20.0, 40.0)]);
+    assert_eq!(told(&given), 0);
+}
+
+/// Corners are rounded by arcs that are not quite tangent, as rounded figures give them.
+#[test]
+fn a_groove_whose_corner_bulges_is_one_groove() {
+    let program = format!(
+        "{HEAD}T0303 (GROOVE W=2)\nG00 X52 Z-20\nG01 X41 F0.1\nG00 X52\nZ-18.4\nG01 X50\nG03 X48.2 Z-19.3 R0.9\n\
+         G01 X40\nZ-20\nG00 X52\nZ-22\nG01 X50\nG02 X48.2 Z-21 R0.9\nG01 X40\nZ-20\nG00 X52\n"
+    );
+    check(&program, "grooving", &[(-10.0, 50.0), (-20.0, 40.0)]);
+}
+
+/// A blade takes the material off in steps, each a plunge, and makes one groove; an insert finishes.
+#[test]
+fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
+    let mut program = format!("{HEAD}(GROOVE1)\nT0100\nG00 X64 Z1\n");
+    let contour = |z: f64| if z > -12.0 { 30.0 - z } else { 54.0 + z };
+    for step in 0..25 {
+        let z = -f64::from(step);
+        let x = contour(z) + 0.2;
+        program += &format!("G00 Z{z}\nG01 X{x} F0.1\nX{} Z{}\nX62\nG00 X64\n", x + 2.0, z + 1.0);
+    }
+    program += "(GROOVE2)\nG00 Z-20\nG01 X24\nX64\nG00 Z5\n\
+                T0200\nG00 X30 Z2\nG01 Z0 F0.1\nX42 Z-12\nX30 Z-24\nX64\nG00 Z5\n";
+    check(&program, "grooving turning", &[(-6.0, 36.0), (-18.0, 36.0), (-22.0, 32.0), (-20.0, 24.0)]);
+}
+
+/// The contour of a cycle turns back in X and ends deeper than anything before it: what is not asked for stays.
+#[test]
+fn a_contour_that_ends_in_the_bar_is_cut_as_it_is_written() {
+    let program = format!(
+        "{HEAD}T0101\nG00 X60 Z2\nG71 U2 R1\nG71 P100 Q200 U0.3 W0.2 F0.25\nN100 G00 X48\nG01 Z-20\nX34\nZ-45\nX26\n\
+         N200 X60\nG70 P100 Q200\n"
+    );
+    check(&program, "grooving", &[(-10.0, 48.0), (-30.0, 34.0), (-44.0, 34.0)]);
+}

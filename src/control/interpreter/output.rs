@@ -100,6 +100,9 @@ impl Interpreter {
         if let Some(stop) = self.state.stop.take() {
             self.chunk.stop(&stop);
         }
+        if routed.motion.kind.cuts() {
+            self.state.frames.cut();
+        }
         self.chunk.push(&routed.motion, routed.span, routed.line);
     }
 }

@@ -70,6 +70,9 @@ impl Interpreter {
         let from = state.position;
         if !from.is_same(to) || center.is_some() {
             let process = state.process();
+            if kind.cuts() {
+                self.state.frames.cut();
+            }
             self.chunk.push_move(kind, from, to, center, &process, block.span, block.line);
         }
         self.state.position = to;

@@ -384,7 +384,9 @@ impl Message {
             Self::PartStopped { done, all } => {
                 vec![("done", Count(*done as i64)), ("all", Count(*all as i64))]
             }
-            Self::BehindLeftOut { cuts } => vec![("cuts", Count(*cuts as i64))],
+            Self::BehindLeftOut { cuts } | Self::ElsewhereLeftOut { cuts } => {
+                vec![("cuts", Count(*cuts as i64))]
+            }
             Self::NoteWord { word, expected } => vec![("word", Text(word)), ("expected", Text(expected))],
             Self::ToolNotListed { tool } | Self::ToolUnknown { tool } => vec![("tool", Text(tool))],
             Self::RapidThroughStock { x, z }

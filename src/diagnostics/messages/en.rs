@@ -469,6 +469,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             From here on collisions with the work are not looked for, for what of it still stands is not known. Mend that block first.",
         PartTooManyCorners => "The part has more than {most} corners: the path is shown, but not the part, and collisions are found up to there.\n\
             `limits.partCorners` of the setup sets the bound.",
+        ElsewhereLeftOut => "The cuts from here on in another work frame ({cuts} in all) are not taken off the part: where its zero is, is not known.\n\
+            It may be a second clamping, or the sub spindle. To see what they leave, put them into a program of their own.",
         ToolUnknown => "What kind of tool {tool} is, is not known: the path is shown, but not the part.\n\
             Each usual insert or blade would cut into the contour here. Describe the tool in the setup or in a comment, such as `(TOOL {tool} TYPE=GROOVING WIDTH=3)`.",
         ToolNotListed => "The setup names tools, but not {tool}.\n\

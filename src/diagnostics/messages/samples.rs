@@ -272,6 +272,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::PartStopped { done: 3, all: 5 },
         Message::BehindLeftOut { cuts: 0 },
         Message::BehindLeftOut { cuts: 3 },
+        Message::ElsewhereLeftOut { cuts: 3 },
         Message::ToolUnknown { tool: "X1".into() },
         Message::ToolNotListed { tool: "X1".into() },
         Message::RapidThroughStock { x: 1.5, z: 1.5 },

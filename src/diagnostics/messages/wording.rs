@@ -53,7 +53,7 @@ wordings! {
     CornerAxis, CornerTwice, CornerInThread, CornerWithCompensation, CyclePlane, CycleWord, CycleAxis,
     FinishStart, FinishWithoutRoughing, AngleNoPoint, CompensationOnArc, CompensationOvercut,
     CompensationNoIntersection, CompensationPlane, LeadRunsOut, CompensationIdle,
-    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationTurnsBack, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, NotCompared, CoolantOff, FeedModeNotNamed, ToolNotNamed, FeedOnlyForFinishing, StopBehindMove, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, BehindLeftOut, BehindLeftOutCuts, ToolUnknown, ToolNotListed,
+    LeadingZero, PointMissing, FarOff, MinusMissing, IncrementalForAbsolute, SpeedMissing, SpeedNotRepeated, ThreadTooFast, ThreadSpeedChanged, ThreadStartMoved, ThreadRunIn, ThreadHeight, ThreadFirstDepth, ThreadLeastLarge, ThreadPullOut, FeedOfThread, LeadOfFeed, TaperNarrows, TaperCrossesAxis, TaperEdge, PassNotDeeper, AirCut, StartBehindFace, StartInStock, ToolChangeNear, BoreRetract, GrooveStep, EscapeTooLarge, ContourStartMoved, ContourNotClosed, PatternShallow, PatternAir, CompensationInCycle, CompensationLeftOn, CompensationSide, CompensationTurnsBack, CompensationIdleBlocks, CompensationShort, CompensationTip, ChuckOpen, TapReverse, TapSurface, DuplicateSequence, ArcOverHalf, NotCompared, CoolantOff, FeedModeNotNamed, ToolNotNamed, FeedOnlyForFinishing, StopBehindMove, SetupPositive, SetupNotNegative, SetupBelow, SetupAtMost, NoteWord, PartTooManyMotions, PartTooManyCorners, PartStopped, BehindLeftOut, BehindLeftOutCuts, ElsewhereLeftOut, ToolUnknown, ToolNotListed,
     RapidThroughStock, DoglegThroughStock, RapidAlongStock, IntoJaws, IntoTailstock, HolderInStock, SlopeTooSteep,
     BelowCenter, OverTravel,
 }
@@ -284,6 +284,7 @@ impl Wording {
             Message::PartStopped { .. } => Self::PartStopped,
             Message::BehindLeftOut { cuts: 0 } => Self::BehindLeftOut,
             Message::BehindLeftOut { .. } => Self::BehindLeftOutCuts,
+            Message::ElsewhereLeftOut { .. } => Self::ElsewhereLeftOut,
             Message::ToolUnknown { .. } => Self::ToolUnknown,
             Message::PartTooManyCorners { .. } => Self::PartTooManyCorners,
             Message::ToolNotListed { .. } => Self::ToolNotListed,

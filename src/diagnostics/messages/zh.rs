@@ -469,6 +469,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             工件还剩下什么无法确定，从这里起不再检查与工件的碰撞。请先改正那个程序段。",
         PartTooManyCorners => "零件轮廓超过 {most} 个点：只显示轨迹，不显示零件，碰撞只检查到这里为止。\n\
             上限由设置中的 `limits.partCorners` 决定。",
+        ElsewhereLeftOut => "从这里起在另一个工件坐标系中的切削（共 {cuts} 段）不从零件上切除：不知道它的零点在哪里。\n\
+            可能是第二次装夹或副主轴。要看它们切出的形状，请把它们写成单独的程序。",
         ToolUnknown => "不知道 {tool} 是什么刀具：只显示轨迹，不显示零件。\n\
             常用的刀片和切槽刀在这里都会切坏轮廓。请在设置或注释中说明这把刀，例如 `(TOOL {tool} TYPE=GROOVING WIDTH=3)`。",
         ToolNotListed => "设置中列出了刀具，但没有 {tool}。\n\

@@ -22,7 +22,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
         Diagnostic::new(message, Span::new(0, 0))
     }));
     told.extend(behind_left_out(shop, motions));
-    told.extend(unknown_tools(shop.fitting(), motions));
+    told.extend(not_shown(shop.fitting(), motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was told so.
@@ -50,14 +50,20 @@ fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
-/// A message for each tool that is not known, at its first cut; nothing where no part could be shown anyway.
-pub fn unknown_tools(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
-    let unknown = if fitting.stock().is_some() { fitting.unknown() } else { &[] };
-    unknown.iter().map(|&index| {
+/// What the part is not made of: cuts in a work frame whose zero nobody gave, told at the first; and each tool that is not known, at
+/// its first cut. Nothing where no part could be shown anyway.
+pub fn not_shown(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
+    let has_part = fitting.stock().is_some();
+    let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
+    let elsewhere = elsewhere
+        .map(|(first, cuts)| Diagnostic::new(Message::ElsewhereLeftOut { cuts }, motions.span(first)));
+    let unknown = if has_part { fitting.unknown() } else { &[] };
+    let unknown = unknown.iter().map(|&index| {
         let (station, offset) = motions.get(index).process.tool;
         let tool = format!("T{station:02}{offset:02}");
         Diagnostic::new(Message::ToolUnknown { tool }, motions.span(index))
-    })
+    });
+    elsewhere.into_iter().chain(unknown)
 }
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
