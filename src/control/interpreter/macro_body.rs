@@ -3,7 +3,8 @@
 //! In: vacant variables that are read. Out: which variables have a value that nobody knows, and statements that depend on
 //! them. One message says so; a value that is not known raises no alarm, and what comes of it is uncertain.
 
-use super::macros::{Mark, Store, loop_mark};
+use super::macros::{Mark, loop_mark};
+use super::store::Store;
 use super::*;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::macros::{self, Knowledge};

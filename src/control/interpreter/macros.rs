@@ -4,55 +4,14 @@
 //! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
+use super::store::Store;
 use super::*;
 use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::doubt::Doubt;
-use crate::control::macros::{
-    self, Action, Fault, FaultKind, Found, Knowledge, Locals, Memory, Stored, Variables,
-};
+use crate::control::macros::{self, Action, Fault, FaultKind, Knowledge, Locals};
 use crate::limits::LOOPS;
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
-
-/// The variables as a statement of a block sees them.
-pub(super) struct Store<'a> {
-    interpreter: &'a mut Interpreter,
-    text: &'a [u8],
-    block: &'a Block,
-    /// Whether everything read so far is known.
-    knowledge: Knowledge,
-}
-
-impl<'a> Store<'a> {
-    pub(super) fn new(interpreter: &'a mut Interpreter, text: &'a [u8], block: &'a Block) -> Self {
-        Self { interpreter, text, block, knowledge: Knowledge::Known }
-    }
-}
-
-impl Memory for Store<'_> {
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
-        Ok(match self.interpreter.state.variables.read(variable)? {
-            Found::Value(value) => {
-                if value.is_none() && Variables::may_be_argument(variable) {
-                    self.interpreter.miss_arguments(self.text, self.block, variable);
-                }
-                if self.interpreter.state.variables.is_unknown(variable) {
-                    self.knowledge = Knowledge::Unknown;
-                }
-                value
-            }
-            Found::System => self.interpreter.read_system(self.text, self.block, variable),
-        })
-    }
-
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
-        if self.interpreter.state.variables.write(variable, value)? == Stored::System {
-            self.interpreter.write_system(self.block, variable, value);
-        }
-        self.interpreter.state.variables.set_unknown(variable, self.knowledge);
-        Ok(())
-    }
-}
 
 impl Interpreter {
     /// Carries out a macro statement.

@@ -24,6 +24,7 @@ mod rotary;
 mod settings;
 mod singles;
 mod snapshot;
+mod store;
 mod system;
 mod take;
 mod threads;
