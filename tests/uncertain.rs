@@ -175,3 +175,42 @@ fn what_does_not_depend_on_it_is_still_checked() {
     assert!(!slugs(&program("G90 X50 Z-9 F-1", "Z-5")).contains(&"rapid-through-stock"));
     assert!(slugs(&program("G90 X50 Z-9 F-1", "Z-45")).contains(&"tool-into-jaws"));
 }
+
+#[test]
+fn a_macro_without_its_call_does_not_know_its_arguments() {
+    let only = |program: &str| {
+        let analysis = run(r#"{"initial": {"x": 100, "z": 50}}"#, program);
+        let found = codes(&analysis).into_iter().filter(|slug| slug.starts_with("macro")).collect::<Vec<_>>();
+        (found, motions(&analysis))
+    };
+    let unknown = |program: &str, expected: &str| {
+        assert_eq!(only(program), (vec!["macro-arguments-unknown"], expected.into()), "{program}");
+    };
+    // Neither a division by one of them, nor by what comes of them, is a fault.
+    unknown("#4=10/#3\n#100=[#1-#2]/[#1*2]\n#5=1/#100\nM99", "");
+    unknown("G0 X[10/#3] Z5\nZ2\nM99", "R?(100,2)");
+    unknown("G0 X#24 Z5\nM99", "R?(100,5)");
+    // Nor what a function has no value for, nor where a jump or a check leads, nor a loop without end.
+    unknown("#4=LN[#1]\nGOTO#2\nIF[#3EQ#0]GOTO 9\nM99\nN9 #3000=1(NO DEPTH)\nM99", "");
+    unknown("IF[#3NE#0]GOTO 9\n#3000=1(NO DEPTH)\nN9 G0 X50\nM99", "R?(50,50)");
+    unknown("#4=10\nWHILE[#4GT#1]DO1\nG0 X#4\n#4=#4-#2\nEND1\nM99", "R?(10,50)");
+    unknown("#4=10\nN5 G0 X#4\n#4=#4-#2\nIF[#4GT#1]GOTO 5\nM99", "R(10,50)");
+    unknown("IF[#1EQ#0]THEN #1=5\nIF[#2EQ1]THEN #3=1\n#4=1/#3+1/[#1-5]\nM99", "");
+    // What it hands on is not known either.
+    unknown("O1\nG65 P2 A#1 B[#2*2]\nM99\nO2\n#3=1/#1+1/#2\nM99", "");
+}
+
+#[test]
+fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
+    let division = |program: &str| {
+        let found = codes(&run(r#"{"initial": {"x": 100, "z": 50}}"#, program));
+        assert!(found.contains(&"macro-division-by-zero"), "{program}\n{found:?}");
+    };
+    // It sets the zero itself; no letter stands for the variable; it is a main program, which has its end or its tools.
+    division("#1=0\n#4=5/#1\nM99");
+    division("#5=#2\n#1=0\n#4=5/#1\nM99");
+    division("#4=5/#10\nM99");
+    division("#4=5/#3\nM30");
+    division("T0101\n#4=5/#3\nM99");
+    division("O1\n#1=0\nG65 P2 A#1\nM30\nO2\n#4=5/#1\nM99");
+}

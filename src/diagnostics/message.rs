@@ -158,6 +158,8 @@ pub enum Message {
     MacroAlarm { number: i64, words: String },
     /// A system variable that is not known here.
     SystemVariable { variable: u32 },
+    /// The body of a macro is run without the call that gives its arguments.
+    ArgumentsUnknown { variable: u32 },
 
     // Where the program comes from
     /// A program for a control or machine that is not read here.
@@ -586,6 +588,7 @@ impl Message {
             | Self::HoleOfOthers { .. }
             | Self::MachineZero { .. }
             | Self::SystemVariable { .. }
+            | Self::ArgumentsUnknown { .. }
             | Self::CAxisNotConnected
             | Self::LiveToolStopped
             | Self::FeedMissing
@@ -643,6 +646,7 @@ impl Message {
             Self::Macro { kind } => (kind.alarm(), kind.slug(), Error, Some(kind.alarm())),
             Self::MacroAlarm { .. } => ("E-MACRO-ALARM", "macro-alarm", Error, None),
             Self::SystemVariable { .. } => ("W-MACRO-SYSTEM", "unknown-system-variable", Info, None),
+            Self::ArgumentsUnknown { .. } => ("I-MACRO-ARGUMENTS", "macro-arguments-unknown", Info, None),
             Self::Foreign { .. } => ("N-FOREIGN", "program-for-another-control", Error, None),
             Self::SystemGuessed { .. } => ("I-G-SYSTEM", "g-code-system-concluded", Info, None),
             Self::DecimalRule { rule: DecimalRule::LeastIncrement, .. } => {

@@ -256,6 +256,10 @@ impl Interpreter {
                 return Flow::Restart(main);
             }
         }
+        if self.state.variables.lacks_arguments() {
+            // The body of a macro, which goes back to the program that called it.
+            return Flow::End;
+        }
         self.state.course.rounds += 1;
         // Looked at now and then only: there may be many variables to compare.
         if self.state.course.rounds.is_power_of_two() {

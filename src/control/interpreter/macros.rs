@@ -4,36 +4,14 @@
 //! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
+use super::store::Store;
 use super::*;
 use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::doubt::Doubt;
-use crate::control::macros::{self, Action, Fault, FaultKind, Found, Locals, Memory, Stored};
+use crate::control::macros::{self, Action, Fault, FaultKind, Knowledge, Locals};
 use crate::limits::LOOPS;
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
-
-/// The variables as a statement of a block sees them.
-struct Store<'a> {
-    interpreter: &'a mut Interpreter,
-    text: &'a [u8],
-    block: &'a Block,
-}
-
-impl Memory for Store<'_> {
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
-        Ok(match self.interpreter.state.variables.read(variable)? {
-            Found::Value(value) => value,
-            Found::System => self.interpreter.read_system(self.text, self.block, variable),
-        })
-    }
-
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
-        if self.interpreter.state.variables.write(variable, value)? == Stored::System {
-            self.interpreter.write_system(self.block, variable, value);
-        }
-        Ok(())
-    }
-}
 
 impl Interpreter {
     /// Carries out a macro statement.
@@ -49,8 +27,21 @@ impl Interpreter {
         }
         let span = statement_span(block);
         let statement = span.of(text);
-        let mut store = Store { interpreter: self, text, block };
-        let action = match macros::statement(statement, &mut store) {
+        let mut store = Store::new(self, text, block);
+        let outcome = macros::statement(statement, &mut store);
+        let unknown = store.knowledge == Knowledge::Unknown;
+        let action = match outcome {
+            Err(fault) if unknown && fault.kind.depends_on_values() => {
+                return self.unknown_statement(text, block, statement, here);
+            }
+            Ok(Action::Goto(_) | Action::While { .. }) if unknown => {
+                return self.unknown_statement(text, block, statement, here);
+            }
+            // Its own check of what it was given.
+            Ok(Action::Alarm { .. }) if self.state.variables.lacks_arguments() => {
+                self.lose_program();
+                return Flow::Next;
+            }
             Ok(action) => action,
             Err(fault) => {
                 self.lose_statement(statement);
@@ -58,6 +49,9 @@ impl Interpreter {
                 return Flow::Next;
             }
         };
+        if unknown {
+            self.unknown_condition(text, block, statement);
+        }
         let within = |range: std::ops::Range<usize>| Span {
             start: span.start + range.start as u32,
             end: span.start + range.end as u32,
@@ -125,9 +119,14 @@ impl Interpreter {
         self.tell_fault(text, fault, statement_span(block));
         if let Some((Mark::Do, number)) = mark {
             self.end_of_loop(text, block, number, here);
-            self.leave_loop(here);
-            self.open_loop(Loop { number, head: here.at, rounds: Rounds::One });
+            self.run_once(number, here);
         }
+    }
+
+    /// A loop begins whose condition says nothing: it is run once.
+    pub(super) fn run_once(&mut self, number: u32, here: Here) {
+        self.leave_loop(here);
+        self.open_loop(Loop { number, head: here.at, rounds: Rounds::One });
     }
 
     /// Which of the loops under way ends in this block.
@@ -220,7 +219,13 @@ impl Interpreter {
     }
 
     /// The block behind the END of a loop that begins here (PS0124 where there is none). `None`: told.
-    fn behind_end(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
+    pub(super) fn behind_end(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        number: u32,
+        here: Here,
+    ) -> Option<Resume> {
         let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.full {
             self.tell_macro(FaultKind::EndMissing, block.words_span());
@@ -271,7 +276,21 @@ impl Interpreter {
         if !block.has_expressions {
             return self.words(text, block, here);
         }
-        match self.evaluated(text, block) {
+        self.guessing = false;
+        let own = self.evaluated(text, block);
+        if std::mem::take(&mut self.guessing) && !self.muted {
+            // What is said of such values says nothing of the macro.
+            self.muted = true;
+            let flow = self.evaluated_words(text, block, own, here);
+            self.muted = false;
+            return flow;
+        }
+        self.evaluated_words(text, block, own, here)
+    }
+
+    /// Carries out a block whose expressions came to these values; `None`: they have none, which was told.
+    fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
+        match own {
             Some(own) => {
                 if self.trace.is_some() {
                     self.trace_values(&own);
@@ -338,8 +357,16 @@ impl Interpreter {
         let written = word.span.of(text);
         let letter = written.iter().position(u8::is_ascii_alphabetic).unwrap_or(0) + 1;
         let increment = 10f64.powi(-i32::from(self.places(word.address)));
-        let mut store = Store { interpreter: self, text, block };
-        match macros::address_value(&written[letter..], increment, &mut store) {
+        let mut store = Store::new(self, text, block);
+        let value = macros::address_value(&written[letter..], increment, &mut store);
+        if store.knowledge == Knowledge::Unknown {
+            self.guessing = true;
+        }
+        match value {
+            Err(fault) if self.guessing && fault.kind.depends_on_values() => {
+                self.left_out();
+                None
+            }
             Ok(None) => Some((None, false)),
             Ok(Some(value)) => match number_of(value, places.unwrap_or_else(|| places_of(value))) {
                 Some(number) => Some((Some(number), value < 0.0)),
@@ -446,13 +473,13 @@ impl Interpreter {
 }
 
 /// Which part of a loop a block is.
-enum Mark {
+pub(super) enum Mark {
     Do,
     End,
 }
 
 /// The loop mark of a macro statement, and its number: `DO m` at its end, or `END m` at its head.
-fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
+pub(super) fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     if block.kind != BlockKind::Macro {
         return None;
     }

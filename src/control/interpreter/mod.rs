@@ -12,6 +12,7 @@ mod calls;
 mod contours;
 mod doubts;
 mod holes;
+mod macro_body;
 mod macros;
 mod motions;
 mod multiples;
@@ -23,6 +24,7 @@ mod rotary;
 mod settings;
 mod singles;
 mod snapshot;
+mod store;
 mod system;
 mod take;
 mod threads;
@@ -259,6 +261,10 @@ pub struct Interpreter {
     refused: bool,
     /// Nothing is told of the block under way any more.
     muted: bool,
+    /// A value of the block under way comes from a variable that nobody knows.
+    guessing: bool,
+    /// Whether the main program is the body of a macro; found when first asked for.
+    is_macro_body: Option<bool>,
     /// Messages told, in order of place and name: what runs again is not told again.
     told: Vec<(u32, &'static str)>,
 }
@@ -307,6 +313,8 @@ impl Interpreter {
             fault: None,
             refused: false,
             muted: false,
+            guessing: false,
+            is_macro_body: None,
             told: Vec::new(),
         }
     }

@@ -18,8 +18,8 @@ use std::ops::Range;
 
 pub use arguments::{ArgumentFault, arguments};
 pub use expression::address_value;
-pub use statement::{Action, statement};
-pub use variables::{Found, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
+pub use statement::{Action, assigned, statement};
+pub use variables::{Found, Knowledge, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
 
 /// Where variables are read and written.
 pub trait Memory {
@@ -84,6 +84,28 @@ pub enum FaultKind {
 }
 
 impl FaultKind {
+    /// Whether other values of the variables may not have the fault.
+    pub fn depends_on_values(self) -> bool {
+        match self {
+            Self::Overflow
+            | Self::DivisionByZero
+            | Self::VariableNumber
+            | Self::ReadOnly
+            | Self::FunctionArgument
+            | Self::JumpTarget => true,
+            Self::UnknownFunction
+            | Self::Expression
+            | Self::BracketOpen
+            | Self::NumberOrCondition
+            | Self::BracketsTooDeep
+            | Self::EndMissing
+            | Self::Format
+            | Self::LoopNumber
+            | Self::WordsBehind
+            | Self::ArgumentLetter => false,
+        }
+    }
+
     /// The alarm of the control, as in `PS0112`.
     pub fn alarm(self) -> &'static str {
         match self {

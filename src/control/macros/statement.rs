@@ -104,6 +104,12 @@ pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault>
     }
 }
 
+/// The variable that an assignment gives a value; `None` for another statement.
+pub fn assigned(text: &[u8], memory: &mut impl Memory) -> Option<u32> {
+    let mut reader = Evaluator::new(text, memory);
+    (reader.cursor.peek() == Some(b'#')).then(|| reader.variable().ok()).flatten()
+}
+
 /// What stands behind IF.
 fn conditional(reader: &mut Evaluator) -> Result<Action, Fault> {
     let holds = reader.condition()?;

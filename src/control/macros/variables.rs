@@ -51,7 +51,12 @@ pub struct Variables {
     passing: Arc<[Option<f64>; PASSING]>,
     /// #500 to #999.
     kept: Arc<[Option<f64>; KEPT]>,
+    /// A bit for each variable of the main program whose value nobody knows; `None` while all are known.
+    unknown: Option<Arc<Bits>>,
 }
+
+/// A bit for each variable below #1024.
+type Bits = [u64; 16];
 
 impl Default for Variables {
     /// At the level of the main program, everything vacant.
@@ -60,6 +65,7 @@ impl Default for Variables {
             levels: Arc::new(vec![[None; LOCALS]]),
             passing: Arc::new([None; PASSING]),
             kept: Arc::new([None; KEPT]),
+            unknown: None,
         }
     }
 }
@@ -70,6 +76,7 @@ impl PartialEq for Variables {
         (Arc::ptr_eq(&self.levels, &other.levels) || self.levels == other.levels)
             && (Arc::ptr_eq(&self.passing, &other.passing) || self.passing == other.passing)
             && (Arc::ptr_eq(&self.kept, &other.kept) || self.kept == other.kept)
+            && self.unknown == other.unknown
     }
 }
 
@@ -150,6 +157,72 @@ impl Variables {
     pub fn level(&self) -> usize {
         self.levels.len() - 1
     }
+}
+
+/// What is not known: the arguments of a macro that was not called, and what comes of them.
+impl Variables {
+    /// Whether a vacant variable may be an argument that a call hands over by its letter (semantics §8.5).
+    pub fn may_be_argument(variable: u32) -> bool {
+        matches!(variable, 1..=9 | 11 | 13 | 17..=26)
+    }
+
+    /// The arguments of the main program are not known: what is vacant and stands for a letter.
+    pub fn lack_arguments(&mut self) {
+        let mut unknown = Bits::default();
+        for (variable, value) in (1..).zip(&self.levels[0]) {
+            if value.is_none() && Self::may_be_argument(variable) {
+                let (index, bit) = bit_of(variable);
+                unknown[index] |= bit;
+            }
+        }
+        self.unknown = Some(Arc::new(unknown));
+    }
+
+    /// Whether the arguments of the main program are not known.
+    pub fn lacks_arguments(&self) -> bool {
+        self.unknown.is_some()
+    }
+
+    /// Whether the value of a variable is not known. What a macro was handed by a program without its arguments is not.
+    pub fn is_unknown(&self, variable: u32) -> bool {
+        let Some(unknown) = &self.unknown else { return false };
+        let (index, bit) = bit_of(variable);
+        match variable {
+            1..=33 if self.level() > 0 => true,
+            0..1000 => unknown[index] & bit != 0,
+            1000.. => false,
+        }
+    }
+
+    /// Says whether the value that a variable was given is unknown.
+    pub fn set_unknown(&mut self, variable: u32, is: Knowledge) {
+        let own_level = variable > 33 || self.level() == 0;
+        if let Some(unknown) = &mut self.unknown
+            && own_level
+            && variable < 1000
+        {
+            let (index, bit) = bit_of(variable);
+            let bits = &mut Arc::make_mut(unknown)[index];
+            match is {
+                Knowledge::Known => *bits &= !bit,
+                Knowledge::Unknown => *bits |= bit,
+            }
+        }
+    }
+}
+
+/// Whether a value is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knowledge {
+    /// It is what the control would have.
+    Known,
+    /// It depends on arguments that nobody gave.
+    Unknown,
+}
+
+/// Where the bit of a variable is.
+fn bit_of(variable: u32) -> (usize, u64) {
+    ((variable as usize / 64) % 16, 1 << (variable % 64))
 }
 
 impl Memory for Variables {

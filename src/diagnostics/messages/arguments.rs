@@ -193,7 +193,9 @@ impl Message {
             | Self::CompensationIdle { code } => vec![("code", Text(code))],
             Self::SequenceNotFound { sequence } => vec![("sequence", Count(i64::from(*sequence)))],
             Self::MacroAlarm { number, words } => vec![("number", Count(*number)), ("words", Text(words))],
-            Self::SystemVariable { variable } => vec![("variable", Count(i64::from(*variable)))],
+            Self::SystemVariable { variable } | Self::ArgumentsUnknown { variable } => {
+                vec![("variable", Count(i64::from(*variable)))]
+            }
             Self::Foreign { origin } => vec![("origin", Text(origin.name()))],
             Self::DecimalRule { word, value, .. } => vec![("word", Text(word)), ("value", Number(*value))],
             Self::SystemGuessed { system } => vec![("system", Text(system.name()))],

@@ -114,6 +114,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             #3000 raises an alarm of the program's own. It usually checks what it was given: look at the condition before it, and at the arguments of the call.",
         SystemVariable => "#{variable} is a variable of the machine that is not known here; it reads as vacant.\n\
             What depends on it may be drawn wrong.",
+        ArgumentsUnknown => "This is the body of a macro: the argument in #{variable} is not known here.\n\
+            What depends on the arguments is uncertain and not checked. Add a main program that calls it, such as `G65 P100 A1`.",
         ForeignMill => "This looks like a program for a milling machine.\n\
             The playground reads turning programs for FANUC and GSK lathes; nothing was run. Set `recognise` to false in the setup to run it all the same.",
         ForeignPrinter => "This looks like a program for a 3D printer.\n\

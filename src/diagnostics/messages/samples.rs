@@ -51,6 +51,7 @@ pub(crate) fn samples() -> Vec<Message> {
         Message::NumberFromVariable { word: "X1".into() },
         Message::MacroAlarm { number: 3001, words: "X1".into() },
         Message::SystemVariable { variable: 7 },
+        Message::ArgumentsUnknown { variable: 7 },
         Message::SystemGuessed { system: GSystem::B },
         Message::DecimalRule {
             word: "X1".into(),

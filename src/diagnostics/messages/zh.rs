@@ -114,6 +114,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             #3000 由程序发出报警，多用于检查数据：请查看它之前的条件和调用时的自变量。",
         SystemVariable => "#{variable} 是这里未知的机床系统变量，读作空值。\n\
             与它有关的图形可能不正确。",
+        ArgumentsUnknown => "这是宏程序本体：这里不知道 #{variable} 中的自变量。\n\
+            与自变量有关的内容不确定，也不检查。请加上调用它的主程序，如 `G65 P100 A1`。",
         ForeignMill => "这像是铣床程序。\n\
             本页面读取 FANUC 和 GSK 车床程序，没有运行。若要照样运行，请在设置中把 `recognise` 设为 false。",
         ForeignPrinter => "这像是 3D 打印机程序。\n\

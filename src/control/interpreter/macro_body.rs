@@ -1,0 +1,93 @@
+//! The body of a macro that is run as a main program: nobody gave its arguments.
+//!
+//! In: vacant variables that are read. Out: which variables have a value that nobody knows, and statements that depend on
+//! them. One message says so; a value that is not known raises no alarm, and what comes of it is uncertain.
+
+use super::macros::{Mark, loop_mark};
+use super::store::Store;
+use super::*;
+use crate::control::doubt::{Doubt, Doubts};
+use crate::control::macros::{self, Knowledge};
+use crate::text::parser::Parser;
+
+impl Interpreter {
+    /// A vacant variable is read that may stand for an argument: told, if the main program is the body of a macro.
+    #[cold]
+    pub(super) fn miss_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
+        let is_own = self.state.variables.level() == 0 && !self.state.variables.lacks_arguments();
+        if !is_own || !self.is_macro_body(text) {
+            return;
+        }
+        self.state.variables.lack_arguments();
+        self.tell(Diagnostic::new(Message::ArgumentsUnknown { variable }, block.words_span()));
+        self.lose(Doubts::of(&[Doubt::Values]));
+    }
+
+    /// Whether the main program can only be the body of a macro: it goes back by M99, and neither ends nor selects a tool.
+    /// A program that a bar feeder repeats ends with M99, too, but has its tools.
+    fn is_macro_body(&mut self, text: &[u8]) -> bool {
+        if let Some(known) = self.is_macro_body {
+            return known;
+        }
+        // What stands further on decides.
+        self.labels(text);
+        let mut parser = Parser::resume(text, self.state.course.head);
+        let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);
+        while parser.next_block(&mut block) && !(begun && block.program.is_some()) {
+            begun |= !block.is_empty();
+            for word in &block.words {
+                match (word.address, plain(word)) {
+                    (b'M', Some(99.0)) => returns = true,
+                    (b'M', Some(2.0 | 30.0)) | (b'T', _) => is_main = true,
+                    _ => {}
+                }
+            }
+        }
+        *self.is_macro_body.insert(returns && !is_main)
+    }
+
+    /// What a statement that depends on what nobody knows may have done: given a value to a variable, or led somewhere.
+    #[cold]
+    pub(super) fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
+        match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
+            Some(variable) => self.state.variables.set_unknown(variable, Knowledge::Unknown),
+            None => self.lose_program(),
+        }
+    }
+
+    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the program goes on behind it.
+    #[cold]
+    pub(super) fn unknown_statement(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        statement: &[u8],
+        here: Here,
+    ) -> Flow {
+        self.unknown_condition(text, block, statement);
+        if let Some((Mark::Do, number)) = loop_mark(text, block)
+            && self.behind_end(text, block, number, here).is_some()
+        {
+            self.run_once(number, here);
+        }
+        Flow::Next
+    }
+}
+
+/// What stands behind the condition of IF, or all of another statement.
+fn behind_condition(statement: &[u8]) -> &[u8] {
+    let statement = statement.trim_ascii_start();
+    if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {
+        return statement;
+    }
+    let mut depth = 0;
+    let closing = statement.iter().position(|byte| {
+        depth += i32::from(*byte == b'[') - i32::from(*byte == b']');
+        *byte == b']' && depth == 0
+    });
+    let rest = closing.map_or(&[][..], |closing| statement[closing + 1..].trim_ascii_start());
+    match rest.get(..4) {
+        Some(then) if then.eq_ignore_ascii_case(b"THEN") => rest[4..].trim_ascii_start(),
+        _ => rest,
+    }
+}
