@@ -159,6 +159,18 @@ fn uncertain_cuts_are_not_taken_off_the_part() {
 }
 
 /// Behind a block that was left out it is not known what of the work still stands, but the chuck stands.
+/// One pass that cannot be read does not make a riddle of the tool, nor take the part away.
+#[test]
+fn a_pass_that_cannot_be_read_leaves_the_part() {
+    let program = "M3 S300 G0 X130 Z3\nG90 X120 Z-110 F200\nX110 ZZ-30\nX100\nX90\nX80\nX70\nX60\nG0 X120 Z-30\n\
+                   G90 X120 Z-44 R-7.5 F150\nZ-56 R-15\nG0 X130 Z3\nM30";
+    let mut analysis = run(r#"{"dialect": {"control": "gsk"}}"#, program);
+    analysis.look_at_machine();
+    assert!(!codes(&analysis).contains(&"tool-unknown"), "{:?}", codes(&analysis));
+    let shop = Shop::done(&analysis.motions, &analysis.setup);
+    assert!(shop.finished().is_some());
+}
+
 #[test]
 fn what_does_not_depend_on_it_is_still_checked() {
     let program = |cycle: &str, end: &str| {

@@ -70,9 +70,16 @@ pub(super) fn decide(
             .or_else(|| blades.iter().find(|tool| words.kind == tool.kind && led.grooves(index, own, tool)));
         match found {
             Some(tool) => guesses.put(index, tool.clone()),
+            // Of a tool some of whose cuts are left out the others say too little.
+            None if has_uncertain_cut(motions, own.station) => {}
             None => guesses.unknown.push(own.first),
         }
     }
+}
+
+fn has_uncertain_cut(motions: &Motions, station: u16) -> bool {
+    let cuts = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts());
+    cuts.filter(|cut| cut.process.tool.0 == station).any(|cut| cut.process.uncertain)
 }
 
 /// A guess with what comments say of it, as far as they speak of the same kind of tool.

@@ -103,7 +103,7 @@ impl Guesses {
 
     /// Looks at a program. `spoken` is what its comments say of the tools, by station; `stock` the blank, where one is given.
     pub fn with(motions: &Motions, spoken: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
-        let seen = Seen::all(motions, spoken, Clamping::First);
+        let seen = Seen::all(motions, spoken, stock, Clamping::First);
         let tools = tools_of(&seen);
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in seen.iter().zip(&tools) {
@@ -114,7 +114,7 @@ impl Guesses {
         choice::decide(motions, &seen, spoken, stock.or(guessed), &mut guesses);
         // Nothing is taken off there: for these a first guess will do.
         if motions.cuts_elsewhere().is_some() {
-            for other in tools_of(&Seen::all(motions, spoken, Clamping::Other)) {
+            for other in tools_of(&Seen::all(motions, spoken, stock, Clamping::Other)) {
                 if guesses.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
                     guesses.tools.push(other);
                 }
@@ -163,7 +163,12 @@ impl Clamping {
 
 impl Seen {
     /// What is seen of each use of a station in a clamping.
-    fn all(motions: &Motions, spoken: &BTreeMap<u16, Tool>, clamping: Clamping) -> Vec<Self> {
+    fn all(
+        motions: &Motions,
+        spoken: &BTreeMap<u16, Tool>,
+        stock: Option<Stock>,
+        clamping: Clamping,
+    ) -> Vec<Self> {
         let mut seen: Vec<Seen> = Vec::new();
         let mut before = None;
         let moves = motions.iter().take(LOOKED_AT).enumerate();
@@ -351,10 +356,12 @@ fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let after = next.map_or(0.0, |next| next.to.x - next.from.x);
     let escapes = along.abs() > SAME && dz * along <= SAME * SAME;
     let on_the_way = if escapes { dx } else { 0.0 };
+    // Deeper in along Z nothing leaves the work.
+    let deeper = next.is_some_and(|next| next.to.z < next.from.z - SAME);
     // Straight out, or back along Z from where the last cut led.
     match if after.abs() > SAME { after } else { on_the_way } {
         way if way > SAME => 1,
-        way if way < -SAME => -1,
+        way if way < -SAME && !deeper => -1,
         _ => 0,
     }
 }

@@ -210,6 +210,9 @@ fn a_contour_that_falls_is_no_bore() {
         "{HEAD}T0707\nG00 X43 Z1\nG01 X41 Z0 F0.2\nG03 X55 Z-7 R7\nG28\nT0808\nG00 X0 Z1\nG01 Z-5 F0.1\nG00 Z2\n"
     );
     check(&program, "turning drill", &[(-8.0, 55.0)]);
+    // It does not leave a bore by going deeper: that is a rapid into the work.
+    let program = format!("{HEAD}T0101\nG00 X40 Z2\nG01 Z-20 F0.2\nX44\nG00 X30 Z-22\nX100 Z100\n");
+    check(&program, "turning", &[(-10.0, 40.0)]);
 }
 
 /// What an insert named in a comment cannot do, another one does.
