@@ -213,12 +213,12 @@ pub enum Message {
     SameGroup { dropped: String, used: String },
     /// X with U, or Z with W.
     AbsoluteAndIncremental { absolute: String, incremental: String, used: String },
-    /// T in a block with G50, G10 or G04.
-    ToolWithSetting { word: String },
+    /// T in a block with G50, G10 or G04; `only_speed`: with the highest speed of G50, which many controls take.
+    ToolWithSetting { word: String, only_speed: bool },
     /// A T word of one or two digits.
     ShortTool { word: String, offset: u16 },
-    /// A T word that names no tool.
-    ToolNumber { word: String },
+    /// A T word that names no tool; `of_machine`: it may on a machine with a tool changer or many offsets.
+    ToolNumber { word: String, of_machine: bool },
     /// G90 without axis words, as mills use it.
     G90AsAbsolute,
     /// I in a G92 block.
@@ -249,8 +249,8 @@ pub enum Message {
     PlaneCompensation { code: &'static str },
     /// Feed per turn in polar interpolation.
     PolarFeedPerTurn,
-    /// Compensation without a cutter radius.
-    PolarNoRadius,
+    /// Compensation without a cutter radius; `offset`: of it nothing is known, the machine may have its radius.
+    PolarNoRadius { offset: Option<u16> },
     /// C looks like degrees, but is mm there.
     PolarAngle { word: String },
     /// The path comes too near to the centre.
@@ -345,8 +345,8 @@ pub enum Message {
     ThreadLeastDepth { least: f64, height: f64 },
     /// The height or the first depth of G76 is zero or missing.
     ThreadNoDepth { word: char },
-    /// G76 starts inside the crest of its thread.
-    ThreadStartInside { start: f64, crest: f64 },
+    /// G76 starts inside the crest of its thread, or just at it.
+    ThreadStartInside { start: f64, crest: f64, at_crest: bool },
     /// A corner word whose next block is no straight move.
     CornerNoMove { word: String },
     /// A corner is larger than one of its moves.
@@ -400,8 +400,8 @@ pub enum Message {
     MinusMissing { word: String, meant: String },
     /// U where X was probably meant.
     IncrementalForAbsolute { word: String, axis: char, to: f64, meant: String },
-    /// The spindle is to turn, but has no speed.
-    SpeedMissing,
+    /// The spindle is to turn, but has no speed; `of_surface`: G97 had one, G96 has none.
+    SpeedMissing { of_surface: bool },
     /// G96 or G97 changes what S means, but no S stands there.
     SpeedNotRepeated { code: &'static str, speed: f64 },
     /// The spindle turns too fast for the lead.
@@ -576,6 +576,9 @@ impl Message {
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
             | Self::ShortTool { .. }
+            | Self::ToolNumber { of_machine: true, .. }
+            | Self::ToolWithSetting { only_speed: true, .. }
+            | Self::PolarNoRadius { offset: Some(_) }
             | Self::LetterIInG92
             | Self::G28NoAxis { .. }
             | Self::ContourBothAxes { .. }
@@ -670,8 +673,12 @@ impl Message {
             Self::DuplicateWord { .. } => ("W-DUP-WORD", "duplicate-word", Warning, Some("PS5074")),
             Self::SameGroup { .. } => ("W-SAME-GROUP", "two-codes-of-one-group", Warning, Some("PS5074")),
             Self::AbsoluteAndIncremental { .. } => ("W-X-AND-U", "absolute-and-incremental", Warning, None),
+            Self::ToolWithSetting { only_speed: true, .. } => {
+                ("PS0245", "tool-with-setting-code", Info, Some("PS0245"))
+            }
             Self::ToolWithSetting { .. } => ("PS0245", "tool-with-setting-code", Error, Some("PS0245")),
             Self::ShortTool { .. } => ("W-T1", "short-tool-word", Warning, None),
+            Self::ToolNumber { of_machine: true, .. } => ("PS0043", "tool-number", Info, Some("PS0043")),
             Self::ToolNumber { .. } => ("PS0043", "tool-number", Error, Some("PS0043")),
             Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
             Self::LetterIInG92 => ("W-G92-I", "letter-i-in-g92", Warning, None),
@@ -693,7 +700,10 @@ impl Message {
                 ("E-G121-COMP", "polar-with-compensation", Error, Some("PS0146"))
             }
             Self::PolarFeedPerTurn => ("W-POLAR-FEEDMODE", "polar-with-feed-per-turn", Warning, None),
-            Self::PolarNoRadius => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
+            Self::PolarNoRadius { offset } => {
+                let severity = if offset.is_some() { Info } else { Warning };
+                ("W-POLAR-RADIUS", "polar-without-cutter-radius", severity, None)
+            }
             Self::PolarAngle { .. } => ("W-POLAR-ANGLE", "polar-c-like-degrees", Warning, None),
             Self::PolarCenter { .. } => ("W-POLAR-CENTER", "polar-near-centre", Warning, None),
             Self::PlaneLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
@@ -755,7 +765,10 @@ impl Message {
             Self::ThreadAngle { .. } => ("PS0315", "thread-angle", Error, Some("PS0315")),
             Self::ThreadLeastDepth { .. } => ("PS0316", "thread-least-depth", Error, Some("PS0316")),
             Self::ThreadNoDepth { .. } => ("PS0317", "thread-without-depth", Error, Some("PS0317")),
-            Self::ThreadStartInside { .. } => ("W-THREAD-START", "thread-start-inside-crest", Warning, None),
+            Self::ThreadStartInside { at_crest, .. } => {
+                let severity = if *at_crest { Info } else { Warning };
+                ("W-THREAD-START", "thread-start-inside-crest", severity, None)
+            }
             Self::CornerNoMove { .. } => ("PS0052", "corner-without-next-move", Error, Some("PS0052")),
             Self::CornerTooLarge { .. } => ("PS0055", "corner-too-large", Error, Some("PS0055")),
             Self::CornerNone { .. } | Self::CornerNoLine { .. } => {
@@ -789,7 +802,7 @@ impl Message {
             Self::FarOff { .. } => ("W-FAR", "far-beyond-the-rest", Warning, None),
             Self::MinusMissing { .. } => ("W-SIGN", "minus-missing", Warning, None),
             Self::IncrementalForAbsolute { .. } => ("W-U-FOR-X", "incremental-for-absolute", Warning, None),
-            Self::SpeedMissing => ("W-NO-SPEED", "speed-missing", Warning, None),
+            Self::SpeedMissing { .. } => ("W-NO-SPEED", "speed-missing", Warning, None),
             Self::SpeedNotRepeated { .. } => ("W-SPEED-KEPT", "speed-kept-in-other-unit", Info, None),
             // The rule of thumb is for small lathes; few slides follow beyond 4 m a minute.
             Self::ThreadTooFast { slide, .. } => {

@@ -347,7 +347,13 @@ impl Interpreter {
             debug_assert!(axis == address as char);
             self.tell_allowance(words, address, words.quote(text, address));
         }
-        if let Some(message) = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock) {
+        let turned = |stock| {
+            let chunks = self.motions.chunks().iter().chain([&self.chunk]);
+            let before = chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)));
+            rules::contour::turned_before(&contour, stock, before)
+        };
+        let told = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
+        if let Some(message) = told {
             self.tell(Diagnostic::new(message, block.words_span()));
         }
         let most = self.moves_left();
