@@ -576,9 +576,6 @@ impl Message {
             // The control's own memory may hold the program.
             Self::UnknownM { .. }
             | Self::ShortTool { .. }
-            | Self::ToolNumber { of_machine: true, .. }
-            | Self::ToolWithSetting { only_speed: true, .. }
-            | Self::PolarNoRadius { offset: Some(_) }
             | Self::LetterIInG92
             | Self::G28NoAxis { .. }
             | Self::ContourBothAxes { .. }
@@ -673,12 +670,8 @@ impl Message {
             Self::DuplicateWord { .. } => ("W-DUP-WORD", "duplicate-word", Warning, Some("PS5074")),
             Self::SameGroup { .. } => ("W-SAME-GROUP", "two-codes-of-one-group", Warning, Some("PS5074")),
             Self::AbsoluteAndIncremental { .. } => ("W-X-AND-U", "absolute-and-incremental", Warning, None),
-            Self::ToolWithSetting { only_speed: true, .. } => {
-                ("PS0245", "tool-with-setting-code", Info, Some("PS0245"))
-            }
             Self::ToolWithSetting { .. } => ("PS0245", "tool-with-setting-code", Error, Some("PS0245")),
             Self::ShortTool { .. } => ("W-T1", "short-tool-word", Warning, None),
-            Self::ToolNumber { of_machine: true, .. } => ("PS0043", "tool-number", Info, Some("PS0043")),
             Self::ToolNumber { .. } => ("PS0043", "tool-number", Error, Some("PS0043")),
             Self::G90AsAbsolute => ("W-G90-MILL", "g90-is-a-cycle", Warning, None),
             Self::LetterIInG92 => ("W-G92-I", "letter-i-in-g92", Warning, None),
@@ -700,10 +693,7 @@ impl Message {
                 ("E-G121-COMP", "polar-with-compensation", Error, Some("PS0146"))
             }
             Self::PolarFeedPerTurn => ("W-POLAR-FEEDMODE", "polar-with-feed-per-turn", Warning, None),
-            Self::PolarNoRadius { offset } => {
-                let severity = if offset.is_some() { Info } else { Warning };
-                ("W-POLAR-RADIUS", "polar-without-cutter-radius", severity, None)
-            }
+            Self::PolarNoRadius { .. } => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
             Self::PolarAngle { .. } => ("W-POLAR-ANGLE", "polar-c-like-degrees", Warning, None),
             Self::PolarCenter { .. } => ("W-POLAR-CENTER", "polar-near-centre", Warning, None),
             Self::PlaneLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
@@ -765,10 +755,7 @@ impl Message {
             Self::ThreadAngle { .. } => ("PS0315", "thread-angle", Error, Some("PS0315")),
             Self::ThreadLeastDepth { .. } => ("PS0316", "thread-least-depth", Error, Some("PS0316")),
             Self::ThreadNoDepth { .. } => ("PS0317", "thread-without-depth", Error, Some("PS0317")),
-            Self::ThreadStartInside { at_crest, .. } => {
-                let severity = if *at_crest { Info } else { Warning };
-                ("W-THREAD-START", "thread-start-inside-crest", severity, None)
-            }
+            Self::ThreadStartInside { .. } => ("W-THREAD-START", "thread-start-inside-crest", Warning, None),
             Self::CornerNoMove { .. } => ("PS0052", "corner-without-next-move", Error, Some("PS0052")),
             Self::CornerTooLarge { .. } => ("PS0055", "corner-too-large", Error, Some("PS0055")),
             Self::CornerNone { .. } | Self::CornerNoLine { .. } => {

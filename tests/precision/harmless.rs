@@ -382,3 +382,29 @@ fn compensation_switched_on_for_the_next_tool() {
     let left = program.replace("G42\n", "").replace("G00 X28", "G42 G00 X28");
     check(&left, &["compensation-left-on"]);
 }
+
+#[test]
+fn a_lone_dwell_with_the_spindle_stopped_is_an_exact_stop() {
+    let program = |dwell: &str, stop: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\n{stop}{dwell}\nX34\nG00 X150 Z150\nM30\n"
+        )
+    };
+    let pulled =
+        program("G04", "X34\nG00 X150 Z150\nM05\nM68\n").replace("M68\nG04\nX34\n", "M68\nG04\nM69\n");
+    check_note(&pulled, "dwell-without-time");
+    check(&program("G04", ""), &["dwell-without-time"]);
+    check(&pulled.replace("G04", "G04 X0"), &["dwell-without-time"]);
+}
+
+#[test]
+fn a_finish_starts_lower_where_the_way_back_is_free() {
+    let program = |start: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X44 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\n\
+             N10 G00 X20\nG01 Z-10\nX36 Z-30\nN20 G00 X44\nG00 X150 Z150\nG00 {start} Z2\nG70 P10 Q20 F0.1\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check(&program("X40"), &[]);
+    check(&program("X34"), &["finish-starts-elsewhere"]);
+}

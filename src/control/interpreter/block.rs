@@ -247,7 +247,11 @@ impl Interpreter {
             let only_speed = taken && !words.has_any(letters(b"XZUW"));
             let message = Message::ToolWithSetting { word: quote(text, word.span), only_speed };
             let told = Diagnostic::new(message, word.span);
-            self.tell(if taken && !only_speed { told.graded(Severity::Warning) } else { told });
+            self.tell(match (taken, only_speed) {
+                (true, true) => told.graded(Severity::Info),
+                (true, false) => told.graded(Severity::Warning),
+                (false, _) => told,
+            });
             if !taken {
                 request.drop = true;
                 return;

@@ -462,7 +462,11 @@ fn clears(start: Point, roughed: &Landmarks, shape: &Shape) -> bool {
     if front * (start.z - face) < -NEAR {
         return false;
     }
-    ends().all(|end| front * (start.z - end.z) >= -NEAR) && outside * (start.x - last.x) >= -NEAR
+    // Above all that the contour cuts the way back is free, though a rapid at its end went farther out.
+    let leaves = shape.moves.last().is_some_and(|routed| routed.motion.kind == MotionKind::Rapid);
+    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
+    let way_back = outside * (start.x - last.x) >= -NEAR || leaves && above(start.x) && above(last.x);
+    ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.

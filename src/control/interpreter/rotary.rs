@@ -197,7 +197,8 @@ impl Interpreter {
             && self.state.told.first(Once::PolarRadius)
         {
             let offset = self.unknown_offset();
-            self.tell(Diagnostic::new(Message::PolarNoRadius { offset }, block.words_span()));
+            let told = Diagnostic::new(Message::PolarNoRadius { offset }, block.words_span());
+            self.tell(if offset.is_some() { told.graded(Severity::Info) } else { told });
         }
         let reading = self.reading();
         if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {

@@ -139,7 +139,8 @@ impl Interpreter {
             // With M06 it is the number of a tool changer.
             let of_machine = !beyond || self.state.m_code == 6;
             let message = Message::ToolNumber { word: quote(text, word.span), of_machine };
-            self.tell(Diagnostic::new(message, word.span));
+            let told = Diagnostic::new(message, word.span);
+            self.tell(if of_machine { told.graded(Severity::Info) } else { told });
             if beyond {
                 return;
             }
@@ -174,7 +175,14 @@ impl Interpreter {
                 let motion = Motion { seconds: Some(seconds), ..motion };
                 self.wait_here(self.routed(block, motion));
             }
-            _ => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
+            _ => {
+                let told = Diagnostic::new(Message::DwellNoTime, block.words_span());
+                // Many controls take a lone G04 as an exact stop; with the spindle stopped no groove waits for a turn.
+                let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
+                    && !self.state.spindle.still
+                    && !words.has_any(letters(b"XUPF"));
+                self.tell(if only_stops { told.graded(Severity::Info) } else { told });
+            }
         }
     }
 

@@ -190,7 +190,8 @@ impl Interpreter {
             // Exactly at the crest that P gives: the work may have been turned a little smaller.
             let at_crest = (start.x - crest).abs() <= 0.001;
             let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest, at_crest };
-            self.tell(Diagnostic::new(message, block.words_span()));
+            let told = Diagnostic::new(message, block.words_span());
+            self.tell(if at_crest { told.graded(Severity::Info) } else { told });
         }
     }
 }
