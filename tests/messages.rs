@@ -412,7 +412,7 @@ fn numbers_and_words_are_named_as_they_are_written() {
     // At the crest itself.
     has(
         "M3 S500 F100\nG0 X30 Z5\nG76 P010060 Q100 R0.05\nG76 X28 Z-20 P1000 Q300 F1.5",
-        "G76 starts at X30, at or inside the crest of the thread at X30.",
+        "G76 starts at X30, just where its P puts the crest of the thread.",
     );
     has(
         "M3 S500\nG0 X30 Z6\nG34 Z-30 F4 K-0.3",

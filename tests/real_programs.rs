@@ -139,7 +139,7 @@ fn homes_and_dwells_in_all_their_spellings() {
     check("G0 X50 Z5\nG28U0.V0.", &[], (300.0, 5.0));
     check("G0 X50 Z5\nG28U0.W0.", &[], (300.0, 300.0));
     check("G0 X50 Z5\nG4X1.\nG4U1.0\nG4P500\nG0 X40", &[], (40.0, 5.0));
-    check("G0 X50 Z5\nG4\nG0 X40", &["W-DWELL-NO-TIME"], (40.0, 5.0));
+    check("M3 S500\nG0 X50 Z5\nG4\nG0 X40", &["W-DWELL-NO-TIME"], (40.0, 5.0));
     check("G0 X50 Z5\nG53 X0. Z0.", &[], (300.0, 300.0));
     check("G0 X50 Z5\nG53 Z-50.", &[], (50.0, 250.0));
 }
@@ -201,7 +201,7 @@ fn remarks_in_all_their_forms() {
     check("G0 X50;Z5;\nX40", &[], (40.0, 5.0));
     check("N1 粗车外圆\nG0 X50 Z5 (精车)", &["PS0009"], (50.0, 5.0));
     check("(ЧЕРНОВАЯ)\nG0 X50 Z5", &[], (50.0, 5.0));
-    check("(FACE), (TURN).\n----------\nG0 X50 Z5", &["W-PLAIN-TEXT", "W-PLAIN-TEXT"], (50.0, 5.0));
+    check("(FACE), (TURN).\n----------\nG0 X50 Z5", &["PS0009", "W-PLAIN-TEXT"], (50.0, 5.0));
     check("\u{feff}G0 X50\r\nZ5\rX40\n", &[], (40.0, 5.0));
 }
 

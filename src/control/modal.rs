@@ -474,6 +474,8 @@ pub struct State {
     pub feed_mode_named: bool,
     /// A code has sent the tool home since the last motion; where home is the program does not say.
     pub sent_home: bool,
+    /// Compensation was switched since the last motion, so that it has shifted no path yet.
+    pub compensation_idle: bool,
     /// A tap stands in its hole: the direction in which the spindle turned it in.
     pub tap: Option<SpindleTurn>,
     /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
@@ -555,6 +557,7 @@ impl State {
             thread: None,
             tap: None,
             sent_home: false,
+            compensation_idle: false,
             coolant: false,
             feed_mode_named: false,
             threads_per_inch: None,

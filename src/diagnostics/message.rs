@@ -215,12 +215,12 @@ pub enum Message {
     SameGroup { dropped: String, used: String },
     /// X with U, or Z with W.
     AbsoluteAndIncremental { absolute: String, incremental: String, used: String },
-    /// T in a block with G50, G10 or G04.
-    ToolWithSetting { word: String },
+    /// T in a block with G50, G10 or G04; `only_speed`: with the highest speed of G50, which many controls take.
+    ToolWithSetting { word: String, only_speed: bool },
     /// A T word of one or two digits.
     ShortTool { word: String, offset: u16 },
-    /// A T word that names no tool.
-    ToolNumber { word: String },
+    /// A T word that names no tool; `of_machine`: it may on a machine with a tool changer or many offsets.
+    ToolNumber { word: String, of_machine: bool },
     /// G90 without axis words, as mills use it.
     G90AsAbsolute,
     /// I in a G92 block.
@@ -251,8 +251,8 @@ pub enum Message {
     PlaneCompensation { code: &'static str },
     /// Feed per turn in polar interpolation.
     PolarFeedPerTurn,
-    /// Compensation without a cutter radius.
-    PolarNoRadius,
+    /// Compensation without a cutter radius; `offset`: of it nothing is known, the machine may have its radius.
+    PolarNoRadius { offset: Option<u16> },
     /// C looks like degrees, but is mm there.
     PolarAngle { word: String },
     /// The path comes too near to the centre.
@@ -347,8 +347,8 @@ pub enum Message {
     ThreadLeastDepth { least: f64, height: f64 },
     /// The height or the first depth of G76 is zero or missing.
     ThreadNoDepth { word: char },
-    /// G76 starts inside the crest of its thread.
-    ThreadStartInside { start: f64, crest: f64 },
+    /// G76 starts inside the crest of its thread, or just at it.
+    ThreadStartInside { start: f64, crest: f64, at_crest: bool },
     /// A corner word whose next block is no straight move.
     CornerNoMove { word: String },
     /// A corner is larger than one of its moves.
@@ -402,8 +402,8 @@ pub enum Message {
     MinusMissing { word: String, meant: String },
     /// U where X was probably meant.
     IncrementalForAbsolute { word: String, axis: char, to: f64, meant: String },
-    /// The spindle is to turn, but has no speed.
-    SpeedMissing,
+    /// The spindle is to turn, but has no speed; `of_surface`: G97 had one, G96 has none.
+    SpeedMissing { of_surface: bool },
     /// G96 or G97 changes what S means, but no S stands there.
     SpeedNotRepeated { code: &'static str, speed: f64 },
     /// The spindle turns too fast for the lead.
@@ -700,7 +700,7 @@ impl Message {
                 ("E-G121-COMP", "polar-with-compensation", Error, Some("PS0146"))
             }
             Self::PolarFeedPerTurn => ("W-POLAR-FEEDMODE", "polar-with-feed-per-turn", Warning, None),
-            Self::PolarNoRadius => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
+            Self::PolarNoRadius { .. } => ("W-POLAR-RADIUS", "polar-without-cutter-radius", Warning, None),
             Self::PolarAngle { .. } => ("W-POLAR-ANGLE", "polar-c-like-degrees", Warning, None),
             Self::PolarCenter { .. } => ("W-POLAR-CENTER", "polar-near-centre", Warning, None),
             Self::PlaneLeftOn { .. } => ("W-POLAR-END", "polar-left-on", Warning, None),
@@ -796,7 +796,7 @@ impl Message {
             Self::FarOff { .. } => ("W-FAR", "far-beyond-the-rest", Warning, None),
             Self::MinusMissing { .. } => ("W-SIGN", "minus-missing", Warning, None),
             Self::IncrementalForAbsolute { .. } => ("W-U-FOR-X", "incremental-for-absolute", Warning, None),
-            Self::SpeedMissing => ("W-NO-SPEED", "speed-missing", Warning, None),
+            Self::SpeedMissing { .. } => ("W-NO-SPEED", "speed-missing", Warning, None),
             Self::SpeedNotRepeated { .. } => ("W-SPEED-KEPT", "speed-kept-in-other-unit", Info, None),
             // The rule of thumb is for small lathes; few slides follow beyond 4 m a minute.
             Self::ThreadTooFast { slide, .. } => {

@@ -89,6 +89,10 @@ impl<'a> Parser<'a> {
         if behind_semicolon && doubtful && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
         }
+        if block.words.is_empty() && only_marks_outside_brackets(block.span.of(self.lexer.text())) {
+            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message tells of the marks between them.
+            block.faults.truncate(1);
+        }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
         if block.faults.len() > block.words.len().max(1) && prose && block.kind == BlockKind::Words {
             let span = trimmed(self.lexer.text(), block.span);
@@ -701,6 +705,22 @@ fn decorates(bytes: &[u8]) -> bool {
     // `(FACE) ROUGH), (TURN)`: a remark with a bracket too many.
     let bracketed = bytes.first() == Some(&b'(') && bytes.last() == Some(&b')');
     rule || foreign || bracketed
+}
+
+/// Whether a line has remarks in brackets and beside them nothing but punctuation.
+fn only_marks_outside_brackets(bytes: &[u8]) -> bool {
+    let mut outside = true;
+    let mut remarks = false;
+    for byte in bytes {
+        match byte {
+            b'(' if outside => (outside, remarks) = (false, true),
+            b')' if !outside => outside = true,
+            b',' | b'.' | b':' | b'-' | b'!' | b'?' => {}
+            byte if outside && !byte.is_ascii_whitespace() => return false,
+            _ => {}
+        }
+    }
+    remarks && outside
 }
 
 /// Whether some bytes look like a sentence rather than words of a block: three letters in a row, or letters

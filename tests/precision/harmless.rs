@@ -2,7 +2,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::control::setup::Setup;
-use gcode_playground::diagnostics::Severity;
+use gcode_playground::diagnostics::{Message, Severity};
 
 /// The slugs of what is told with at least this severity.
 fn told(setup: &str, text: &str, least: Severity) -> Vec<&'static str> {
@@ -261,4 +261,150 @@ fn what_depends_on_the_control_is_said_once() {
     let rough = "G99 T0101\nG97 S800 M03\nG42 G00 X52 Z2 M08\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 X30\n\
                  G01 Z-20\nN20 X52\nG70 P10 Q20 F0.1\nG40 G00 X150 Z150\nM30\n";
     check_note(rough, "compensation-without-effect");
+}
+
+#[test]
+fn a_spindle_with_its_face_turned_round_cuts_toward_positive_z() {
+    let back = "O0001\nG21 G40 G99\nT0101 G54\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\n\
+                T0505 G55\nG97 S1200 M04 G00 X0 Z-3\nG01 Z16 F0.1\nG00 Z-3\nX150 Z-150\nM30\n";
+    check(back, &[]);
+    // The same cut from in front of the face, in the one frame there is.
+    let lost = back.replace(" G55", "").replace("X0 Z-3", "X0 Z3");
+    check(&lost, &["minus-missing"]);
+}
+
+#[test]
+fn a_lone_g94_sets_the_unit_of_f_in_code_system_b() {
+    let flat = |head: &str| {
+        format!(
+            "O0001\n{head}\nT0505\nM45\nM13 S1500\nG00 X80 C0 Z-2\nG12.1\nG01 X40 F100\nC10\nX80\nG13.1\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check(&flat("G94"), &[]);
+    check(&flat("G99"), &["polar-with-feed-per-turn", "feed-unit-mixed-up"]);
+}
+
+#[test]
+fn a_station_that_stands_at_work_gets_its_offset() {
+    let program =
+        "O0001\nG21 G40 G99\nT2200\nG97 S900 M03\nG00 X28 Z2 T22\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
+    check(program, &[]);
+    check(&program.replace("T22\n", "T21\n"), &["short-tool-word"]);
+    check(&program.replace("T2200", "T2202"), &["short-tool-word"]);
+}
+
+#[test]
+fn numbers_of_tools_belong_to_the_machine() {
+    let program = |call: &str| {
+        format!(
+            "O0001\nG21 G40 G99\n{call}\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check_note(&program("M06 T012400"), "tool-number");
+    check_note(&program("T012400"), "tool-number");
+    check(&program("T1010101"), &["tool-number"]);
+    check_note(&program("T0101\nG50 S2000 T0100"), "tool-with-setting-code");
+    check(&program("G50 X150 Z150 T0101"), &["tool-with-setting-code"]);
+}
+
+#[test]
+fn a_thread_starts_at_the_crest_that_its_height_gives() {
+    let thread = |start: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0303\nG97 S400 M03\nG00 {start} Z6\nG76 P020060 Q100 R0.05\n\
+             G76 X27.4 Z-30 P1300 Q400 F2\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check_note(&thread("X30"), "thread-start-inside-crest");
+    check(&thread("X29.5"), &["thread-start-inside-crest"]);
+}
+
+#[test]
+fn the_first_pass_of_a_pattern_cuts_what_stands_there() {
+    let part = |before: &str| {
+        format!(
+            "O0001 (STOCK D=60 LENGTH=90)\nG21 G40 G99\nT0101\nG97 S500 M03\nG00 X64 Z3\n{before}G00 X64 Z3\nG73 U1 W1 R3\n\
+             G73 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 X36 Z1\nG01 Z-10 F0.1\nN20 X50 Z-20\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check(&part("G90 X55 Z-40 F0.25\nX50\nX46\n"), &[]);
+    check(&part(""), &["pattern-first-pass-deep"]);
+    // What was turned is not what the contour needs.
+    check(&part("G90 X55 Z-12 F0.25\nX50\nX46\n"), &["pattern-first-pass-deep"]);
+}
+
+#[test]
+fn g96_has_no_speed_of_its_own() {
+    let program =
+        "O0001\nG21 G40 G99\nT0101\nG97 S250 M03\nG00 X28 Z2\nG96\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
+    let analysis = analyze(program.as_bytes(), &Setup::default());
+    let told = analysis.diagnostics.iter().find(|told| told.message.slug() == "speed-missing").expect("told");
+    assert_eq!(told.message, Message::SpeedMissing { of_surface: true });
+    check(&program.replace("G96\n", "G50 S2000\nG96 S120\n"), &[]);
+}
+
+#[test]
+fn commas_between_remarks_are_no_text() {
+    let program = "O0001\nG21 G40 G99\n(FACE), (F0.3), (COOLANT ON).\nT0101\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
+    check(program, &["character-not-understood"]);
+    check(&program.replace("(F0.3)", "feed of roughing"), &["text-outside-comment"]);
+}
+
+#[test]
+fn the_machine_may_know_the_radius_of_a_cutter() {
+    let flat = |tool: &str| {
+        format!(
+            "O0001\nG98\n{tool}\nM45\nM13 S1500\nG00 X90 C0 Z-2\nG12.1\nG42 G01 X50 F120\nC30\nG40 X90\nG13.1\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check_note(&flat("T0505"), "polar-without-cutter-radius");
+    check(&flat("T0500"), &["polar-without-cutter-radius"]);
+    check(&flat("T0505 (TOOL T0505 TYPE=ENDMILL CUTTER=0)"), &["polar-without-cutter-radius"]);
+}
+
+#[test]
+fn a_feed_whose_unit_changed_is_told_of_once() {
+    let threaded = |mode: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0303\nG97 S400 M03\nG00 X34 Z6\nG92 X29 Z-30 F1.5\nX28.5\nG00 X150 Z150\n\
+             T0101 {mode}\nG00 X28 Z2\nG01 Z-40\nX34\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check(&threaded("G98"), &["feed-kept-in-other-unit"]);
+    check(&threaded("G99"), &["feed-of-thread-kept"]);
+}
+
+#[test]
+fn compensation_switched_on_for_the_next_tool() {
+    let program = "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X28 Z2\nG01 Z-20 F0.2\nX34\nG00 X150 Z150\nG42\nT0202\n\
+                   G00 X20 Z2\nG01 Z-10\nX36\nG40 G00 X150 Z150\nM30\n";
+    check(program, &[]);
+    let left = program.replace("G42\n", "").replace("G00 X28", "G42 G00 X28");
+    check(&left, &["compensation-left-on"]);
+}
+
+#[test]
+fn a_lone_dwell_with_the_spindle_stopped_is_an_exact_stop() {
+    let program = |dwell: &str, stop: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X28 Z2\nG01 Z-40 F0.2\n{stop}{dwell}\nX34\nG00 X150 Z150\nM30\n"
+        )
+    };
+    let pulled =
+        program("G04", "X34\nG00 X150 Z150\nM05\nM68\n").replace("M68\nG04\nX34\n", "M68\nG04\nM69\n");
+    check_note(&pulled, "dwell-without-time");
+    check(&program("G04", ""), &["dwell-without-time"]);
+    check(&pulled.replace("G04", "G04 X0"), &["dwell-without-time"]);
+}
+
+#[test]
+fn a_finish_starts_lower_where_the_way_back_is_free() {
+    let program = |start: &str| {
+        format!(
+            "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X44 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\n\
+             N10 G00 X20\nG01 Z-10\nX36 Z-30\nN20 G00 X44\nG00 X150 Z150\nG00 {start} Z2\nG70 P10 Q20 F0.1\nG00 X150 Z150\nM30\n"
+        )
+    };
+    check(&program("X40"), &[]);
+    check(&program("X34"), &["finish-starts-elsewhere"]);
 }

@@ -107,6 +107,7 @@ impl Interpreter {
             }
         }
         self.state.sent_home &= !request.moved;
+        self.state.compensation_idle &= !request.moved;
         if !request.moved {
             self.idle_block();
             self.watch_idle_blocks(block);
@@ -241,11 +242,16 @@ impl Interpreter {
             self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
         }
         if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
-            let message = Message::ToolWithSetting { word: quote(text, word.span) };
-            // Old controls take T with G50; it was usual there.
+            // Old controls take T with G50; it was usual there, above all beside the highest speed.
             let taken = one_shot == OneShot::Setting && !self.dialect.strict;
-            let severity = if taken { Severity::Warning } else { Severity::Error };
-            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            let only_speed = taken && !words.has_any(letters(b"XZUW"));
+            let message = Message::ToolWithSetting { word: quote(text, word.span), only_speed };
+            let told = Diagnostic::new(message, word.span);
+            self.tell(match (taken, only_speed) {
+                (true, true) => told.graded(Severity::Info),
+                (true, false) => told.graded(Severity::Warning),
+                (false, _) => told,
+            });
             if !taken {
                 request.drop = true;
                 return;
@@ -304,6 +310,13 @@ impl Interpreter {
             _ => {
                 state.told.forget(Once::PassNotDeeper);
                 state.memory = CycleMemory::EMPTY;
+            }
+        }
+        // In code system B a lone G94 sets feed per minute: whoever writes it so has chosen the unit of F.
+        let sets_nothing = !words.has_any(AXES | letters(b"FR"));
+        if mode == MotionMode::Cycle(Single::Facing) && state.motion != mode && sets_nothing {
+            for once in [Once::FeedUnit, Once::PolarFeed] {
+                state.told.first(once);
             }
         }
         state.motion = mode;

@@ -347,7 +347,13 @@ impl Interpreter {
             debug_assert!(axis == address as char);
             self.tell_allowance(words, address, words.quote(text, address));
         }
-        if let Some(message) = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock) {
+        let turned = |stock| {
+            let chunks = self.motions.chunks().iter().chain([&self.chunk]);
+            let before = chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)));
+            rules::contour::turned_before(&contour, stock, before)
+        };
+        let told = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
+        if let Some(message) = told {
             self.tell(Diagnostic::new(message, block.words_span()));
         }
         let most = self.moves_left();
@@ -456,7 +462,11 @@ fn clears(start: Point, roughed: &Landmarks, shape: &Shape) -> bool {
     if front * (start.z - face) < -NEAR {
         return false;
     }
-    ends().all(|end| front * (start.z - end.z) >= -NEAR) && outside * (start.x - last.x) >= -NEAR
+    // Above all that the contour cuts the way back is free, though a rapid at its end went farther out.
+    let leaves = shape.moves.last().is_some_and(|routed| routed.motion.kind == MotionKind::Rapid);
+    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
+    let way_back = outside * (start.x - last.x) >= -NEAR || leaves && above(start.x) && above(last.x);
+    ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.

@@ -472,6 +472,14 @@ impl Interpreter {
         (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
     }
 
+    /// The offset in force where neither the setup nor the program says anything of it: the machine's own table may.
+    pub(super) fn unknown_offset(&self) -> Option<u16> {
+        let (station, offset) = self.state.tool;
+        let known = self.setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
+            || self.state.offsets.get(offset, Column::Radius).is_some();
+        (offset != 0 && !known).then_some(offset)
+    }
+
     /// The nose of the tool in force.
     pub(super) fn nose(&self) -> Nose {
         let (radius, tip) = self.offset_entry();

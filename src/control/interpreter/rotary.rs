@@ -196,7 +196,9 @@ impl Interpreter {
             && self.nose().radius == 0.0
             && self.state.told.first(Once::PolarRadius)
         {
-            self.tell(Diagnostic::new(Message::PolarNoRadius, block.words_span()));
+            let offset = self.unknown_offset();
+            let told = Diagnostic::new(Message::PolarNoRadius { offset }, block.words_span());
+            self.tell(if offset.is_some() { told.graded(Severity::Info) } else { told });
         }
         let reading = self.reading();
         if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {

@@ -124,7 +124,10 @@ impl Interpreter {
             3 | 4 => (value / 100, value % 100),
             _ => (value / 1000, value % 1000),
         };
-        if digits <= 2 && value > 0 {
+        // `T2200` and later `T22`: the station stands at work already, now it gets its offset.
+        let (at_work, in_force) = self.state.tool;
+        let adds_offset = in_force == 0 && u64::from(at_work) == value;
+        if digits <= 2 && value > 0 && !adds_offset {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
             // M06 beside it: a turret that takes two digits, or a changer.
             let told = Diagnostic::new(message, word.span);
@@ -133,9 +136,11 @@ impl Interpreter {
         // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;
         if beyond || (digits == 6 && offset > 99) {
-            let severity = if beyond { Severity::Error } else { Severity::Warning };
-            let message = Message::ToolNumber { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            // With M06 it is the number of a tool changer.
+            let of_machine = !beyond || self.state.m_code == 6;
+            let message = Message::ToolNumber { word: quote(text, word.span), of_machine };
+            let told = Diagnostic::new(message, word.span);
+            self.tell(if of_machine { told.graded(Severity::Info) } else { told });
             if beyond {
                 return;
             }
@@ -170,7 +175,14 @@ impl Interpreter {
                 let motion = Motion { seconds: Some(seconds), ..motion };
                 self.wait_here(self.routed(block, motion));
             }
-            _ => self.tell(Diagnostic::new(Message::DwellNoTime, block.words_span())),
+            _ => {
+                let told = Diagnostic::new(Message::DwellNoTime, block.words_span());
+                // Many controls take a lone G04 as an exact stop; with the spindle stopped no groove waits for a turn.
+                let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
+                    && !self.state.spindle.still
+                    && !words.has_any(letters(b"XUPF"));
+                self.tell(if only_stops { told.graded(Severity::Info) } else { told });
+            }
         }
     }
 

@@ -129,6 +129,7 @@ impl Interpreter {
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;
                 state.compensation = compensation;
+                state.compensation_idle = true;
                 state.told.forget(Once::CompensationIdle);
                 state.told.forget(Once::CompensationLeftOn);
                 state.told.forget(Once::CompensationSide);

@@ -187,8 +187,11 @@ impl Interpreter {
         let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
         let inside = if external { start.x <= crest + 0.001 } else { start.x >= crest - 0.001 };
         if inside {
-            let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest };
-            self.tell(Diagnostic::new(message, block.words_span()));
+            // Exactly at the crest that P gives: the work may have been turned a little smaller.
+            let at_crest = (start.x - crest).abs() <= 0.001;
+            let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest, at_crest };
+            let told = Diagnostic::new(message, block.words_span());
+            self.tell(if at_crest { told.graded(Severity::Info) } else { told });
         }
     }
 }

@@ -44,6 +44,10 @@ impl Interpreter {
             }
         } else if self.state.feed_is_old {
             self.state.feed_is_old = false;
+            if self.state.feed_use == FeedUse::Thread {
+                // The unit was changed: it is told of that, not of the lead as well.
+                self.state.feed_use = FeedUse::Open;
+            }
             let per_turn = self.state.feed_mode == FeedMode::PerTurn;
             self.tell(Diagnostic::new(Message::FeedNotRepeated { feed, per_turn }, block.words_span()));
         } else if self.state.feed_use == FeedUse::Thread {
@@ -120,7 +124,8 @@ impl Interpreter {
             && !spindle.still
             && self.state.told.first(Once::SpeedMissing)
         {
-            self.tell(Diagnostic::new(Message::SpeedMissing, block.words_span()));
+            let of_surface = spindle.surface && spindle.rpm > 0.0;
+            self.tell(Diagnostic::new(Message::SpeedMissing { of_surface }, block.words_span()));
         }
     }
 
@@ -214,7 +219,9 @@ impl Interpreter {
             Compensation::Left => "G41",
             Compensation::Right => "G42",
         };
+        // Switched on for the tool that comes now, it has shifted no path yet.
         if self.recorded.is_none()
+            && !self.state.compensation_idle
             && self.state.virtual_plane.is_none()
             && self.state.told.first(Once::CompensationLeftOn)
         {

@@ -103,8 +103,8 @@ impl Message {
             | Self::MakerG { word }
             | Self::PointNotAllowed { word }
             | Self::MinusNotAllowed { word }
-            | Self::ToolWithSetting { word }
-            | Self::ToolNumber { word }
+            | Self::ToolWithSetting { word, .. }
+            | Self::ToolNumber { word, .. }
             | Self::DwellWithPoint { word }
             | Self::AxisNotHere { word }
             | Self::PolarForbidden { word }
@@ -150,7 +150,6 @@ impl Message {
             | Self::CAxisNotConnected
             | Self::LiveToolStopped
             | Self::PolarFeedPerTurn
-            | Self::PolarNoRadius
             | Self::CylinderFormat
             | Self::FeedMissing
             | Self::SpindleStopped
@@ -264,7 +263,7 @@ impl Message {
             Self::ThreadLeastDepth { least, height } => {
                 vec![("least", Length(*least)), ("height", Length(*height))]
             }
-            Self::ThreadStartInside { start, crest } => {
+            Self::ThreadStartInside { start, crest, .. } => {
                 vec![("start", Length(*start)), ("crest", Length(*crest))]
             }
             Self::CornerTwice { word, other } => vec![("word", Text(word)), ("other", Text(other))],
@@ -299,7 +298,8 @@ impl Message {
                 ("to", Length(*to)),
                 ("meant", Text(meant)),
             ],
-            Self::SpeedMissing => vec![],
+            Self::SpeedMissing { .. } | Self::PolarNoRadius { offset: None } => vec![],
+            Self::PolarNoRadius { offset: Some(offset) } => vec![("offset", Count(i64::from(*offset)))],
             Self::SpeedNotRepeated { code, speed } => vec![("code", Text(code)), ("speed", Number(*speed))],
             Self::ThreadTooFast { speed, pitch, limit, .. } => {
                 vec![("speed", Number(*speed)), ("pitch", Length(*pitch)), ("limit", Number(*limit))]

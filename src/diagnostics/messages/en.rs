@@ -174,10 +174,14 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Controls differ here: FANUC takes the later word, GSK the absolute one.",
         ToolWithSetting => "`{word}` may not stand in one block with G50, G10 or G04.\n\
             Call the tool in a block of its own.",
+        ToolWithHighestSpeed => "`{word}` stands in one block with G50 S: some controls stop there with PS0245.\n\
+            Many older ones take it. To be safe, call the tool in a block of its own.",
         ShortTool => "`{word}` has no station number: it selects offset {offset} and leaves the turret where it is.\n\
             On a four-digit control write station and offset, such as T0101.",
         ToolNumber => "`{word}` is not a tool number.\n\
             Write station and offset, such as T0101.",
+        ToolNumberOfMachine => "Whether `{word}` names a tool depends on the machine.\n\
+            Machines with a tool changer or many offsets take such numbers; a turret takes station and offset, such as T0101.",
         G90AsAbsolute => "G90 on a lathe is the turning cycle, not absolute programming.\n\
             X and Z are always absolute here, U and W incremental. Here X or Z without a G code of its own starts a cycle: delete G90, or write G00 or G01 before them.",
         LetterIIsTaper => "I in G92 was read as the taper, as R.\n\
@@ -208,6 +212,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             The spindle only positions there: write G98 and F in mm per minute.",
         PolarNoRadius => "G41 or G42 has no cutter radius here, so nothing is compensated.\n\
             Give the offset of the tool a radius; then the cutter's centre keeps that distance from the path.",
+        PolarRadiusUnknown => "No cutter radius is known for offset {offset}; the picture shows the path uncompensated.\n\
+            The offset table of the machine may hold it. Give it in the setup to see the compensated path.",
         PolarAngle => "`{word}` looks like degrees; between G12.1 and G13.1 C is a length in mm.\n\
             The path is written in a plane: X as a diameter to the right, C in mm upwards.",
         PolarCenter => "The path comes within {distance} {mm} of the spindle axis, where C would have to turn without bound.\n\
@@ -310,6 +316,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P is the height of the thread, Q the depth of the first cut, both as radius values in micrometres.",
         ThreadStartInside => "G76 starts at X{start}, at or inside the crest of the thread at X{crest}.\n\
             The tool returns to the start X after every pass: it must clear the work.",
+        ThreadStartAtCrest => "G76 starts at X{start}, just where its P puts the crest of the thread.\n\
+            The tool returns to the start X after every pass. It clears the work only where that was turned smaller.",
         CornerNoMove => "`{word}` has no straight move behind it to form a corner with.\n\
             The next block must move by G01 (on GSK, `L` and `D` may also stand before G02 and G03).",
         CornerTooLarge => "`{word}` is larger than the moves beside it.\n\
@@ -363,6 +371,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             U and W are increments, X and Z places. The rest of the program writes places: was `{meant}` meant?",
         SpeedMissing => "The tool cuts, but no spindle speed S was given.\n\
             Write S with G97 (turns a minute) or G96 (metres a minute, feet under G20) before the first cut, such as G97 S800 M03.",
+        SurfaceSpeedMissing => "The tool cuts under G96, but G96 has no S of its own.\n\
+            The S before was turns a minute under G97. Write the cutting speed beside G96, such as G96 S120.",
         SpeedNotRepeated => "{code} without S: the spindle keeps the {speed} turns a minute that it reached last.\n\
             S counts metres a minute under G96 (feet under G20), turns a minute under G97. Write S anew with {code}.",
         ThreadTooFast => "S{speed} is too fast for a pitch of {pitch} {mm}: the slides follow up to about {limit} turns a minute.\n\

@@ -174,10 +174,14 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             各系统的处理不同：FANUC 取后写的，GSK 取绝对坐标。",
         ToolWithSetting => "`{word}` 不能与 G50、G10 或 G04 写在同一程序段。\n\
             请把换刀单独写成一个程序段。",
+        ToolWithHighestSpeed => "`{word}` 与 G50 S 写在同一程序段：有些系统会以 PS0245 报警停止。\n\
+            许多旧系统可以接受。为稳妥起见，换刀请单独写一个程序段。",
         ShortTool => "`{word}` 没有写刀号：只调用 {offset} 号刀补，刀架不转位。\n\
             在四位数 T 代码的系统上要写全刀号和刀补号，如 T0101。",
         ToolNumber => "`{word}` 不是有效的 T 代码。\n\
             请写刀号和刀补号，如 T0101。",
+        ToolNumberOfMachine => "`{word}` 是否为有效的 T 代码取决于机床。\n\
+            带刀库或刀补很多的机床使用这样的数字；刀架式机床写刀号和刀补号，如 T0101。",
         G90AsAbsolute => "车床上的 G90 是外圆切削循环，不是绝对值编程。\n\
             车床上 X、Z 总是绝对坐标，U、W 总是增量坐标。这里的 X 或 Z 没有自己的 G 代码，会启动循环：请删去 G90，或在其前写 G00 或 G01。",
         LetterIIsTaper => "G92 中的 I 已按锥度（同 R）读取。\n\
@@ -208,6 +212,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             此时主轴只作定位：请写 G98，F 单位为 mm/min。",
         PolarNoRadius => "这里 G41 或 G42 没有刀具半径，不起补偿作用。\n\
             在刀具的偏置中填入半径，刀具中心即与轨迹保持该距离。",
+        PolarRadiusUnknown => "{offset} 号刀补的刀具半径未知，图形按未补偿的轨迹绘制。\n\
+            半径可能在机床的偏置表中。要看补偿后的轨迹，请写入设置。",
         PolarAngle => "`{word}` 像是角度；在 G12.1 与 G13.1 之间 C 是长度，单位 mm。\n\
             轨迹写在平面内：X 向右，为直径值；C 向上，单位 mm。",
         PolarCenter => "轨迹距主轴中心仅 {distance} {mm}，C 轴转速将趋于无限大。\n\
@@ -310,6 +316,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             P 是牙型高度，Q 是第一刀切深，都是半径值，以 μm 为单位。",
         ThreadStartInside => "G76 的循环起点 X{start} 没有让开螺纹牙顶 X{crest}。\n\
             每一刀之后刀具都要退回循环起点的 X 坐标，那里不能碰到工件。",
+        ThreadStartAtCrest => "G76 的循环起点 X{start} 正好在按 P 算出的牙顶上。\n\
+            每一刀之后刀具都退回循环起点的 X 坐标；只有外圆事先车得更小，刀具才不碰工件。",
         CornerNoMove => "`{word}` 后面没有直线移动，无法形成拐角。\n\
             下一个程序段要用 G01 移动（GSK 的 `L`、`D` 后面也可以是 G02、G03）。",
         CornerTooLarge => "`{word}` 太大，超过了相邻两段移动的长度。\n\
@@ -363,6 +371,8 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             U、W 是增量，X、Z 是绝对坐标。程序其余部分都用绝对坐标：是否应为 `{meant}`？",
         SpeedMissing => "开始切削，但没有指定主轴转速 S。\n\
             第一次切削前请用 G97（r/min）或 G96（m/min，G20 时为 ft/min）给出 S，如 G97 S800 M03。",
+        SurfaceSpeedMissing => "在 G96 状态下切削，但 G96 没有自己的 S。\n\
+            前面的 S 是 G97 的转速（r/min）。请在 G96 后写切削速度，如 G96 S120。",
         SpeedNotRepeated => "{code} 未写 S：主轴保持刚才的 {speed} r/min。\n\
             G96 时 S 是线速度（m/min，G20 时为 ft/min），G97 时是转速（r/min）。请在 {code} 后重新写 S。",
         ThreadTooFast => "螺距 {pitch} {mm} 时 S{speed} 过快：约 {limit} r/min 以内拖板才跟得上。\n\

@@ -4,6 +4,7 @@ use crate::control::setup::Stock;
 use crate::cycles::Contour;
 use crate::diagnostics::Message;
 use crate::geometry::Point;
+use crate::motion::Motion;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
@@ -50,15 +51,40 @@ pub fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<(char, u8
     told
 }
 
-/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm.
-pub fn pattern_remarks(contour: &Contour, relief: f64, stock: Option<Stock>) -> Option<Message> {
+/// The radius that cuts before have left of the bar all along a contour, mm; `None` where none has.
+pub fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Motion>) -> Option<f64> {
+    let along = |motion: &Motion| motion.kind.cuts() && (motion.to.x - motion.from.x).abs() <= NEAR;
+    let places = || contour.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
+    let front = places().fold(contour.first.z, f64::max).min(stock.face);
+    let back = places().fold(contour.first.z, f64::min);
+    let covers = |motion: &Motion| {
+        let (one, other) = (motion.from.z, motion.to.z);
+        one.max(other) >= front - NEAR && one.min(other) <= back + NEAR
+    };
+    // A bore leaves the outside as it is.
+    let start = contour.start.x.min(stock.diameter / 2.0);
+    let outside = |motion: &Motion| motion.to.x > start / 2.0;
+    cuts.filter(|cut| along(cut) && covers(cut) && outside(cut)).map(|cut| cut.to.x).reduce(f64::min)
+}
+
+/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm; `turned` the radius that cuts
+/// before have left, if any.
+pub fn pattern_remarks(
+    contour: &Contour,
+    relief: f64,
+    stock: Option<Stock>,
+    turned: impl FnOnce(Stock) -> Option<f64>,
+) -> Option<Message> {
     let stock = stock?;
     let radius = stock.diameter / 2.0;
     if contour.first.x >= contour.start.x {
         return None;
     }
     let low = contour.pieces.iter().map(|piece| piece.to.x).fold(contour.first.x, f64::min);
-    let depth = radius - (low + relief);
+    let mut depth = radius - (low + relief);
+    if depth > DEEP {
+        depth = turned(stock).map_or(radius, |turned| turned.min(radius)) - (low + relief);
+    }
     if depth > DEEP {
         return Some(Message::PatternShallow { depth, relief });
     }

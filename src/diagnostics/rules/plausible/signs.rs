@@ -250,7 +250,7 @@ impl Program<'_> {
         let Some(cut) = motions.find(|motion| motion.kind.cuts() && goes_there(motion)) else { return false };
         let next = (to < self.motions.len()).then(|| self.motions.get(to));
         let goes_on = next.is_some_and(|next| next.kind.cuts());
-        if pass.begins.is_some_and(|begins| begins.z < -0.001) {
+        if pass.begins.unwrap_or(first.from).z < -0.001 || self.has_several_frames() {
             // From the chuck outward, or in the sub-spindle.
             return false;
         }
