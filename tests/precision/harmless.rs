@@ -281,6 +281,7 @@ fn a_lone_g94_sets_the_unit_of_f_in_code_system_b() {
         )
     };
     check(&flat("G94"), &[]);
+    check(&flat("G99 G94"), &["polar-with-feed-per-turn", "feed-unit-mixed-up"]);
     check(&flat("G99"), &["polar-with-feed-per-turn", "feed-unit-mixed-up"]);
 }
 

@@ -313,8 +313,8 @@ impl Interpreter {
             }
         }
         // In code system B a lone G94 sets feed per minute: whoever writes it so has chosen the unit of F.
-        let sets_nothing = !words.has_any(AXES | letters(b"FR"));
-        if mode == MotionMode::Cycle(Single::Facing) && state.motion != mode && sets_nothing {
+        let lone = block.words.len() == 1;
+        if mode == MotionMode::Cycle(Single::Facing) && state.motion != mode && lone {
             for once in [Once::FeedUnit, Once::PolarFeed] {
                 state.told.first(once);
             }
