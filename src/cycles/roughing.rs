@@ -110,6 +110,9 @@ pub enum Axis {
 /// A drawing's rounding, mm: turning back or reaching beyond the start by no more than this is forgiven.
 const DRAWN: f64 = 0.001;
 
+/// The same of an arc, mm: its radius is rounded as well as its ends.
+const DRAWN_ARC: f64 = 0.005;
+
 /// All moves of the cycle, from A to A; no more than `most_moves`.
 pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec<Move>, Fault> {
     let frame = Frame::new(contour, how).ok_or(Fault::NothingToCut)?;
@@ -248,11 +251,12 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
                 far = to;
             }
         }
+        let rounding = if seen.arc.is_some() { DRAWN_ARC } else { DRAWN };
         for end in bottom[known..].iter().map(|part| part.to) {
-            if end.z < farthest - DRAWN {
+            if end.z < farthest - rounding {
                 return Err(Fault::NotMonotoneAlong { piece: index });
             }
-            if shape == Shape::Monotone && end.x > highest + DRAWN && !forgiving {
+            if shape == Shape::Monotone && end.x > highest + rounding && !forgiving {
                 return Err(Fault::NotMonotoneAcross { piece: index });
             }
             if end.x < -beyond {

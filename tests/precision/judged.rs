@@ -132,3 +132,10 @@ fn a_list_that_cannot_be_trusted_is_refused() {
     let twice = [row("0123456789ab", 1, "true", "x"), row("0123456789ab", 1, "true", "x")].join("\n");
     assert_eq!(broken_bounds(&read(&twice).expect("a list"), 0), ["0123456789ab line 1 a stands twice"]);
 }
+
+#[test]
+fn the_judged_messages_of_real_programs_hold_the_bounds() {
+    let list = read(include_str!("judged.jsonl")).expect("the list");
+    let broken = broken_bounds(&list, ENOUGH);
+    assert!(broken.is_empty(), "{broken:#?}");
+}

@@ -279,7 +279,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             Controls take two axes there as type II (pockets). Leave the word out for type I.",
         ContourTypeTwo => "The first block of the contour of {code} moves both axes, which this control does not take.\n\
             Without pockets (type II) only one axis may move there.",
-        ContourTurnsBack => "The contour of {code} turns back in {axis} at line {line}.\n\
+        ContourTurnsBack => "The contour of {code} goes back or deeper in {axis} at line {line}.\n\
             Type I takes contours that go one way in both axes; type II, with two axes in the first block, allows pockets in depth.",
         ContourBeyondStart => "The contour of {code} goes beyond the start point in {axis}.\n\
             Start the cycle outside the contour.",

@@ -279,7 +279,7 @@ pub(super) const fn sentence(wording: Wording) -> &'static str {
             第一段写了两个轴，系统会按类型 II（凹槽）处理。要用类型 I，请删去这个指令字。",
         ContourTypeTwo => "{code} 精加工路线的第一段两轴同时移动，本系统不接受。\n\
             没有类型 II（凹槽）功能时，这一段只能移动一个轴。",
-        ContourTurnsBack => "{code} 的精加工路线在第 {line} 行沿 {axis} 向折返。\n\
+        ContourTurnsBack => "{code} 的精加工路线在第 {line} 行沿 {axis} 向折返或切得更深。\n\
             类型 I 要求轮廓在 X、Z 两个方向上都单调变化；类型 II（第一段写两个轴）允许切深方向有凹槽。",
         ContourBeyondStart => "{code} 的精加工路线在 {axis} 向超出了循环起点。\n\
             循环起点要选在轮廓之外。",
