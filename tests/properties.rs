@@ -360,6 +360,7 @@ proptest! {
         let state = whole.state();
         prop_assert!([state.position.x, state.position.z, state.c].iter().all(|place| place.is_finite()));
         let (state, sliced) = (state.clone(), run_small(&text, &setup, slice));
+        let rule = whole.decided_rule();
         prop_assert_eq!(&state, sliced.state());
         let (whole, sliced) = (whole.into_analysis(), sliced.into_analysis());
         prop_assert_eq!(&whole.motions, &sliced.motions);
@@ -367,7 +368,12 @@ proptest! {
         // Without its middle, and then with it again, it is the same program.
         let (start, end) = (text.len() / 3, text.len() / 2);
         let without = [&text.as_bytes()[..start], &text.as_bytes()[end..]].concat();
-        let mut changed = Run::new(without, Setup { limits: SMALL, ..setup.clone() });
+        let small = Setup { limits: SMALL, ..setup.clone() };
+        // An edit decides nothing anew.
+        let mut changed = match rule {
+            Some(rule) => Run::with_decimal_rule(without, small, rule),
+            None => Run::new(without, small),
+        };
         while !changed.advance(usize::MAX) {}
         changed.edit(TextEdit { start, end: start, insert: text.as_bytes()[start..end].to_vec() });
         while !changed.advance(usize::MAX) {}
