@@ -486,6 +486,8 @@ impl Current {
     }
 
     fn turn(&mut self) {
+        // The outline may still be that of the program before.
+        self.outline.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
         let (scene, view) = self.section_scene();
         view.turn(&scene, x_plus);
