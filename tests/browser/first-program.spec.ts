@@ -55,6 +55,17 @@ test('types O0002, reads its strokes, breaks a line, selects a block from the pi
   });
 });
 
+test('a pointer at rest names what lies under it once the program has changed', async ({ page }) => {
+  await open(page);
+  await type(page, 'G0 X50 Z2\nG1 Z-20 F0.2\n');
+  await expect(status(page)).toContainText(/^2 motions/);
+  const place = await between(page, { x: 50, z: 2 }, { x: 50, z: -20 });
+  await page.mouse.move(place.x, place.y);
+  await expect(tooltip(page)).toContainText('line 2');
+  await type(page, '(one line more)\nG0 X50 Z2\nG1 Z-20 F0.2\n');
+  await expect(tooltip(page)).toContainText('line 3');
+});
+
 test('the picture keeps its scale under the pointer while zooming, and fits again', async ({ page }) => {
   await open(page);
   const before = await locate(page, 60, -30);

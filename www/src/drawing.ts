@@ -167,6 +167,11 @@ export class Drawing {
     this.#tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
+  /** Asks again what lies under a pointer that rests on the drawing: another picture is shown. */
+  lookAgain(): void {
+    this.#point();
+  }
+
   focus(): void {
     this.#canvas.focus();
   }

@@ -867,6 +867,8 @@ export class GcodePlayground extends HTMLElement {
       void this.#client?.ask('readout', undefined).then((place) => this.#showTool(place));
     }
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
+    this.#drawing.lookAgain();
+    this.#face.lookAgain();
     this.#fire<{ summary: Summary; diagnostics: Report['diagnostics'] }>('gcode-report', { summary, diagnostics });
   }
 

@@ -187,6 +187,8 @@ export class ForeignPage extends Finder implements Page {
   readonly mouse: Mouse;
   private readonly listeners: ((error: Error) => void)[] = [];
   private readonly popups: ForeignPage[] = [];
+  /** A page that was opened and is not yet where its link leads. */
+  private opening: Tab | undefined;
   private folder: Promise<string> | undefined;
   private address = '';
 
@@ -272,8 +274,10 @@ export class ForeignPage extends Finder implements Page {
     }
   }
   private async popup(): Promise<Page | undefined> {
-    const tab = await this.tab.opened();
-    if (tab === undefined) return undefined;
+    const tab = (this.opening ??= await this.tab.opened());
+    // On its way it has the address of an empty page, or nobody to ask for one.
+    if (tab === undefined || (await tab.url().catch(() => 'about:blank')) === 'about:blank') return undefined;
+    this.opening = undefined;
     const page = new ForeignPage(tab, this.finder, this.base);
     this.popups.push(page);
     return page;
@@ -309,6 +313,7 @@ export class ForeignPage extends Finder implements Page {
   async close(): Promise<void> {
     try {
       for (const popup of this.popups) await popup.close();
+      await this.opening?.close();
       await this.tellErrors();
     } finally {
       await this.tab.close();
