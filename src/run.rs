@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::control::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
-use crate::control::origin::{self, Bare, Foreign, Numbers};
+use crate::control::origin::{self, Bare, Foreign, Numbers, Seen};
 use crate::control::program::Labels;
 use crate::control::setup::Setup;
 use crate::control::setup::notes::Notes;
@@ -134,10 +134,11 @@ struct Origin {
 }
 
 impl Origin {
-    fn of(text: &[u8], dialect: &DialectChoice) -> Self {
-        let foreign = if dialect.recognise == Some(false) { None } else { origin::foreign(text) };
+    /// What of a text counts under a setup that may leave less open.
+    fn of(seen: &Seen, dialect: &DialectChoice) -> Self {
+        let foreign = seen.foreign.filter(|_| dialect.recognise != Some(false));
         let is_open = foreign.is_none() && dialect.g_system.is_none();
-        Self { foreign, system: if is_open { origin::g_system(text) } else { None } }
+        Self { foreign, system: seen.system.filter(|_| is_open) }
     }
 }
 
@@ -158,7 +159,8 @@ impl Run {
         let (mut setup, faults) = notes.applied_to(given.clone()).without_faults();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
-        let numbers = (is_open && before.is_none()).then(|| origin::numbers(&text));
+        let seen = if text.len() > limits.text { Seen::default() } else { origin::look(&text) };
+        let numbers = (is_open && before.is_none()).then_some(seen.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());
@@ -193,7 +195,7 @@ impl Run {
             run.finish();
             return run;
         }
-        run.origin = Origin::of(&run.text, &dialect);
+        run.origin = Origin::of(&seen, &dialect);
         if let Some(foreign) = run.origin.foreign {
             let message = Message::Foreign { origin: foreign.origin };
             run.interpreter.tell(Diagnostic::new(message, foreign.evidence));

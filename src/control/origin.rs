@@ -3,8 +3,8 @@
 //!
 //! In: the text; only its head is looked at. Out: the origin and the place that shows it, or nothing. A program for
 //! a FANUC, GSK or Haas lathe must never be called foreign, so one doubtful sign decides nothing: signs add up, each
-//! counting once, and what only such a lathe writes counts against. Ask [`foreign`] first: [`g_system`] takes the
-//! text for a FANUC lathe's.
+//! counting once, and what only such a lathe writes counts against. The G-code system and the numbers take the text for a
+//! FANUC lathe's: look at what is foreign first.
 
 mod decimal;
 mod finder;
@@ -96,28 +96,40 @@ pub struct Foreign {
     pub evidence: Span,
 }
 
-/// Another control or machine, where the text is beyond doubt written for one.
-pub fn foreign(text: &[u8]) -> Option<Foreign> {
-    let text = head(text);
-    let mut tally = Tally::default();
-    let mut finder = Finder::default();
+/// What a text shows of where it comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// Another control or machine, where the text is beyond doubt written for one.
+    pub foreign: Option<Foreign>,
+    /// System B or C, where the text of a FANUC lathe is beyond doubt written in it; nothing is no reason to leave A.
+    pub system: Option<(GSystem, Span)>,
+    /// What its numbers show of the decimal rule.
+    pub numbers: Numbers,
+}
+
+/// Reads the beginning of a text once for everything it shows.
+pub fn look(text: &[u8]) -> Seen {
+    look_at(&text[..text.len().min(NUMBERS)])
+}
+
+/// The same, but of the numbers only those of the head: all that tells from where the text comes.
+pub fn look_at_head(text: &[u8]) -> Seen {
+    look_at(&text[..text.len().min(HEAD)])
+}
+
+fn look_at(text: &[u8]) -> Seen {
+    let (mut tally, mut finder) = (Tally::default(), Finder::default());
+    let (mut scales, mut numbers) = (Scales::default(), Numbers::default());
     let mut statement = Statement::default();
     let mut statements = Statements::new(text);
     while statements.read(&mut statement) {
-        finder.look(text, &statement, |sign, span| tally.add(sign, span));
+        if (statement.span.start as usize) < HEAD {
+            finder.look(text, &statement, |sign, span| tally.add(sign, span));
+            scales.take(&statement);
+        }
+        numbers.take(&statement);
     }
-    tally.verdict()
-}
-
-/// System B or C, where the text of a FANUC lathe is beyond doubt written in it; `None` is no reason to leave A.
-pub fn g_system(text: &[u8]) -> Option<(GSystem, Span)> {
-    let mut scales = Scales::default();
-    let mut statement = Statement::default();
-    let mut statements = Statements::new(head(text));
-    while statements.read(&mut statement) {
-        scales.take(&statement);
-    }
-    scales.verdict()
+    Seen { foreign: tally.verdict(), system: scales.verdict(), numbers }
 }
 
 /// What the numbers of a text show of the decimal rule.
@@ -129,10 +141,6 @@ pub fn numbers(text: &[u8]) -> Numbers {
         numbers.take(&statement);
     }
     numbers
-}
-
-fn head(text: &[u8]) -> &[u8] {
-    &text[..text.len().min(HEAD)]
 }
 
 /// What the signs so far weigh.

@@ -88,7 +88,8 @@ impl Run {
         text.splice(start..end, edit.insert);
         let mark = self.marks.last().filter(|_| {
             text.len() <= self.setup().limits.text
-                && (start >= origin::HEAD || self.origin == Origin::of(&text, &self.setup().dialect))
+                && (start >= origin::HEAD
+                    || self.origin == Origin::of(&origin::look_at_head(&text), &self.setup().dialect))
                 && (start >= notes::HEAD || self.notes == Notes::read(&text))
         });
         let same_way = match mark {

@@ -6,6 +6,7 @@
 
 use super::statement::{Statement, Word};
 use crate::control::dialect::DecimalRule;
+use crate::control::words::Unit;
 use crate::text::source::Span;
 
 /// Whole coordinates with a point that show the habit. A fraction has its point on every control.
@@ -101,28 +102,73 @@ impl Amount {
         }
     }
 
-    /// What the word of a letter is in a statement; nothing for what is no amount, or may be any.
-    fn of(letter: u8, statement: &Statement) -> Option<Self> {
-        let mut cycle = 0;
-        for (code, _) in statement.codes(b'G') {
-            match code {
-                40 => return matches!(letter, b'X' | b'U').then_some(Self::Time),
-                700..=760 => cycle = code / 10,
-                _ => {}
-            }
+    /// What the word of a letter is among the others of its statement; nothing for what is no amount, or may be any.
+    fn of(letter: u8, among: &Among) -> Option<Self> {
+        if among.dwells {
+            return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
         // In the first of their two blocks the cycles have amounts, in the second a contour or a place.
-        let amounts = !statement.has_any(b"PQ");
-        match (letter, cycle) {
-            (b'U' | b'W', 73) if amounts => Some(Self::Relief),
+        match (letter, among.cycle) {
+            (b'U' | b'W', 73) if !among.names_contour => Some(Self::Relief),
             (b'U' | b'W', 71..=73) => Some(Self::Cut),
-            (b'R', 71 | 72) if amounts => Some(Self::Cut),
-            (b'R', 74 | 75) if !statement.has_any(b"XZUW") => Some(Self::Cut),
-            (b'R', 76) if !statement.has_any(b"XZUW") => Some(Self::ThreadAllowance),
+            (b'R', 71 | 72) if !among.names_contour => Some(Self::Cut),
+            (b'R', 74 | 75) if !among.names_place => Some(Self::Cut),
+            (b'R', 76) if !among.names_place => Some(Self::ThreadAllowance),
             (b'X' | b'U' | b'Y' | b'V', _) => Some(Self::Diameter),
             (b'Z' | b'W', _) => Some(Self::Length),
             _ => None,
         }
+    }
+}
+
+/// What of a statement decides what its amounts are.
+#[derive(Clone, Copy, Debug, Default)]
+struct Among {
+    /// G04.
+    dwells: bool,
+    /// G70 to G76; 0 without one.
+    cycle: u32,
+    /// P or Q.
+    names_contour: bool,
+    /// X, Z, U or W.
+    names_place: bool,
+    /// F.
+    has_feed: bool,
+    /// G codes.
+    codes: usize,
+    /// G20 or G21.
+    unit: Option<Unit>,
+    /// G65, G66: its words are arguments of a macro, and what the macro makes of them.
+    calls_macro: bool,
+}
+
+impl Among {
+    fn of(statement: &Statement) -> Self {
+        let mut among = Self::default();
+        for word in statement.words() {
+            match word.letter {
+                b'G' => {
+                    among.codes += 1;
+                    match word.number.and_then(|number| number.tenths()) {
+                        Some(40) => among.dwells = true,
+                        Some(code @ 700..=760) => among.cycle = code as u32 / 10,
+                        Some(650 | 660 | 661) => among.calls_macro = true,
+                        Some(200) => among.unit = Some(Unit::Inch),
+                        Some(210) => among.unit = Some(Unit::Millimetre),
+                        _ => {}
+                    }
+                }
+                b'P' | b'Q' => among.names_contour = true,
+                b'X' | b'Z' | b'U' | b'W' => among.names_place = true,
+                b'F' => among.has_feed = true,
+                _ => {}
+            }
+        }
+        // In system C G20 and G21 are cycles.
+        if among.codes == 1 && among.has_feed && among.names_place {
+            among.unit = None;
+        }
+        among
     }
 }
 
@@ -150,27 +196,21 @@ pub struct Numbers {
 impl Numbers {
     /// Takes in one more statement.
     pub fn take(&mut self, statement: &Statement) {
-        let alone = statement.codes(b'G').count() == 1;
-        let cycle = alone && statement.has(b'F') && statement.has_any(b"XZUW");
-        for (code, _) in statement.codes(b'G') {
-            match code {
-                // Arguments of a macro are what the macro makes of them.
-                650 | 660 | 661 => return,
-                // In system C they are cycles.
-                200 | 210 if !cycle => self.inch = code == 200,
-                _ => {}
-            }
+        let among = Among::of(statement);
+        if among.calls_macro {
+            return;
         }
+        self.inch = among.unit.map_or(self.inch, |unit| unit == Unit::Inch);
         for word in statement.words() {
             if !word.assigned {
-                self.take_word(word, statement);
+                self.take_word(word, &among);
             }
         }
     }
 
-    fn take_word(&mut self, word: &Word, statement: &Statement) {
+    fn take_word(&mut self, word: &Word, among: &Among) {
         let Some(number) = word.number else { return };
-        let Some(amount) = Amount::of(word.letter, statement) else { return };
+        let Some(amount) = Amount::of(word.letter, among) else { return };
         let is_coordinate = word.letter != b'R' && amount != Amount::Time;
         let magnitude = number.value();
         if number.has_point() {

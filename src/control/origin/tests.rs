@@ -8,22 +8,24 @@ use std::path::Path;
 /// The one door for foreign programs: this origin, shown by this evidence.
 #[track_caller]
 fn check(program: &str, origin: Origin, evidence: &str) {
-    let found =
-        foreign(program.as_bytes()).map(|found| (found.origin, found.evidence.quote(program.as_bytes())));
+    let found = look(program.as_bytes())
+        .foreign
+        .map(|found| (found.origin, found.evidence.quote(program.as_bytes())));
     assert_eq!(found, Some((origin, evidence.to_owned())), "\n{program}");
 }
 
 /// The one door for systems B and C.
 #[track_caller]
 fn check_system(program: &str, system: GSystem, evidence: &str) {
-    let found = g_system(program.as_bytes()).map(|(system, span)| (system, span.quote(program.as_bytes())));
+    let found =
+        look(program.as_bytes()).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
     assert_eq!(found, Some((system, evidence.to_owned())), "\n{program}");
 }
 
 #[track_caller]
 fn check_at_home(program: &str) {
-    assert_eq!(foreign(program.as_bytes()), None, "\n{program}");
-    assert_eq!(g_system(program.as_bytes()), None, "\n{program}");
+    assert_eq!(look(program.as_bytes()).foreign, None, "\n{program}");
+    assert_eq!(look(program.as_bytes()).system, None, "\n{program}");
 }
 
 #[test]
@@ -243,8 +245,8 @@ fn programs_of_the_gallery_count_units() {
 fn any_bytes_are_read() {
     let bytes: Vec<u8> = (0..=255u8).cycle().take(70_000).collect();
     for start in 0..256 {
-        foreign(&bytes[start..]);
-        g_system(&bytes[start..]);
+        look(&bytes[start..]);
+        look_at_head(&bytes[start..]);
         numbers(&bytes[start..]);
     }
     for end in

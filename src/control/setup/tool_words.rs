@@ -27,6 +27,9 @@ enum Tie {
 
 /// What the comments of a text say of the tools, by turret station.
 pub fn read(text: &str) -> BTreeMap<u16, Tool> {
+    if !text.contains('(') {
+        return BTreeMap::new();
+    }
     let unit = numbers::unit_of(text);
     let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();

@@ -99,25 +99,45 @@ const BLADES: &[(&str, Side)] = &[
 
 /// The kind of tool that a comment names.
 pub fn kind(text: &str) -> Option<ToolKind> {
-    KINDS.iter().find(|(form, term, _)| stands(text, term, *form)).and_then(|(.., kind)| *kind)
+    let bytes = Bytes::of(text);
+    KINDS.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).and_then(|(.., kind)| *kind)
 }
 
 /// The side of the work that a comment names.
 pub fn side(text: &str) -> Option<Side> {
-    SIDES.iter().find(|(form, term, _)| stands(text, term, *form)).map(|(.., side)| *side)
+    let bytes = Bytes::of(text);
+    SIDES.iter().find(|(form, term, _)| stands(text, &bytes, term, *form)).map(|(.., side)| *side)
 }
 
-/// Whether a term stands in a comment.
-fn stands(text: &str, term: &str, form: Form) -> bool {
-    text.match_indices(term).any(|(at, _)| {
-        let before = text[..at].chars().next_back().is_some_and(char::is_alphabetic);
-        let behind = text[at + term.len()..].chars().next().is_some_and(char::is_alphabetic);
-        match form {
-            Word => !before && !behind,
-            Stem => !before,
-            Part => true,
+/// Which bytes occur in a text: most terms hold one that does not, and need not be searched for.
+struct Bytes([u64; 4]);
+
+impl Bytes {
+    fn of(text: &str) -> Self {
+        let mut bytes = Self([0; 4]);
+        for byte in text.bytes() {
+            bytes.0[usize::from(byte >> 6)] |= 1 << (byte & 63);
         }
-    })
+        bytes
+    }
+
+    fn hold_all_of(&self, term: &str) -> bool {
+        term.bytes().all(|byte| self.0[usize::from(byte >> 6)] & 1 << (byte & 63) != 0)
+    }
+}
+
+/// Whether a term stands in a comment of these bytes.
+fn stands(text: &str, bytes: &Bytes, term: &str, form: Form) -> bool {
+    bytes.hold_all_of(term)
+        && text.match_indices(term).any(|(at, _)| {
+            let before = text[..at].chars().next_back().is_some_and(char::is_alphabetic);
+            let behind = text[at + term.len()..].chars().next().is_some_and(char::is_alphabetic);
+            match form {
+                Word => !before && !behind,
+                Stem => !before,
+                Part => true,
+            }
+        })
 }
 
 /// The tool of the first designation of an insert in a comment.
