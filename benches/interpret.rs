@@ -5,7 +5,7 @@ mod workload;
 use divan::Bencher;
 use divan::counter::BytesCount;
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
 
 fn main() {

@@ -3,8 +3,8 @@
 use std::time::Instant;
 use std::{env, fs};
 
-use gcode_playground::control::setup::Setup;
 use gcode_playground::run::Run;
+use gcode_playground::setup::Setup;
 
 fn main() -> Result<(), String> {
     let file = env::args().nth(1).unwrap_or_default();

@@ -16,20 +16,20 @@ pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 
 use crate::control::codes;
-use crate::control::dialect::CodeList;
-use crate::control::setup::Machine;
 use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::{self, MotionKind, Motions, StopKind};
 use crate::run::Run;
+use crate::setup::Machine;
+use crate::setup::dialect::CodeList;
 use crate::shop::compare;
 use crate::shop::feature::{Feature, Shape};
 use crate::shop::region::{Piece, Region};
 use crate::shop::tally::Tally;
 use crate::shop::timing;
-use crate::text::source::{LineIndex, Span};
+use crate::source::{LineIndex, Span};
 
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;

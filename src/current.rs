@@ -11,7 +11,6 @@ mod picked;
 
 use std::cell::OnceCell;
 
-use crate::control::setup::{Setup, Turret};
 use crate::geometry::Point;
 use crate::motion::Motions;
 use crate::run::{Run, TextEdit};
@@ -22,13 +21,14 @@ use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
 use crate::scene::view::View;
 use crate::scene::{Place, Plane, Scene};
+use crate::setup::{Setup, Turret};
 use crate::shop::clock::{Clock, Playhead};
 use crate::shop::compare::Comparison;
 use crate::shop::feature::{self, Feature};
 use crate::shop::fitting::Fitting;
 use crate::shop::region::Region;
 use crate::shop::{Advanced, Machining, Shop};
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 use machined::{Kept, Machined};
 
 /// The current run and how it is looked at.

@@ -13,17 +13,18 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use crate::control::codes::{self, G, MotionMode, Switch};
-use crate::control::dialect::{CodeList, DecimalRule, Dialect};
 use crate::control::interpreter::Executed;
-use crate::control::setup::Setup;
-use crate::control::words::{Unit, plain};
+use crate::control::words::plain;
 use crate::diagnostics::Message;
 use crate::motion::{
     Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
 };
 use crate::run::{Analysis, Run};
+use crate::setup::Setup;
+use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
+use crate::units::Unit;
 
 /// Writes out a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {

@@ -18,32 +18,20 @@ pub mod diagnostics;
 pub mod expand;
 pub mod export;
 pub mod geometry;
+mod heap;
 pub mod limits;
 pub mod motion;
 pub mod paste;
 pub mod repair;
 pub mod rewrite;
-mod room;
 pub mod run;
 pub mod scene;
+pub mod setup;
 pub mod shop;
+pub mod source;
 pub mod text;
+pub mod units;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
 
-use control::setup::Setup;
-use run::{Analysis, Run};
-
-/// Interprets a whole program.
-///
-/// ```
-/// use gcode_playground::{analyze, control::setup::Setup};
-///
-/// let analysis = analyze(b"G00 X32 Z2\nG01 Z-30 F0.1\nM30", &Setup::default());
-/// assert_eq!(analysis.motions.len(), 2);
-/// ```
-pub fn analyze(text: &[u8], setup: &Setup) -> Analysis {
-    let mut run = Run::new(text.to_vec(), setup.clone());
-    while !run.advance(usize::MAX) {}
-    run.into_analysis()
-}
+pub use run::analyze;

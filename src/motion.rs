@@ -9,9 +9,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, Turn};
-use crate::room;
-use crate::text::shift::Shift;
-use crate::text::source::Span;
+use crate::heap;
+use crate::source::Span;
+use crate::source::shift::Shift;
 
 /// What kind of motion the tool tip makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -757,7 +757,7 @@ impl Motions {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         if !chunk.is_empty() {
             self.push_known(chunk, NEXT.fetch_add(1, Ordering::Relaxed));
-            room::ahead();
+            heap::reserve_ahead();
         }
     }
 

@@ -3,10 +3,10 @@
 //! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs that have to be
 //! asked for are left to the reader.
 
-use crate::control::setup::Setup;
 use crate::diagnostics::{Diagnostic, Edit, Fix, Repair};
 use crate::rewrite::{applied, before_edits};
-use crate::text::source::Span;
+use crate::setup::Setup;
+use crate::source::Span;
 
 /// A repaired text can show faults that were hidden by others, so it is run again; so many times at most.
 const MOST_ROUNDS: usize = 10;

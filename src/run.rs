@@ -8,21 +8,22 @@ mod edit;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::control::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
 use crate::control::origin::{self, Bare, Foreign, Numbers, Seen};
 use crate::control::program::Labels;
-use crate::control::setup::Setup;
-use crate::control::setup::notes::Notes;
-use crate::control::words::{self, Unit};
+use crate::control::words;
 use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
 use crate::motion::Motions;
+use crate::setup::Setup;
+use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
+use crate::setup::notes::Notes;
 use crate::shop::fitting::Fitting;
 use crate::shop::{Shop, danger};
+use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
-use crate::text::source::Span;
+use crate::units::Unit;
 use edit::{Before, Mark};
 
 /// What a program does and what is to be said of it.
@@ -60,6 +61,20 @@ impl Analysis {
         }
         sort_by_place(&mut self.diagnostics);
     }
+}
+
+/// Interprets a whole program.
+///
+/// ```
+/// use gcode_playground::{analyze, setup::Setup};
+///
+/// let analysis = analyze(b"G00 X32 Z2\nG01 Z-30 F0.1\nM30", &Setup::default());
+/// assert_eq!(analysis.motions.len(), 2);
+/// ```
+pub fn analyze(text: &[u8], setup: &Setup) -> Analysis {
+    let mut run = Run::new(text.to_vec(), setup.clone());
+    while !run.advance(usize::MAX) {}
+    run.into_analysis()
 }
 
 /// A change of the text.

@@ -18,7 +18,6 @@ use wasm_bindgen::prelude::*;
 use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use crate::api::{self, Places, Summary};
-use crate::control::setup::Setup;
 use crate::current::Current;
 use crate::diagnostics::messages::Language;
 use crate::diagnostics::{rules, sort_by_place};
@@ -28,6 +27,7 @@ use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
+use crate::setup::Setup;
 use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
 

@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 
 use endless::{MOST_SECONDS, bounds, endless, hostile};
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::limits::Limits;
 use gcode_playground::run::{Analysis, Run};
-use gcode_playground::text::source::LineIndex;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::LineIndex;
 
 /// The one door: what a program gives under a setup, in time.
 #[track_caller]

@@ -8,9 +8,9 @@ use std::fmt::Write;
 use gcode_playground::analyze;
 use gcode_playground::api::{self, CodeRow};
 use gcode_playground::control::codes::{self, Effect};
-use gcode_playground::control::dialect::CodeList;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::setup::Setup;
+use gcode_playground::setup::dialect::CodeList;
 
 const BEGIN: &str = "<!-- codes -->\n";
 const END: &str = "<!-- /codes -->";

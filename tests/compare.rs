@@ -2,8 +2,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::run::Analysis;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::compare::{Comparison, Side, parts};
 use gcode_playground::shop::region::Region;
 

@@ -4,8 +4,8 @@
 
 use gcode_playground::analyze;
 use gcode_playground::api;
-use gcode_playground::control::setup::Setup;
-use gcode_playground::diagnostics::messages::number;
+use gcode_playground::setup::Setup;
+use gcode_playground::units::number;
 
 /// The one door: a program under a setup gives these motions.
 #[track_caller]

@@ -1,11 +1,11 @@
 //! The run that is current: nothing of an earlier run, and nothing half done, reaches a picture.
 #![cfg(not(target_arch = "wasm32"))]
 
-use gcode_playground::control::setup::{Setup, Turret};
 use gcode_playground::current::Current;
 use gcode_playground::scene::camera::{Pixel, Size};
 use gcode_playground::scene::source::Stage;
 use gcode_playground::scene::view::View;
+use gcode_playground::setup::{Setup, Turret};
 use gcode_playground::shop::Shop;
 use gcode_playground::shop::clock::Playhead;
 use proptest::prelude::*;

@@ -8,10 +8,10 @@
 use std::f64::consts::TAU;
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::expand::expand;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Cycle, CycleStep, Feed, Motion, MotionKind};
+use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 use proptest::sample::select;
 

@@ -16,7 +16,7 @@ use std::{env, fs};
 
 use figures::{FIGURES, Held};
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
+use gcode_playground::setup::Setup;
 use markdown::Document;
 use serde_json::Value;
 

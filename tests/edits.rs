@@ -9,11 +9,11 @@ mod workload;
 
 use std::sync::LazyLock;
 
-use gcode_playground::control::dialect::DecimalRule;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Severity;
 use gcode_playground::limits::Limits;
 use gcode_playground::run::{Run, TextEdit};
+use gcode_playground::setup::Setup;
+use gcode_playground::setup::dialect::DecimalRule;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

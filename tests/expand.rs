@@ -10,12 +10,12 @@ mod page;
 
 use std::collections::BTreeSet;
 
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Severity;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
 use gcode_playground::motion::{Feed, MotionKind, Step};
 use gcode_playground::run::Analysis;
+use gcode_playground::setup::Setup;
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;
 use serde_json::{Map, Value};

@@ -6,9 +6,9 @@ use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::export::{dxf, stl};
 use gcode_playground::geometry::Point;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
 use gcode_playground::shop::region::Region;
 

@@ -2,11 +2,11 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::rules::machine;
 use gcode_playground::diagnostics::{Diagnostic, Severity};
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
-use gcode_playground::text::source::LineIndex;
+use gcode_playground::source::LineIndex;
 
 /// The one door: a program whose annotated lines (`//  ^^^ CODE`) are all its messages but hints.
 #[track_caller]

@@ -2,10 +2,10 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
 use gcode_playground::paste::{Found, Name, Program, Reason, find};
+use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 
 /// The cleaned programs of a text, questions as printed.

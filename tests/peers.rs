@@ -5,13 +5,13 @@
 use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Cycle, Motion, MotionKind, Step};
 use gcode_playground::run::Analysis;
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
+use gcode_playground::setup::Setup;
 
 /// Every program begins with this: spindle on, feed a turn, first tool.
 const HEAD: &str = "M3 S500\nG99 F0.2\nT0101\n";

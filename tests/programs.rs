@@ -6,11 +6,11 @@ mod fixtures;
 
 use fixtures::{Program, all, check_messages, compare, folder, same};
 use gcode_playground::api::{self, Places};
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
 use gcode_playground::run::Run;
-use gcode_playground::text::source::LineIndex;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::LineIndex;
 use gcode_playground::{analyze, run::Analysis};
 use serde_json::{Value, json};
 

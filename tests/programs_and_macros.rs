@@ -3,9 +3,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::api;
-use gcode_playground::control::setup::Setup;
-use gcode_playground::diagnostics::messages::number;
 use gcode_playground::run::Analysis;
+use gcode_playground::setup::Setup;
+use gcode_playground::units::number;
 use gcode_playground::{analyze, expand};
 
 fn run(setup: &str, program: &str) -> Analysis {

@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;
 use gcode_playground::api::Places;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::diagnostics::rules;
 use gcode_playground::expand::expand;
@@ -18,10 +17,11 @@ use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
+use gcode_playground::source::LineIndex;
 use gcode_playground::text::highlight::highlight;
 use gcode_playground::text::lexer::Lexer;
-use gcode_playground::text::source::LineIndex;
 use proptest::prelude::*;
 
 /// Runs some bytes through everything and checks what must always hold.

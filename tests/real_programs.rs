@@ -3,9 +3,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Severity;
 use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::setup::Setup;
 
 /// The one door: a program gives these messages (hints left out), and ends at this X (diameter) and Z.
 #[track_caller]

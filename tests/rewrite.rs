@@ -6,11 +6,11 @@
 mod fixtures;
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::motion::{Feed, MotionKind};
 use gcode_playground::rewrite::{Offer, applied, offers, rewritten};
-use gcode_playground::text::source::Span;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::Span;
 use proptest::prelude::*;
 
 const SETUP: &str = r#"{"initial": {"x": 100, "z": 50}, "dialect": {"gSystem": "A"}}"#;

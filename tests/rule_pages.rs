@@ -14,10 +14,10 @@ mod words;
 
 use std::path::{Component, Path, PathBuf};
 
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::diagnostics::{Diagnostic, Severity, register};
-use gcode_playground::text::source::LineIndex;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::LineIndex;
 
 use outcome::Outcome;
 use page::{INDENT, Mark, Page};

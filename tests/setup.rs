@@ -2,14 +2,14 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::draft::put_into_json;
-use gcode_playground::control::setup::fields::{self, Entry, Field, Unit};
-use gcode_playground::control::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
-use gcode_playground::control::setup::written::{changes, lines};
-use gcode_playground::control::setup::{
+use gcode_playground::diagnostics::{Levels, Severity, register};
+use gcode_playground::setup::draft::put_into_json;
+use gcode_playground::setup::fields::{self, Entry, Field, Unit};
+use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
+use gcode_playground::setup::written::{changes, lines};
+use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
-use gcode_playground::diagnostics::{Levels, Severity, register};
 use gcode_playground::shop::Shop;
 use proptest::prelude::*;
 

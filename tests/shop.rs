@@ -1,7 +1,7 @@
 //! The part that a program makes.
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
 use gcode_playground::shop::danger::Danger;
 use gcode_playground::shop::region::Region;

@@ -4,10 +4,10 @@
 
 use gcode_playground::analyze;
 use gcode_playground::api;
-use gcode_playground::control::setup::Setup;
-use gcode_playground::diagnostics::messages::number;
 use gcode_playground::run::Analysis;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
+use gcode_playground::units::number;
 
 fn run(setup: &str, program: &str) -> Analysis {
     analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"))

@@ -6,9 +6,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::messages::{Language, labels};
 use gcode_playground::diagnostics::{Diagnostic, Rule, Severity, register};
+use gcode_playground::setup::Setup;
 
 use crate::outcome::Outcome;
 use crate::page::{Mark, Page};

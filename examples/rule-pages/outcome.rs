@@ -2,7 +2,6 @@
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
 
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::{Diagnostic, rules, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
@@ -10,6 +9,7 @@ use gcode_playground::scene::face::Face;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::{Machining, Shop};
 
 use crate::page::Stop;

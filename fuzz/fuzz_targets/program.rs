@@ -2,8 +2,8 @@
 //! the slices; the rest is the program.
 #![no_main]
 
-use gcode_playground::control::dialect::GSystem;
-use gcode_playground::control::setup::Setup;
+use gcode_playground::setup::dialect::GSystem;
+use gcode_playground::setup::Setup;
 use gcode_playground::limits::Limits;
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::text::highlight::highlight;

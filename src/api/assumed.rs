@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::control::setup::Stock;
-use crate::control::setup::written;
 use crate::diagnostics::messages::{Language, labels};
 use crate::run::Analysis;
+use crate::setup::Stock;
+use crate::setup::written;
 use crate::shop::fitting::Fitting;
 
 /// A stock that is assumed, and what was not checked because of that.

@@ -5,10 +5,10 @@
 use serde::Serialize;
 
 use super::{Places, Stroke, rounded, tool_name};
-use crate::control::setup::ToolKind;
 use crate::diagnostics::messages::Language;
 use crate::geometry::Point;
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
+use crate::setup::ToolKind;
 use crate::shop::clock::{Clock, Playhead, stop_at};
 use crate::shop::fitting::{Fitting, Known};
 use crate::shop::timing::{self, Total};

@@ -10,7 +10,7 @@ use tsify::Tsify;
 use super::{Edit, Places};
 use crate::diagnostics::messages::Language;
 use crate::rewrite::Offer;
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// Blocks that can be written as a cycle.
 #[derive(Clone, Debug, PartialEq, Serialize)]

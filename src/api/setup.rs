@@ -10,14 +10,14 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Edit, Places};
-use crate::control::dialect::{DecimalChoice, DecimalRule, DialectChoice};
-use crate::control::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
-use crate::control::setup::fields::{self, Entry, Field, Value};
-use crate::control::setup::notes::{Notes, tool_name};
-use crate::control::setup::written::{self, Change};
-use crate::control::setup::{Machine, Setup, Tool, ToolKind};
 use crate::diagnostics::messages::{Language, labels};
 use crate::diagnostics::{Levels, Severity};
+use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
+use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
+use crate::setup::fields::{self, Entry, Field, Value};
+use crate::setup::notes::{Notes, tool_name};
+use crate::setup::written::{self, Change};
+use crate::setup::{Machine, Setup, Tool, ToolKind};
 use crate::shop::assumed::usual;
 use crate::shop::fitting::{Fitting, Known};
 
@@ -397,7 +397,7 @@ fn in_words<T>(field: &Field<T>, value: Value, language: Language) -> String {
             let own = choices.iter().find(|choice| **choice == text);
             own.map_or(text, |own| labels::choice(field.name, own, language).into())
         }
-        (_, Value::Number(number)) => crate::diagnostics::messages::number(number),
+        (_, Value::Number(number)) => crate::units::number(number),
         (_, value) => value.to_string(),
     }
 }

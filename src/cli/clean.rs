@@ -10,7 +10,7 @@ use super::{encoding, print, read, save};
 use crate::api::paste::shortened;
 use crate::diagnostics::messages::Language;
 use crate::paste::{self, Found, Name, Piece, Program};
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 
 /// What to do with what is found.
 #[derive(clap::Args)]

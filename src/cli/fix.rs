@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use super::{Format, With, encoded, encoding, has_errors, print, read, run_text, save, setup_of, tell};
 use crate::diagnostics::messages::Language;
 use crate::repair::repaired;
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 
 /// Where the repaired programs go.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -22,8 +22,6 @@ use clap::{Parser, Subcommand, ValueEnum};
 use serde::Serialize;
 
 use crate::api::{self, Places};
-use crate::control::dialect::{CodeList, Control, GSystem};
-use crate::control::setup::{Setup, Turret};
 use crate::diagnostics::messages::Language;
 use crate::diagnostics::{Kind, Levels};
 use crate::run::{Analysis, Run};
@@ -32,8 +30,10 @@ use crate::scene::outline::Outline;
 use crate::scene::svg::SvgOptions;
 use crate::scene::work::Work;
 use crate::scene::{self, Scene};
+use crate::setup::dialect::{CodeList, Control, GSystem};
+use crate::setup::{Setup, Turret};
 use crate::shop::Shop;
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 
 use encoding::Encoding;
 use fix::Target;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use super::{With, encoded, program, save, setup_of, status};
 use crate::diagnostics::messages::Language;
 use crate::rewrite::rewritten;
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 
 /// Writes the program with every offer taken.
 pub(super) fn write(

@@ -4,7 +4,7 @@ use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
 
 use crate::diagnostics::messages::Language;
 use crate::diagnostics::{Diagnostic, Severity};
-use crate::text::source::LineIndex;
+use crate::source::LineIndex;
 
 /// The messages of a program as text, coloured where the terminal is.
 pub fn render(name: &str, text: &[u8], diagnostics: &[Diagnostic], language: Language) -> String {

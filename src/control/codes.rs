@@ -7,12 +7,13 @@ mod registry;
 
 pub use registry::{Effect, Function, GCode, Row, Section, g_code, m_code, rows};
 
-use super::dialect::{CodeList, FeedMode};
-use super::words::{Unit, plain};
+use super::words::plain;
 use crate::cycles::single::Single;
 use crate::geometry::Turn;
 use crate::motion::{Cycle, SpindleTurn, StopKind};
+use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::Word;
+use crate::units::Unit;
 
 /// Whether a word leads to another part of the program or back from it: M97, M98, M99.
 pub fn is_passage(word: &Word) -> bool {

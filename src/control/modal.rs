@@ -10,18 +10,18 @@ use super::codes::{Compensation, Hole, HoleReturn, MotionMode, Plane};
 use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::course::Course;
-use super::dialect::{Dialect, FeedMode};
 use super::doubt::{Doubt, Doubts};
 use super::macros::Variables;
 use super::offsets::{Frames, ToolOffsets};
-use super::setup::Setup;
-use super::words::Unit;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::{Feed, Motion, Process, SpindleSpeed, SpindleTurn, Stop, StopKind};
-use crate::text::shift::Shift;
-use crate::text::source::Span;
+use crate::setup::Setup;
+use crate::setup::dialect::{Dialect, FeedMode};
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::units::Unit;
 
 /// Where an axis of a cycle ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -635,7 +635,7 @@ impl State {
         self.still_move = self
             .still_move
             .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
-        self.course.head = shift.resume(self.course.head);
+        self.course.head = self.course.head.shifted(shift);
     }
 
     /// Whether a program goes on from here as it does from `other`.

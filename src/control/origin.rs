@@ -17,8 +17,8 @@ use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
-use super::dialect::GSystem;
-use crate::text::source::Span;
+use crate::setup::dialect::GSystem;
+use crate::source::Span;
 
 /// Most bytes of a text that are looked at.
 pub const HEAD: usize = 64 << 10;

@@ -3,51 +3,11 @@
 //! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
 //! rule, inches, and that X counts diameters.
 
-use super::dialect::DecimalRule;
 use crate::diagnostics::{Diagnostic, Message, Severity};
+use crate::setup::dialect::DecimalRule;
+use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
-use crate::text::source::Span;
-
-/// Unit of length of the program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unit {
-    /// G21.
-    #[default]
-    Millimetre,
-    /// G20.
-    Inch,
-}
-
-impl Unit {
-    /// Millimetres in one unit.
-    pub fn millimetres(self) -> f64 {
-        match self {
-            Self::Millimetre => 1.0,
-            Self::Inch => 25.4,
-        }
-    }
-
-    /// Least input increment, in this unit.
-    pub fn increment(self) -> f64 {
-        10f64.powi(-i32::from(self.decimals()))
-    }
-
-    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (semantics §3.11).
-    pub fn surface_metres(self) -> f64 {
-        match self {
-            Self::Millimetre => 1.0,
-            Self::Inch => 0.3048,
-        }
-    }
-
-    /// Decimals of the least input increment: 0.001 mm, 0.0001 inch (IS-B).
-    fn decimals(self) -> u8 {
-        match self {
-            Self::Millimetre => 3,
-            Self::Inch => 4,
-        }
-    }
-}
+use crate::units::Unit;
 
 /// What stands behind the letter of a word as it is written.
 pub fn behind_letter(word: &str) -> &str {

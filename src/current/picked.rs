@@ -7,7 +7,7 @@ use std::ops::Range;
 use crate::run::Run;
 use crate::scene::Scene;
 use crate::scene::view::Mark;
-use crate::text::source::{LineIndex, Span};
+use crate::source::{LineIndex, Span};
 
 /// The motions of the block at a UTF-16 offset, and the places of its cycle.
 pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (Vec<Range<usize>>, Vec<Mark>) {

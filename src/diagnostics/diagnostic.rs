@@ -5,9 +5,9 @@
 
 use super::message::{Message, Severity};
 use super::messages::{Language, Sentence};
-use crate::control::words::Unit;
-use crate::text::shift::Shift;
-use crate::text::source::Span;
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::units::Unit;
 
 /// One message at one place.
 #[derive(Clone, Debug, PartialEq)]

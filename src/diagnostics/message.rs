@@ -7,10 +7,10 @@
 
 use std::borrow::Cow;
 
-use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
 use crate::control::origin::{Measure, Origin};
-use crate::control::setup::faults::Need;
+use crate::setup::dialect::{DecimalRule, GSystem};
+use crate::setup::faults::Need;
 
 /// How grave a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

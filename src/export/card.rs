@@ -9,16 +9,17 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
 use crate::control::codes::{self, Function};
-use crate::control::dialect::CodeList;
-use crate::control::setup::{Setup, Stock};
-use crate::diagnostics::messages::{Language, describe_motion, number};
+use crate::diagnostics::messages::{Language, describe_motion};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
+use crate::setup::dialect::CodeList;
+use crate::setup::{Setup, Stock};
 use crate::shop::fitting::{Fitted, Fitting, Known};
 use crate::shop::tally::{Tally, tally};
 use crate::shop::timing::Total;
+use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
-use crate::text::source::Span;
+use crate::units::number;
 use words::{Words, one_of, tool_kind, words};
 
 /// Blocks on a card, at most: about a hundred pages.

@@ -6,8 +6,8 @@
 use std::fmt::Write;
 
 use crate::api;
-use crate::control::setup::Machine;
 use crate::motion::Motions;
+use crate::setup::Machine;
 
 /// The columns, named as in the rows of `motions`; what stands inside of another there has its name before it.
 pub const COLUMNS: [&str; 22] = [
@@ -81,7 +81,7 @@ fn write_row(text: &mut String, row: &api::Motion) {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
+    use crate::setup::Setup;
 
     #[test]
     fn a_line_for_each_motion() {

@@ -3,7 +3,7 @@
 //! In: a text. Out: [`Item`]s in order, blanks left out. Work grows with the length of the text alone.
 
 use super::reason::Reason;
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// Longest stretch that is read as a remark or an expression, bytes; a bracket that closes later is none.
 const LONGEST_BRACKET: usize = 400;

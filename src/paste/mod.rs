@@ -19,7 +19,7 @@ mod signs;
 pub use reason::Reason;
 
 use crate::limits::{FOUND_PROGRAMS, PASTED_TEXT};
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// What a text holds.
 #[derive(Clone, Debug, Default, PartialEq)]

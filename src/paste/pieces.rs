@@ -8,7 +8,7 @@ use super::blocks::{Blocks, NOBODY};
 use super::items::{Item, Kind, Word, is_blank, is_invisible, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// Longest text behind a block that becomes a remark, characters.
 const LONGEST_REMARK: usize = 40;

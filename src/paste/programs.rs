@@ -206,7 +206,7 @@ pub(super) fn name(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretc
         }
     }
     let Some(end) = end else { return Name::Line(line) };
-    let title = slice(text, crate::text::source::Span { start, end });
+    let title = slice(text, crate::source::Span { start, end });
     let title =
         title.trim_matches(|c: char| c.is_whitespace() || matches!(c, ':' | '：' | '#' | '*' | '.' | '。'));
     if title.chars().filter(|c| c.is_alphabetic()).count() < 2 {

@@ -9,7 +9,7 @@ use super::blocks::Blocks;
 use super::items::{Item, Kind, Word};
 use super::programs::Stretch;
 use super::reason::Reason;
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// Fewest cuts away from the part.
 const FEWEST: usize = 2;

@@ -10,14 +10,14 @@ mod write;
 
 use std::collections::BTreeMap;
 
-use crate::control::dialect::Dialect;
-use crate::control::setup::Setup;
 use crate::cycles::single::Single;
 use crate::diagnostics::messages::{Language, describe_rewrite};
 use crate::diagnostics::{Diagnostic, Edit, Message, Severity};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::run::{Analysis, Run};
-use crate::text::source::Span;
+use crate::setup::Setup;
+use crate::setup::dialect::Dialect;
+use crate::source::Span;
 
 /// Most offers for one program.
 pub const MOST_OFFERS: usize = 200;

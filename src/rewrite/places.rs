@@ -7,13 +7,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use crate::control::codes::{self, Compensation, G, M, MotionMode};
-use crate::control::dialect::CodeList;
-use crate::control::words::{Unit, plain};
+use crate::control::words::plain;
 use crate::expand::motions_of;
 use crate::motion::{Motion, MotionKind};
 use crate::run::Analysis;
+use crate::setup::dialect::CodeList;
 use crate::text::block::{Block, BlockKind, Word};
 use crate::text::parser::{Parser, Resume};
+use crate::units::Unit;
 
 /// Most blocks that contours may begin with; in a text with more, everything counts as a contour.
 const MOST_LABELS: usize = 100_000;

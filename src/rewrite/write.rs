@@ -7,14 +7,15 @@ use super::Offer;
 use super::places::{Move, Places, ends_program, g, is_plain};
 use super::shape::{Pass, level};
 use crate::control::codes::{self, G, MotionMode};
-use crate::control::dialect::DecimalRule;
-use crate::control::words::{Reading, Unit, plain, quote};
+use crate::control::words::{Reading, plain, quote};
 use crate::cycles::single::Single;
 use crate::diagnostics::Edit;
 use crate::run::Analysis;
+use crate::setup::dialect::DecimalRule;
+use crate::source::Span;
 use crate::text::block::{Block, Word};
 use crate::text::parser::{Parser, Resume};
-use crate::text::source::Span;
+use crate::units::Unit;
 
 /// Words that a block may have without a code of group 01, and that mean nothing without one.
 const MODAL: &[u8] = b"XZUWYVCHIJKRAE";

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 use super::{Origin, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
 use crate::control::origin;
-use crate::control::setup::notes::{self, Notes};
+use crate::setup::notes::{self, Notes};
+use crate::source::shift::Shift;
 use crate::text::parser::Resume;
-use crate::text::shift::Shift;
 
 /// Most blocks from one snapshot to the next, for each motion that there may be.
 const BLOCKS_PER_MOTION: usize = 4;
@@ -188,7 +188,8 @@ impl Run {
         let shift = before.shift;
         // The end of the text is told at the last sign before it.
         let is_last = at.byte as usize >= before.filled;
-        if is_last || shift.resume(there) != at || !self.interpreter.meets(&before.remainder, index, &shift) {
+        if is_last || there.shifted(&shift) != at || !self.interpreter.meets(&before.remainder, index, &shift)
+        {
             return false;
         }
         let Some(Before { remainder, blocks, last, heads, others, .. }) = self.before.take() else {

@@ -4,8 +4,8 @@
 //! right and X up, or down for a turret in front of the spindle, both at the same scale; pixels are CSS pixels from the
 //! top left corner. Knows nothing of motions.
 
-use crate::control::setup::Turret;
 use crate::geometry::{Point, within};
+use crate::setup::Turret;
 
 use crate::geometry::bounds::Bounds;
 

@@ -173,7 +173,7 @@ fn circle(radius: f64) -> Vec<Point> {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
+    use crate::setup::Setup;
 
     const SETUP: &str = r#"{"stock": {"diameter": 80, "length": 60},
         "tools": {"T0101": {"type": "endmill", "toolRadius": 10, "geometryR": 10}}}"#;

@@ -29,7 +29,7 @@ use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::shop::clock::Playhead;
-use crate::text::source::Span;
+use crate::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
 use outline::{Outline, Stretch};

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::motion::{Chunk, Motions};
-use crate::text::source::Span;
+use crate::source::Span;
 
 use super::{StrokeShape, StrokeStyle};
 use crate::geometry::bounds::{Bounds, join};

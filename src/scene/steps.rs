@@ -91,9 +91,9 @@ fn text(motion: &Motion) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
     use crate::geometry::bounds::Bounds;
     use crate::scene::camera::Size;
+    use crate::setup::Setup;
 
     fn motions(program: &str) -> Motions {
         analyze(program.as_bytes(), &Setup::default()).motions

@@ -1,12 +1,12 @@
 //! Tests of the scene, and hand-built paths for those of its parts.
 
-use crate::control::setup::{Setup, Stock};
 use crate::geometry::{Point, Turn};
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::scene::work::Work;
+use crate::setup::{Setup, Stock};
 use crate::shop::Shop;
 use crate::shop::clock::Playhead;
-use crate::text::source::Span;
+use crate::source::Span;
 
 use super::Scene;
 use super::outline::{Outline, STRETCH, Stretch, StretchKey};

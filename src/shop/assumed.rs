@@ -5,8 +5,8 @@
 use super::guess::Guesses;
 use super::thread_point::ThreadPoint;
 use super::tool::{BLADE, DRILL, DRILL_POINT, EDGE, ENTERING, POINT};
-use crate::control::setup::{Setup, Tool, ToolKind};
 use crate::motion::Motions;
+use crate::setup::{Setup, Tool, ToolKind};
 
 /// So many motions are looked at for names of tools.
 const LOOKED_AT: usize = 200_000;

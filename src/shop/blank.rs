@@ -4,9 +4,9 @@
 //! a bore, material on both sides of a groove, a bar behind what is parted off. Must not know how tools are guessed.
 
 use super::tool::BLADE;
-use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
+use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
 const WALL: (f64, f64) = (0.25, 5.0);

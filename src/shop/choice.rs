@@ -9,9 +9,9 @@ use super::fitting::takes;
 use super::guess::{Guesses, LOOKED_AT, Seen, Use};
 use super::surface::{Facing, Stations, Surface, Track};
 use super::sweep::way_of;
-use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::SAME;
 use crate::motion::{Motions, Process};
+use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// Widths of blades that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];

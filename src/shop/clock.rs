@@ -7,8 +7,8 @@
 use std::ops::Range;
 
 use super::timing::{self, Total};
-use crate::control::setup::Machine;
 use crate::motion::{Motion, MotionKind, Motions, Stop, StopKind};
+use crate::setup::Machine;
 
 /// Pace of rapids whose rate is not known, mm a minute.
 const RAPID: f64 = 8000.0;
@@ -190,7 +190,7 @@ fn pace(motion: &Motion, machine: &Machine) -> f64 {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
+    use crate::setup::Setup;
 
     fn run(text: &str) -> (Motions, Clock) {
         let analysis = analyze(text.as_bytes(), &Setup::default());

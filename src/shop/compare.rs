@@ -6,10 +6,10 @@
 use super::Shop;
 use super::fitting::{Fitting, Known};
 use super::region::{Piece, Region};
-use crate::control::setup::{Setup, Stock};
 use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::Motions;
+use crate::setup::{Setup, Stock};
 
 /// Parts that differ by less than this, mm, are the same.
 pub const SAME_PART: f64 = 0.005;

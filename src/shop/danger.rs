@@ -9,9 +9,9 @@ use super::part::{Part, Turned, cut};
 use super::region::Region;
 use super::sweep::{Outline, way_of};
 use super::tool::Action;
-use crate::control::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, MotionKind, Step};
+use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 
 /// A place where something is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,9 +5,9 @@
 
 use super::fitting::Fitting;
 use super::region::Region;
-use crate::control::setup::Side;
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Motions};
+use crate::setup::Side;
 
 /// How far corners may lie off the line or circle of their feature, mm: chords, and the nose's own chords.
 const OFF: f64 = 0.006;
@@ -289,7 +289,7 @@ fn distance(place: Point, a: Point, b: Point) -> f64 {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
+    use crate::setup::Setup;
     use crate::shop::Shop;
 
     const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 20, "length": 80},

@@ -6,9 +6,9 @@ use super::guess::{Guesses, Use};
 use super::sweep::Outline;
 use super::thread_point::{for_pitch, leads};
 use super::tool::{LONG, Shape};
-use crate::control::setup::{Setup, Stock, Tool, ToolKind};
 use crate::geometry::Point;
 use crate::motion::{Motion, Motions};
+use crate::setup::{Setup, Stock, Tool, ToolKind};
 
 /// Whether somebody has said so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

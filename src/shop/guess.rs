@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 
 use super::blank::{Cuts, Extents, clear_of_rapids};
 use super::choice;
-use crate::control::setup::{Side, Stock, Tool, ToolKind};
 use crate::geometry::SAME;
 use crate::motion::{Cycle, Motion, MotionKind, Motions};
+use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// So many motions are looked at.
 pub(super) const LOOKED_AT: usize = 200_000;

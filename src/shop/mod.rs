@@ -23,9 +23,9 @@ pub mod thread_point;
 pub mod timing;
 pub mod tool;
 
-use crate::control::setup::{Machine, Setup};
 use crate::limits::Limits;
 use crate::motion::Motions;
+use crate::setup::{Machine, Setup};
 use danger::{Finding, Watch};
 use fitting::Fitting;
 use part::Part;

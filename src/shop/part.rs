@@ -10,9 +10,9 @@ use super::fitting::{Fitted, Fitting};
 use super::region::Region;
 use super::sweep::chords;
 use super::tool::Action;
-use crate::control::setup::Stock;
 use crate::geometry::{Point, SAME, within};
 use crate::motion::{Motion, MotionKind, Motions};
+use crate::setup::Stock;
 
 /// Most turns of a thread that are cut one by one; a finer one is cut as a whole.
 const MOST_TURNS: f64 = 2000.0;

@@ -4,7 +4,7 @@
 
 use super::clock::Playhead;
 use crate::motion::{Cycle, Motions};
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// How far one step goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +78,7 @@ fn goes_on(own: Key, other: Key, unit: Unit) -> bool {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::control::setup::Setup;
+    use crate::setup::Setup;
 
     /// The lines (from 1) and motions at which steps end.
     fn steps(text: &str, unit: Unit, direction: Direction) -> Vec<(u32, usize)> {

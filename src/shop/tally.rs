@@ -4,9 +4,9 @@
 //! whole program.
 
 use super::timing::Total;
-use crate::control::setup::Machine;
 use crate::geometry::bounds::{Bounds, join};
 use crate::motion::{MotionKind, Motions};
+use crate::setup::Machine;
 
 /// What is added up of the motions of a tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,9 +3,9 @@
 //! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a usual lay-down insert: a
 //! tooth for one pitch, and little more beside it, so that it reaches a shoulder behind a relief groove.
 
-use crate::control::setup::thread_insert::Hand;
-use crate::control::setup::{Tool, ToolKind};
 use crate::motion::{MotionKind, Motions};
+use crate::setup::thread_insert::Hand;
+use crate::setup::{Tool, ToolKind};
 
 /// Pitch of a tool of which nothing is said, mm: the largest that inserts of size 16 are made for.
 const PITCH: f64 = 3.0;

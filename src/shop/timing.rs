@@ -5,9 +5,9 @@
 
 use std::f64::consts::PI;
 
-use crate::control::setup::Machine;
 use crate::geometry::{Point, SAME, within};
 use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
+use crate::setup::Machine;
 
 /// A spindle faster than this has no limit that anybody gave, turns a minute: nothing is known of it.
 const NO_LIMIT: f64 = 100_000.0;

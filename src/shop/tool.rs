@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::sweep::{CHORD, Outline};
 use super::thread_point::ThreadPoint;
 use crate::control::compensation::{Nose, Vector};
-use crate::control::setup::thread_insert::Hand;
-use crate::control::setup::{Side, Tool, ToolKind};
 use crate::geometry::Point;
+use crate::setup::thread_insert::Hand;
+use crate::setup::{Side, Tool, ToolKind};
 
 /// Edge of an insert of which nothing is said, mm.
 pub(super) const EDGE: f64 = 12.0;

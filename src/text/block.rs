@@ -1,9 +1,9 @@
 //! Blocks and words as they were written.
 
 use super::lexer::Number;
-use super::source::Span;
 use crate::diagnostics::{Diagnostic, Message};
 use crate::limits::WORDS_PER_BLOCK;
+use crate::source::Span;
 
 /// The value of a word.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 
 use super::block::{Block, BlockKind, Value};
 use super::parser::{Parser, Resume};
-use super::source::Span;
+use crate::source::Span;
 
 /// What a piece of text is, for its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

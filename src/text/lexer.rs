@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::source::Span;
+use crate::source::Span;
 
 /// An unsigned number exactly as written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

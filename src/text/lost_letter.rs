@@ -3,7 +3,7 @@
 //! In: the number and the words around it. Out: letters, the likeliest first.
 
 use super::block::Word;
-use super::source::Span;
+use crate::source::Span;
 
 /// Most letters that are offered.
 const OFFERED: usize = 3;

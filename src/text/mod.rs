@@ -1,4 +1,4 @@
-//! What was written: places, tokens, words and blocks. Knows nothing of what any of it means to a control.
+//! What was written: tokens, words and blocks. Knows nothing of what any of it means to a control.
 
 pub mod block;
 pub mod highlight;
@@ -6,5 +6,3 @@ pub mod lexer;
 mod lost_letter;
 mod misread;
 pub mod parser;
-pub mod shift;
-pub mod source;

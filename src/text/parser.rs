@@ -13,10 +13,11 @@
 
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
-use super::source::Span;
 use super::{lost_letter, misread};
 use crate::diagnostics::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::limits::DIGITS;
+use crate::source::Span;
+use crate::source::shift::Shift;
 
 /// Most faults of one block that are told; one mistake easily upsets the words behind it.
 const FAULTS_PER_BLOCK: usize = 3;
@@ -686,6 +687,12 @@ impl Resume {
     /// The first byte of a line in the midst of a program.
     pub fn inside(byte: u32, line: u32) -> Self {
         Self { byte, line, begun: false, after_semicolon: false, ended: false }
+    }
+
+    /// The same place after a change of the text.
+    pub fn shifted(mut self, shift: &Shift) -> Self {
+        (self.byte, self.line) = (shift.byte(self.byte), shift.line(self.line, self.byte));
+        self
     }
 
     /// Whether nothing of the line was read.

@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::rewrite::offers;
-use crate::text::source::Span;
+use crate::source::Span;
 
 #[wasm_bindgen]
 impl Playground {

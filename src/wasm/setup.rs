@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::setup::{Fitted, SetupPlace, Subject};
-use crate::control::setup::draft::Entry;
+use crate::setup::draft::Entry;
 use crate::shop::assumed::guessed;
 use crate::shop::fitting::Fitting;
 

@@ -8,11 +8,11 @@ use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use super::{Drawn, Playground, REACH, to_js};
 use crate::api;
-use crate::control::setup::Turret;
 use crate::geometry::Point;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::Painter;
 use crate::scene::pick::pick;
+use crate::setup::Turret;
 
 #[wasm_bindgen]
 impl Playground {

@@ -2,10 +2,10 @@
 //! programs of the tests, and ways of programming that a wrong guess would spoil.
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Cycle, Motion, Motions};
 use gcode_playground::run::Analysis;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
 use gcode_playground::shop::region::Region;
 use proptest::prelude::*;

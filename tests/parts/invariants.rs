@@ -1,8 +1,8 @@
 //! What holds of every program: random ones.
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::motion::Motions;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::region::Region;
 use gcode_playground::shop::{Advanced, Machining, Shop};
 use proptest::prelude::*;

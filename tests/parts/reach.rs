@@ -4,9 +4,9 @@
 //! straight piece of a cut the nearest and the farthest radius the outline reaches at that Z is the least of a convex and
 //! the greatest of a concave function of the way, found by narrowing it down. Uses nothing of `shop`.
 
-use gcode_playground::control::setup::Stock;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Motion, MotionKind};
+use gcode_playground::setup::Stock;
 
 /// Radii from, to; mm.
 pub type Interval = (f64, f64);

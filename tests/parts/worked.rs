@@ -1,7 +1,7 @@
 //! Single cases worked out by hand. Diameters, mm.
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
+use gcode_playground::setup::Setup;
 use gcode_playground::shop::Shop;
 use gcode_playground::shop::region::Region;
 

@@ -1,8 +1,8 @@
 //! `minus-missing` against programs judged by hand: no wrong alarm, and at least 95 % right.
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::diagnostics::Diagnostic;
+use gcode_playground::setup::Setup;
 
 /// A program and what a machinist says of it.
 struct Case {

@@ -392,8 +392,8 @@ impl Interpreter {
             b'G' => 1,
             b'F' | b'E' => 6,
             _ => match self.state.unit {
-                words::Unit::Millimetre => 3,
-                words::Unit::Inch => 4,
+                Unit::Millimetre => 3,
+                Unit::Inch => 4,
             },
         }
     }

@@ -35,13 +35,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
-use super::dialect::{
-    CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
-    NegativeArcR, PqUnit, XuConflict,
-};
 use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass};
 use super::program::Labels;
-use super::setup::{Setup, Tool, ToolKind};
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
@@ -50,9 +45,15 @@ use crate::geometry::{Point, Turn};
 use crate::motion::{
     Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
 };
+use crate::setup::dialect::{
+    CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
+    NegativeArcR, PqUnit, XuConflict,
+};
+use crate::setup::{Setup, Tool, ToolKind};
+use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
-use crate::text::source::Span;
+use crate::units::Unit;
 use calls::Passage;
 use rotary::TURNS;
 

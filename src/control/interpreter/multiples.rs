@@ -387,8 +387,8 @@ impl Interpreter {
         let unit = self.state.unit.millimetres();
         let scale = match (number.has_point(), self.state.unit) {
             (true, _) => unit,
-            (false, words::Unit::Millimetre) => INCREMENT,
-            (false, words::Unit::Inch) => INCREMENT / 10.0 * unit,
+            (false, Unit::Millimetre) => INCREMENT,
+            (false, Unit::Inch) => INCREMENT / 10.0 * unit,
         };
         Some(plain(word)? * scale)
     }

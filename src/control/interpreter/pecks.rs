@@ -142,8 +142,8 @@ impl Interpreter {
         let word = words.get(address)?;
         let Value::Number { number, .. } = word.value else { return None };
         let increment = match self.state.unit {
-            words::Unit::Millimetre => INCREMENT,
-            words::Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
+            Unit::Millimetre => INCREMENT,
+            Unit::Inch => INCREMENT / 10.0 * self.state.unit.millimetres(),
         };
         let written = if number.has_point() { Written::WithPoint } else { Written::WithoutPoint };
         Some(Amount { in_increments: plain(word)? * increment, written })
@@ -152,8 +152,8 @@ impl Interpreter {
     pub(super) fn amount_in(&self, amount: Amount, reading: units::Reading) -> f64 {
         match (reading, self.state.unit) {
             (units::Reading::Micrometres, _) => amount.in_increments,
-            (units::Reading::Millimetres(_), words::Unit::Millimetre) => amount.in_increments / INCREMENT,
-            (units::Reading::Millimetres(_), words::Unit::Inch) => amount.in_increments / INCREMENT * 10.0,
+            (units::Reading::Millimetres(_), Unit::Millimetre) => amount.in_increments / INCREMENT,
+            (units::Reading::Millimetres(_), Unit::Inch) => amount.in_increments / INCREMENT * 10.0,
         }
     }
 
@@ -186,7 +186,7 @@ impl Interpreter {
 
     /// P and Q as a control counts them, thousandths of a millimetre without a point.
     pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
-        if self.state.unit != words::Unit::Millimetre {
+        if self.state.unit != Unit::Millimetre {
             return Vec::new();
         }
         let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));

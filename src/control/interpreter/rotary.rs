@@ -5,11 +5,11 @@
 //! of them.
 
 use super::*;
-use crate::control::dialect::PolarX;
 use crate::control::modal::VirtualPlane;
 use crate::geometry::Arc;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::motion::Rotary;
+use crate::setup::dialect::PolarX;
 
 /// Words that name the C axis.
 pub(super) const TURNS: u32 = letters(b"CH");

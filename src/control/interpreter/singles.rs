@@ -83,7 +83,7 @@ impl Interpreter {
             // It is that of a block before.
             None => {
                 let taper = control.state.memory.taper / control.state.unit.millimetres();
-                format!("R{}", crate::diagnostics::messages::number(taper))
+                format!("R{}", crate::units::number(taper))
             }
         };
         if !self.taper_fits(cycle, start, end, taper_span, taper_word) {
@@ -252,10 +252,10 @@ impl Interpreter {
             }
             if let Message::TaperNotExtended { needed, .. } = told.message
                 && sure
-                && self.state.unit == words::Unit::Millimetre
+                && self.state.unit == Unit::Millimetre
                 && span.len() < LONGEST_WORD
             {
-                let needed = crate::diagnostics::messages::number((1000.0 * needed).round() / 1000.0);
+                let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
                 told = told.with(Fix::write(span, format!("R{needed}")));
             }
             self.tell(told);

@@ -4,7 +4,7 @@
 //! made while nothing that was carried out has looked elsewhere in the text: no call, jump, loop or contour so far.
 
 use super::*;
-use crate::text::shift::Shift;
+use crate::source::shift::Shift;
 
 /// The control between two blocks on the straight way through the text. What came before it depends on nothing behind.
 #[derive(Clone, Debug)]
@@ -177,7 +177,7 @@ impl Interpreter {
         let mut incomplete = self.incomplete;
         for snapshot in &mut later {
             self.incomplete |= snapshot.failed;
-            snapshot.at = shift.resume(snapshot.at);
+            snapshot.at = snapshot.at.shifted(shift);
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;

@@ -195,7 +195,7 @@ impl Interpreter {
             2 => 96 + u32::from(!state.spindle.surface),
             3 => 90 + u32::from(state.incremental),
             5 => 98 + u32::from(state.feed_mode == FeedMode::PerTurn),
-            6 => 20 + u32::from(state.unit == words::Unit::Millimetre),
+            6 => 20 + u32::from(state.unit == Unit::Millimetre),
             7 => match state.compensation {
                 Compensation::Off => 40,
                 Compensation::Left => 41,

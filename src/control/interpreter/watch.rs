@@ -199,7 +199,7 @@ impl Interpreter {
             self.watch_compensation_left_on(text, word.span);
         }
         let at = self.state.position;
-        let near = |stock: &super::super::setup::Stock| {
+        let near = |stock: &crate::setup::Stock| {
             2.0 * at.x.abs() < stock.diameter + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
         };
         if before.0 != 0

@@ -5,9 +5,9 @@
 //! means millimetres or inches, even behind a whole number. So the habit decides, and one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
-use crate::control::dialect::DecimalRule;
-use crate::control::words::Unit;
-use crate::text::source::Span;
+use crate::setup::dialect::DecimalRule;
+use crate::source::Span;
+use crate::units::Unit;
 
 /// Whole coordinates with a point that show the habit. A fraction has its point on every control.
 const HABIT: usize = 3;

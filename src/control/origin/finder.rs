@@ -4,7 +4,7 @@
 
 use super::signs::Sign;
 use super::statement::{Name, Statement, Word};
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// So many moves in X and Y are many.
 const MANY_Y: u32 = 8;

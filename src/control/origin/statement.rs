@@ -3,8 +3,8 @@
 //! In: the head of a text. Out: one [`Statement`] at a time, its storage reused. Looser than `text::parser`, which
 //! reads FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no faults. Knows no code's meaning.
 
+use crate::source::Span;
 use crate::text::lexer::{Lexer, Number, Token, TokenKind};
-use crate::text::source::Span;
 
 /// Most words of a statement that are kept.
 const MOST_WORDS: usize = 16;

@@ -3,8 +3,8 @@
 //! In: statements. Out: system B or C and the place that shows it, or nothing: then it is A, as most are.
 
 use super::statement::Statement;
-use crate::control::dialect::GSystem;
-use crate::text::source::Span;
+use crate::setup::dialect::GSystem;
+use crate::source::Span;
 
 /// Least weight of what speaks for B or C.
 const ENOUGH: u8 = 3;

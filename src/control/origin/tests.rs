@@ -1,7 +1,7 @@
 //! One small program for each origin and system, and near misses that must not be taken for one.
 
 use super::*;
-use crate::control::dialect::DecimalRule;
+use crate::setup::dialect::DecimalRule;
 use std::fs;
 use std::path::Path;
 

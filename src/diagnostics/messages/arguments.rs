@@ -3,10 +3,11 @@
 //! In: a message; a template such as `{word} has no number.`. Out: the message's arguments by name; the sentence.
 //! The sentences are data: nothing here knows a language.
 
-use super::{Language, labels, number};
-use crate::control::setup::faults::Need;
-use crate::control::words::Unit;
+use super::{Language, labels};
 use crate::diagnostics::message::Message;
+use crate::setup::faults::Need;
+use crate::units::Unit;
+use crate::units::number;
 
 /// A word or number that a sentence quotes.
 #[derive(Clone, Copy, Debug)]

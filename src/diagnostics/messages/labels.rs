@@ -3,13 +3,13 @@
 //!
 //! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
 
-use super::{Language, number};
-use crate::control::setup::ToolKind;
-use crate::control::setup::draft::Slip;
-use crate::control::setup::faults::Need;
-use crate::control::setup::fields::{Name, Unit, Unread};
-use crate::control::words;
+use super::Language;
 use crate::diagnostics::{Kind, Severity};
+use crate::setup::ToolKind;
+use crate::setup::draft::Slip;
+use crate::setup::faults::Need;
+use crate::setup::fields::{Name, Unit, Unread};
+use crate::units::{self, number};
 
 impl Language {
     /// The one of three texts that is in this language.
@@ -125,10 +125,10 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
 }
 
 /// What a unit of length is written as behind a number.
-pub fn length(unit: words::Unit, language: Language) -> &'static str {
+pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
-        words::Unit::Millimetre => ["mm", "mm", "мм"],
-        words::Unit::Inch => ["in", "in", "дюйма"],
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["in", "in", "дюйма"],
     })
 }
 

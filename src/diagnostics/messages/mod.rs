@@ -12,7 +12,7 @@ mod wording;
 mod zh;
 
 use super::message::Message;
-use crate::control::words::Unit;
+use crate::units::Unit;
 use arguments::fill;
 use phrases::Phrase;
 pub use phrases::{describe_motion, describe_rewrite};
@@ -92,16 +92,4 @@ impl Message {
         };
         Sentence { message: fill(message, &arguments), help }
     }
-}
-
-/// A number as people write it: at most four decimals, no trailing zeros, never `-0`.
-pub fn number(value: f64) -> String {
-    let mut text = format!("{value:.4}");
-    while text.ends_with('0') {
-        text.pop();
-    }
-    if text.ends_with('.') {
-        text.pop();
-    }
-    if text == "-0" { "0".into() } else { text }
 }

@@ -2,11 +2,11 @@
 //!
 //! In: nothing. Out: messages of which each wording says one, and one for each alarm where several are raised.
 
-use crate::control::dialect::{DecimalRule, GSystem};
 use crate::control::macros::FaultKind;
 use crate::control::origin::{Measure, Origin};
-use crate::control::setup::faults::Need;
 use crate::diagnostics::Message;
+use crate::setup::dialect::{DecimalRule, GSystem};
+use crate::setup::faults::Need;
 
 /// A message for each wording; a test misses one that is not here.
 pub(crate) fn samples() -> Vec<Message> {
@@ -321,7 +321,7 @@ mod tests {
     use super::super::wording::Wording;
     use super::super::*;
     use super::samples;
-    use crate::control::words::Unit;
+    use crate::units::Unit;
 
     #[test]
     fn every_sentence_quotes_nothing_but_what_its_message_has() {
@@ -372,14 +372,6 @@ mod tests {
         let text = "{text} {0}".to_owned();
         let message = Message::PlainText { text }.sentence(Language::English).message;
         assert_eq!(message, "`{text} {0}` is plain text, not a block.");
-    }
-
-    #[test]
-    fn numbers_read_as_people_write_them() {
-        let cases = [(10.0, "10"), (-0.00001, "0"), (2.5, "2.5"), (1.0 / 3.0, "0.3333"), (-20.0, "-20")];
-        for (value, text) in cases {
-            assert_eq!(number(value), text);
-        }
     }
 
     fn placeholders(template: &str) -> impl Iterator<Item = &str> {

@@ -3,11 +3,11 @@
 //! In: a [`Message`]. Out: its [`Wording`]: the same as the message, but several where its numbers decide between
 //! sentences. Each language is an exhaustive match on it, so a message without a translation does not compile.
 
-use crate::control::dialect::DecimalRule;
 use crate::control::macros::FaultKind;
 use crate::control::origin::{Measure, Origin};
-use crate::control::setup::faults::Need;
 use crate::diagnostics::message::Message;
+use crate::setup::dialect::DecimalRule;
+use crate::setup::faults::Need;
 
 /// Lists the wordings once, for the enum and for the tests of all of them.
 macro_rules! wordings {

@@ -1,10 +1,10 @@
 //! Contours of the multiple cycles: where they begin and end, and what is left (semantics §13.4).
 
-use crate::control::setup::Stock;
 use crate::cycles::Contour;
 use crate::diagnostics::Message;
 use crate::geometry::Point;
 use crate::motion::Motion;
+use crate::setup::Stock;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;

@@ -1,9 +1,9 @@
 //! Single and multiple cycles: passes that cut nothing, starts that are too far or too near (semantics §13.1, §13.4).
 
 use crate::control::modal::DeepestPass;
-use crate::control::setup::Stock;
 use crate::cycles::single::Single;
 use crate::diagnostics::Message;
+use crate::setup::Stock;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;

@@ -8,7 +8,7 @@ use crate::motion::Motions;
 use crate::shop::danger::{Axis, Danger, Finding};
 use crate::shop::fitting::{Fitting, Known};
 use crate::shop::{Full, Shop};
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has told.
 pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagnostic]) -> Vec<Diagnostic> {

@@ -11,13 +11,13 @@ mod signs;
 
 use std::collections::BTreeMap;
 
-use crate::control::dialect::DecimalRule;
 use crate::control::words::Reading;
 use crate::diagnostics::{Diagnostic, Fix, Message};
 use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
+use crate::setup::dialect::DecimalRule;
+use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Parser;
-use crate::text::source::Span;
 
 /// A word with a number, where it stands.
 #[derive(Clone, Copy, Debug)]

@@ -3,10 +3,10 @@
 //! The first move of these cycles is a rapid, so the start point lies outside the blank and the cut begins
 //! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
 
-use crate::control::setup::Stock;
 use crate::cycles::single::{self, Single};
 use crate::diagnostics::Message;
 use crate::geometry::Point;
+use crate::setup::Stock;
 
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;

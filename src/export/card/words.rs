@@ -1,8 +1,8 @@
 //! The words of the program card in every language. A card without a translation does not compile.
 
 use crate::control::codes::Function;
-use crate::control::setup::{Side, ToolKind};
 use crate::diagnostics::messages::Language;
+use crate::setup::{Side, ToolKind};
 
 /// What is printed on a card.
 pub(super) struct Words {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use gcode_playground::control::compensation::{Nose, Side};
-use gcode_playground::control::words::Unit;
 use gcode_playground::geometry::{Point, Turn};
+use gcode_playground::units::Unit;
 
 use crate::canon;
 use crate::contour::{Corner, InContour, Way, corner, unit};

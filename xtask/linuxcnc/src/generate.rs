@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use gcode_playground::control::compensation::Side;
-use gcode_playground::control::words::Unit;
 use gcode_playground::geometry::Turn;
+use gcode_playground::units::Unit;
 
 use crate::program::{
     Axis, Block, Center, Code, Count, DwellWord, FeedMode, Joined, Program, Straight, places_of,

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use gcode_playground::analyze;
-use gcode_playground::control::setup::Setup;
 use gcode_playground::geometry::{Point, Turn};
 use gcode_playground::motion::{self, MotionKind, Programmed};
-use gcode_playground::text::source::LineIndex;
+use gcode_playground::setup::Setup;
+use gcode_playground::source::LineIndex;
 
 use crate::program::Program;
 use crate::translate::{self, FIRST_LINE};

@@ -4,8 +4,8 @@
 //! written; I and R are radius values. Any list of blocks is a program, so that blocks can be deleted one by one.
 
 use gcode_playground::control::compensation::Side;
-use gcode_playground::control::words::Unit;
 use gcode_playground::geometry::Turn;
+use gcode_playground::units::Unit;
 
 /// A count of least increments.
 pub type Count = i64;

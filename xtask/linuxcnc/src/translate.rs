@@ -6,8 +6,8 @@
 use std::fmt::Write;
 
 use gcode_playground::control::compensation::Side;
-use gcode_playground::control::words::Unit;
 use gcode_playground::geometry::Turn;
+use gcode_playground::units::Unit;
 
 use crate::program::{
     Axis, Block, Center, Code, Count, DwellWord, FeedMode, Joined, Program, Straight, places_of, written,
@@ -459,7 +459,7 @@ mod tests {
 
     #[test]
     fn every_program_has_a_setup_we_can_read() {
-        let setup = gcode_playground::control::setup::Setup::from_json(&setup(&program(vec![]))).unwrap();
+        let setup = gcode_playground::setup::Setup::from_json(&setup(&program(vec![]))).unwrap();
         assert_eq!(setup.tools["T0404"].tip, Some(3));
         assert_eq!(setup.start().x, 50.0);
     }

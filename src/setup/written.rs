@@ -6,7 +6,7 @@
 use super::fields::{self, Field};
 use super::notes::Notes;
 use super::{Setup, Stock};
-use crate::text::source::Span;
+use crate::source::Span;
 
 /// Text to put in place of a stretch of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,8 +3,7 @@
 //! In: which part was replaced, and how much longer and how many lines more the text has become. Out: the new place
 //! of everything behind that part. Knows nothing of what stands there.
 
-use super::parser::Resume;
-use super::source::Span;
+use super::Span;
 
 /// A change of a text as those see it who stand behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,12 +36,5 @@ impl Shift {
     /// The new number of a line that begins at or behind the byte `at` of the old text.
     pub fn line(&self, line: u32, at: u32) -> u32 {
         if self.moves(at) { (i64::from(line) + self.lines) as u32 } else { line }
-    }
-
-    /// The new place of a block.
-    pub fn resume(&self, at: Resume) -> Resume {
-        let mut moved = at;
-        (moved.byte, moved.line) = (self.byte(at.byte), self.line(at.line, at.byte));
-        moved
     }
 }

@@ -110,7 +110,7 @@ impl CodeList {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum DecimalChoice {
-    /// What the program shows: [`super::origin::numbers`].
+    /// What the program shows: [`crate::control::origin::numbers`].
     #[default]
     Auto,
     /// Units.
@@ -285,7 +285,7 @@ pub struct DialectChoice {
     /// X in polar interpolation.
     pub polar_x: Option<PolarX>,
     /// First reference point, machine coordinates.
-    pub ref_point: Option<super::setup::Position>,
+    pub ref_point: Option<super::Position>,
     /// Whether programs for other controls and machines are recognised, and then not run; true unless said.
     pub recognise: Option<bool>,
 }
@@ -326,7 +326,7 @@ pub struct Dialect {
     /// X in polar interpolation.
     pub polar_x: PolarX,
     /// First reference point, machine coordinates; X a diameter.
-    pub ref_point: super::setup::Position,
+    pub ref_point: super::Position,
     /// Whether the setup says so.
     pub ref_point_given: bool,
 }
@@ -368,7 +368,7 @@ impl Dialect {
             strict: choice.strict.unwrap_or(false),
             polar_x: choice.polar_x.unwrap_or(PolarX::Diameter),
             ref_point_given: choice.ref_point.is_some(),
-            ref_point: choice.ref_point.unwrap_or(super::setup::Position { x: 300.0, z: 300.0 }),
+            ref_point: choice.ref_point.unwrap_or(super::Position { x: 300.0, z: 300.0 }),
         }
     }
 }

@@ -3,6 +3,8 @@
 //! In: the bytes of a program. Out: [`Span`]s (bytes) and the line and column numbers people and editors use.
 //! The one place where bytes are turned into UTF-16 columns. Knows nothing of words or blocks.
 
+pub mod shift;
+
 use std::ops::Range;
 
 use memchr::{memchr, memchr_iter};

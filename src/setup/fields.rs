@@ -4,9 +4,9 @@
 //! Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
-use crate::control::dialect::{DecimalChoice, DialectChoice};
 use crate::diagnostics::levels::CLASSROOM;
 use crate::diagnostics::{Levels, Severity};
+use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use Entry::{Choice, Number, Text, Whole};
 
 /// What is written in a field.

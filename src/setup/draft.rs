@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json};
 use super::faults::Need;
 use super::fields::{self, Field, Name, Unread, Value};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
-use crate::control::dialect::DialectChoice;
+use crate::setup::dialect::DialectChoice;
 
 /// What is written in a field of a form.
 #[derive(Clone, Debug, PartialEq, Eq)]

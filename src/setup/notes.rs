@@ -22,10 +22,10 @@ use std::collections::BTreeMap;
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
-use crate::control::dialect::{DecimalChoice, DialectChoice};
 use crate::diagnostics::levels::{self, known};
 use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
-use crate::text::source::Span;
+use crate::setup::dialect::{DecimalChoice, DialectChoice};
+use crate::source::Span;
 
 /// Notes stand in the first bytes of a text: so many are looked at.
 pub const HEAD: usize = 1 << 16;
@@ -324,7 +324,7 @@ fn words(inside: &str, start: usize) -> Vec<Word<'_>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::setup::{Side, ToolKind, Turret};
+    use crate::setup::{Side, ToolKind, Turret};
 
     #[test]
     fn notes_are_read() {

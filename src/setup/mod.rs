@@ -3,6 +3,7 @@
 //! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
 //! Lengths here are as people write them: X values are diameters, mm.
 
+pub mod dialect;
 pub mod draft;
 pub mod faults;
 pub mod fields;
@@ -18,9 +19,9 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::dialect::DialectChoice;
 use crate::diagnostics::Levels;
 use crate::limits::Limits;
+use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use stock::Stock;
 pub use tool::{Side, Tool, ToolKind};

@@ -1,14 +1,14 @@
-//! Memory ahead of need, in a browser.
+//! Heap reserved ahead of need, in a browser.
 //!
 //! A browser counts the memory of a module as its own garbage collector's: beyond some 64 MB it collects at each growth,
 //! and the allocator grows the memory by 64 kB at a time. A long program would spend most of its time on that.
 
 #[cfg(target_arch = "wasm32")]
-pub use wasm::ahead;
+pub use wasm::reserve_ahead;
 
 /// Nothing: a system gives memory in small pieces at no cost.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn ahead() {}
+pub fn reserve_ahead() {}
 
 #[cfg(target_arch = "wasm32")]
 mod wasm {
@@ -23,16 +23,16 @@ mod wasm {
     const SHARE: usize = 8;
 
     /// Grows the memory by a good part of what there is, if it has grown since the last time.
-    pub fn ahead() {
+    pub fn reserve_ahead() {
         static SEEN: AtomicUsize = AtomicUsize::new(0);
         let pages = memory_size::<0>();
         if pages <= SEEN.load(Ordering::Relaxed) {
             return;
         }
-        let mut room: Vec<u8> = Vec::new();
+        let mut reserve: Vec<u8> = Vec::new();
         // What the allocator was given once, it keeps. Where there is no more, the program itself may still fit.
-        let _ = room.try_reserve_exact(pages / SHARE * PAGE);
-        drop(black_box(room));
+        let _ = reserve.try_reserve_exact(pages / SHARE * PAGE);
+        drop(black_box(reserve));
         SEEN.store(memory_size::<0>(), Ordering::Relaxed);
     }
 }

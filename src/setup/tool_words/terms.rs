@@ -2,7 +2,7 @@
 //!
 //! In: a comment in capitals. Out: a kind of tool, a side of the work, what an insert's designation says.
 
-use crate::control::setup::{Side, Tool, ToolKind};
+use crate::setup::{Side, Tool, ToolKind};
 use ToolKind::{Boring, Drill, Endmill, Grooving, Tap, Threading, Turning};
 
 /// How a term stands in a comment.
