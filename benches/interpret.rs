@@ -5,8 +5,8 @@ mod workload;
 use divan::Bencher;
 use divan::counter::BytesCount;
 use gcode_playground::analyze;
+use gcode_playground::machine::Shop;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
 
 fn main() {
     divan::main();

@@ -20,15 +20,15 @@ use crate::diagnostics::messages::{Language, describe_motion};
 use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
+use crate::machine::compare;
+use crate::machine::feature::{Feature, Shape};
+use crate::machine::region::{Piece, Region};
 use crate::motion::{self, MotionKind, Motions, StopKind};
+use crate::playback::tally::Tally;
+use crate::playback::timing;
 use crate::run::Run;
 use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
-use crate::shop::compare;
-use crate::shop::feature::{Feature, Shape};
-use crate::shop::region::{Piece, Region};
-use crate::shop::tally::Tally;
-use crate::shop::timing;
 use crate::source::{LineIndex, Span};
 
 #[cfg(target_arch = "wasm32")]

@@ -3,7 +3,7 @@
 //! In: the text, its edits and the setup; slices of time; where the reader looks and what the reader picks out. Out:
 //! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: whatever is
 //! worked out of a run goes when the next one begins (`Current::begin` takes the value apart, so that a new field has to say
-//! what becomes of it), and nothing of the part is there before all its material is off ([`crate::shop::Machining`]). Must not
+//! what becomes of it), and nothing of the part is there before all its material is off ([`crate::machine::Machining`]). Must not
 //! know of canvases, nor of JavaScript.
 
 mod machined;
@@ -12,7 +12,13 @@ mod picked;
 use std::cell::OnceCell;
 
 use crate::geometry::Point;
+use crate::machine::compare::Comparison;
+use crate::machine::feature::{self, Feature};
+use crate::machine::fitting::Fitting;
+use crate::machine::region::Region;
+use crate::machine::{Advanced, Machining, Shop};
 use crate::motion::Motions;
+use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
@@ -22,12 +28,6 @@ use crate::scene::steps::labels;
 use crate::scene::view::View;
 use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
-use crate::shop::clock::{Clock, Playhead};
-use crate::shop::compare::Comparison;
-use crate::shop::feature::{self, Feature};
-use crate::shop::fitting::Fitting;
-use crate::shop::region::Region;
-use crate::shop::{Advanced, Machining, Shop};
 use crate::source::LineIndex;
 use machined::{Kept, Machined};
 

@@ -10,20 +10,21 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
-use crate::control::origin::{self, Bare, Foreign, Numbers, Seen};
 use crate::control::program::Labels;
 use crate::control::words;
-use crate::diagnostics::{Diagnostic, Fix, Message, rules, sort_by_place};
+use crate::diagnostics::{Diagnostic, Fix, Message, sort_by_place};
+use crate::machine::fitting::Fitting;
+use crate::machine::{Shop, danger};
 use crate::motion::Motions;
+use crate::origin::{self, Bare, Foreign, Numbers, Seen};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
-use crate::shop::fitting::Fitting;
-use crate::shop::{Shop, danger};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
+use crate::{findings, lint};
 use edit::{Before, Mark};
 
 /// What a program does and what is to be said of it.
@@ -51,12 +52,11 @@ impl Analysis {
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let shop = Shop::done(&self.motions, &self.setup);
-            let found =
-                rules::machine::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
+            let found = findings::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
             let fitting = Fitting::new(&self.motions, &self.setup);
-            let left_out = rules::machine::not_shown(&fitting, &self.motions);
+            let left_out = findings::not_shown(&fitting, &self.motions);
             self.diagnostics.extend(left_out.filter_map(|told| self.setup.rules.graded(told)));
         }
         sort_by_place(&mut self.diagnostics);
@@ -573,7 +573,7 @@ impl Run {
         } else {
             let reading = self.interpreter.reading();
             let sound = !self.sorted.iter().any(Diagnostic::is_error);
-            let told = rules::plausible::remarks(&self.text, motions, reading, sound, most);
+            let told = lint::plausible::remarks(&self.text, motions, reading, sound, most);
             let told = told.into_iter().map(|told| told.in_unit(reading.unit));
             // One fault, one message.
             let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));

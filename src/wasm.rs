@@ -20,15 +20,16 @@ use web_sys::{ImageBitmap, OffscreenCanvas};
 use crate::api::{self, Places, Summary};
 use crate::current::Current;
 use crate::diagnostics::messages::Language;
-use crate::diagnostics::{rules, sort_by_place};
+use crate::diagnostics::sort_by_place;
+use crate::findings;
 use crate::geometry::Point;
 use crate::motion::Chunk;
+use crate::playback::tally::tally;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
 use crate::setup::Setup;
-use crate::shop::tally::tally;
 use crate::text::highlight::highlight;
 
 /// How near a stroke the pointer must be, CSS pixels.
@@ -166,7 +167,7 @@ impl Playground {
         let (levels, told) = (&run.setup().rules, run.diagnostics());
         let shop = self.current.shop().into_iter();
         let findings =
-            shop.flat_map(|shop| rules::machine::diagnostics(shop, self.current.motions(), levels, told));
+            shop.flat_map(|shop| findings::diagnostics(shop, self.current.motions(), levels, told));
         let unit = run.state().unit;
         let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();

@@ -2,10 +2,10 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
+use gcode_playground::machine::compare::{Comparison, Side, parts};
+use gcode_playground::machine::region::Region;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::compare::{Comparison, Side, parts};
-use gcode_playground::shop::region::Region;
 
 fn analysis(name: &str) -> Analysis {
     let read = |file: &str| std::fs::read_to_string(format!("tests/programs/{name}/{file}")).expect("a file");

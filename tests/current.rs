@@ -2,12 +2,12 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::current::Current;
+use gcode_playground::machine::Shop;
+use gcode_playground::playback::clock::Playhead;
 use gcode_playground::scene::camera::{Pixel, Size};
 use gcode_playground::scene::source::Stage;
 use gcode_playground::scene::view::View;
 use gcode_playground::setup::{Setup, Turret};
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::clock::Playhead;
 use proptest::prelude::*;
 
 const SIZE: Size = Size { width: 800.0, height: 600.0 };
@@ -110,7 +110,8 @@ fn the_clock_of_a_stopped_run_knows_all_its_motions() {
     let _ = current.clock();
     current.stop(1.0);
     let whole = current.clock().whole().pace;
-    let fresh = gcode_playground::shop::clock::Clock::new(current.motions(), &current.run().setup().machine);
+    let fresh =
+        gcode_playground::playback::clock::Clock::new(current.motions(), &current.run().setup().machine);
     assert!((whole - fresh.whole().pace).abs() < 1e-9, "{whole}, not {}", fresh.whole().pace);
 }
 

@@ -8,9 +8,9 @@ use std::sync::LazyLock;
 use gcode_playground::analyze;
 use gcode_playground::export::{dxf, stl};
 use gcode_playground::geometry::Point;
+use gcode_playground::machine::Shop;
+use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::region::Region;
 
 #[allow(dead_code, reason = "the fixtures are shared with tests that look at more of them")]
 mod fixtures;

@@ -5,6 +5,7 @@
 use std::path::PathBuf;
 
 use gcode_playground::analyze;
+use gcode_playground::machine::Shop;
 use gcode_playground::run::Analysis;
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
@@ -12,7 +13,6 @@ use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
 
 /// No picture of the gallery is larger, bytes.
 const LARGEST: usize = 40_000;

@@ -2,10 +2,10 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::rules::machine;
 use gcode_playground::diagnostics::{Diagnostic, Severity};
+use gcode_playground::findings;
+use gcode_playground::machine::Shop;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
 use gcode_playground::source::LineIndex;
 
 /// The one door: a program whose annotated lines (`//  ^^^ CODE`) are all its messages but hints.
@@ -430,7 +430,7 @@ fn places_at_the_machine_are_told_in_hundredths() {
     let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
     let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
     let shop = Shop::done(&analysis.motions, &setup);
-    let told = machine::diagnostics(&shop, &analysis.motions, &setup.rules, &analysis.diagnostics);
+    let told = findings::diagnostics(&shop, &analysis.motions, &setup.rules, &analysis.diagnostics);
     let sentence = told.first().expect("told").message.sentence(Default::default()).message;
     let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     assert!(

@@ -19,10 +19,10 @@ use std::collections::BTreeMap;
 
 use classes::{CLASSES, Class, Mutant, Need, Place};
 use gcode_playground::diagnostics::{Diagnostic, Fix, Severity};
+use gcode_playground::machine::guess::Guesses;
 use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::guess::Guesses;
 use text::Words;
 
 /// Programs that are wrong on purpose.

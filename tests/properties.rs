@@ -7,10 +7,11 @@ use std::time::{Duration, Instant};
 use gcode_playground::analyze;
 use gcode_playground::api::Places;
 use gcode_playground::diagnostics::messages::Language;
-use gcode_playground::diagnostics::rules;
 use gcode_playground::expand::expand;
+use gcode_playground::findings;
 use gcode_playground::geometry::Point;
 use gcode_playground::limits::Limits;
+use gcode_playground::machine::Shop;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
@@ -18,7 +19,6 @@ use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
 use gcode_playground::source::LineIndex;
 use gcode_playground::text::highlight::highlight;
 use gcode_playground::text::lexer::Lexer;
@@ -77,7 +77,7 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
 fn check_machine(analysis: &Analysis, setup: &Setup) {
     let motions = &analysis.motions;
     let shop = Shop::done(motions, setup);
-    for told in rules::machine::diagnostics(&shop, motions, &setup.rules, &[]) {
+    for told in findings::diagnostics(&shop, motions, &setup.rules, &[]) {
         assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
     }
     let (Some(blank), Some(part)) = (shop.blank(), shop.finished()) else { return };

@@ -3,6 +3,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::diagnostics::{Levels, Severity, register};
+use gcode_playground::machine::Shop;
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
@@ -10,7 +11,6 @@ use gcode_playground::setup::written::{changes, lines};
 use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
-use gcode_playground::shop::Shop;
 use proptest::prelude::*;
 
 const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";

@@ -1,10 +1,10 @@
 //! The part that a program makes.
 
 use gcode_playground::analyze;
+use gcode_playground::machine::Shop;
+use gcode_playground::machine::danger::Danger;
+use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::danger::Danger;
-use gcode_playground::shop::region::Region;
 
 fn shop(program: &str, setup: &str) -> Shop {
     let setup = Setup::from_json(setup).expect("a setup");
@@ -56,7 +56,7 @@ fn check_danger_with(more: &str, program: &str, expected: &[(&str, u32)]) {
     let setup = Setup::from_json(&setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
     let shop = Shop::done(&analysis.motions, &setup);
-    let named = |finding: &gcode_playground::shop::danger::Finding| {
+    let named = |finding: &gcode_playground::machine::danger::Finding| {
         let name = format!("{:?}", finding.danger);
         (
             name.split([' ', '{']).next().unwrap_or_default().to_owned(),

@@ -6,9 +6,9 @@ use std::f64::consts::{PI, TAU};
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Feed, Motion, MotionKind, SpindleSpeed, SpindleTurn};
+use gcode_playground::playback::tally::tally;
+use gcode_playground::playback::timing::{feed_at, seconds, speed_at, surface_speed};
 use gcode_playground::setup::{Machine, Setup};
-use gcode_playground::shop::tally::tally;
-use gcode_playground::shop::timing::{feed_at, seconds, speed_at, surface_speed};
 
 fn run(machine: &str, program: &str) -> (Vec<Motion>, Machine) {
     let setup = format!(

@@ -4,9 +4,9 @@
 
 use gcode_playground::analyze;
 use gcode_playground::api;
+use gcode_playground::machine::Shop;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
 use gcode_playground::units::number;
 
 fn run(setup: &str, program: &str) -> Analysis {

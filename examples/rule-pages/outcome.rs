@@ -2,7 +2,9 @@
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
 
-use gcode_playground::diagnostics::{Diagnostic, rules, sort_by_place};
+use gcode_playground::diagnostics::{Diagnostic, sort_by_place};
+use gcode_playground::findings;
+use gcode_playground::machine::{Machining, Shop};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
@@ -10,7 +12,6 @@ use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::{Machining, Shop};
 
 use crate::page::Stop;
 
@@ -42,7 +43,7 @@ impl Outcome {
         if stop == Some(Stop::Part) {
             let shop = Machining::new(&analysis.motions, &analysis.setup).stop();
             let levels = &analysis.setup.rules;
-            let found = rules::machine::diagnostics(&shop, &analysis.motions, levels, &analysis.diagnostics);
+            let found = findings::diagnostics(&shop, &analysis.motions, levels, &analysis.diagnostics);
             analysis.diagnostics.extend(found);
             sort_by_place(&mut analysis.diagnostics);
         } else {

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use crate::diagnostics::messages::{Language, labels};
+use crate::machine::fitting::Fitting;
 use crate::run::Analysis;
 use crate::setup::Stock;
 use crate::setup::written;
-use crate::shop::fitting::Fitting;
 
 /// A stock that is assumed, and what was not checked because of that.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -12,14 +12,14 @@ use tsify::Tsify;
 use super::{Edit, Places};
 use crate::diagnostics::messages::{Language, labels};
 use crate::diagnostics::{Levels, Severity};
+use crate::machine::assumed::usual;
+use crate::machine::fitting::{Fitting, Known};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
 use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
 use crate::setup::written::{self, Change};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
-use crate::shop::assumed::usual;
-use crate::shop::fitting::{Fitting, Known};
 
 /// What of stock and tools nobody has named.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -6,15 +6,15 @@ use std::io::{self, Write};
 
 use super::{Format, Program, write_row};
 use crate::api;
+use crate::machine::Shop;
+use crate::machine::compare::{Comparison, Side, parts};
+use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::scene::Scene;
 use crate::scene::camera::XPlus;
 use crate::scene::outline::Outline;
 use crate::scene::svg::{SvgOptions, svg};
 use crate::scene::work::Work;
-use crate::shop::Shop;
-use crate::shop::compare::{Comparison, Side, parts};
-use crate::shop::region::Region;
 
 /// Two parts.
 pub(super) struct Compared<'a> {

@@ -8,13 +8,13 @@ use super::{Program, encoded};
 use crate::diagnostics::messages::Language;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
+use crate::machine::Shop;
+use crate::machine::region::Region;
 use crate::run::Run;
 use crate::scene::Scene;
 use crate::scene::outline::Outline;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
-use crate::shop::Shop;
-use crate::shop::region::Region;
 
 /// A kind of file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

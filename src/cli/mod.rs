@@ -24,6 +24,7 @@ use serde::Serialize;
 use crate::api::{self, Places};
 use crate::diagnostics::messages::Language;
 use crate::diagnostics::{Kind, Levels};
+use crate::machine::Shop;
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
 use crate::scene::outline::Outline;
@@ -32,7 +33,6 @@ use crate::scene::work::Work;
 use crate::scene::{self, Scene};
 use crate::setup::dialect::{CodeList, Control, GSystem};
 use crate::setup::{Setup, Turret};
-use crate::shop::Shop;
 use crate::source::LineIndex;
 
 use encoding::Encoding;
@@ -374,8 +374,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
 /// Why there is no part of a program.
 fn why_no_part(program: &Program, shop: &Shop) -> String {
     let Analysis { motions, diagnostics, .. } = &program.analysis;
-    let told =
-        crate::diagnostics::rules::machine::diagnostics(shop, motions, &Levels::default(), diagnostics);
+    let told = crate::findings::diagnostics(shop, motions, &Levels::default(), diagnostics);
     let why = told.iter().find(|told| told.message.kind() == Kind::Unsupported);
     why.map_or_else(|| "nothing is cut".to_owned(), |told| told.message.sentence(Language::English).message)
 }

@@ -6,8 +6,8 @@ use std::io::{self, Write};
 
 use super::{Format, write_row};
 use crate::api::{Place, Totals};
+use crate::playback::tally::tally;
 use crate::run::Analysis;
-use crate::shop::tally::tally;
 
 /// Writes the table.
 pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) -> io::Result<()> {

@@ -10,6 +10,5 @@ pub mod interpreter;
 pub mod macros;
 pub mod modal;
 pub mod offsets;
-pub mod origin;
 pub mod program;
 pub mod words;

@@ -3,17 +3,17 @@
 //! In: the [`Shop`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
 //! work as it is shown at a moment.
 
+use crate::machine::Shop;
 use crate::motion::Motions;
 use crate::run::Run;
 use crate::scene::face::Face;
 use crate::scene::work::{Moment, Work};
 use crate::scene::{Place, Scene};
 use crate::setup::Setup;
-use crate::shop::Shop;
 
-use crate::shop::compare::{Comparison, parts};
-use crate::shop::feature::{Thread, threads};
-use crate::shop::region::Region;
+use crate::machine::compare::{Comparison, parts};
+use crate::machine::feature::{Thread, threads};
+use crate::machine::region::Region;
 
 /// A program whose part was kept for comparison.
 pub(super) struct Kept {

@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 use crate::control::macros::FaultKind;
-use crate::control::origin::{Measure, Origin};
+use crate::origin::{Measure, Origin};
 use crate::setup::dialect::{DecimalRule, GSystem};
 use crate::setup::faults::Need;
 

@@ -5,7 +5,6 @@ pub mod levels;
 mod message;
 pub mod messages;
 mod register;
-pub mod rules;
 
 pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
 pub use levels::Levels;

@@ -10,12 +10,12 @@ use std::fmt::Write;
 
 use crate::control::codes::{self, Function};
 use crate::diagnostics::messages::{Language, describe_motion};
+use crate::machine::fitting::{Fitted, Fitting, Known};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
+use crate::playback::tally::{Tally, tally};
+use crate::playback::timing::Total;
 use crate::setup::dialect::CodeList;
 use crate::setup::{Setup, Stock};
-use crate::shop::fitting::{Fitted, Fitting, Known};
-use crate::shop::tally::{Tally, tally};
-use crate::shop::timing::Total;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;

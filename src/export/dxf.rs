@@ -8,7 +8,7 @@ use std::fmt::{Display, Write};
 use super::profile::{self, Segment};
 use crate::geometry::bounds::{Bounds, join};
 use crate::geometry::{Arc, Point, Turn};
-use crate::shop::region::Region;
+use crate::machine::region::Region;
 
 /// How far the centre line reaches out of the part, as drawings have it, mm.
 const CENTER_LINE_OVER: f64 = 3.0;

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Arc, Point, SAME, Turn};
-use crate::shop::region::Region;
-use crate::shop::sweep::CHORD;
+use crate::machine::region::Region;
+use crate::machine::sweep::CHORD;
 
 /// How far an arc may be from the corners and from the middles of the edges it stands for, mm.
 pub const FIT: f64 = 2.0 * CHORD;
@@ -208,7 +208,7 @@ fn from_to(a: Point, b: Point) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shop::sweep::chords;
+    use crate::machine::sweep::chords;
 
     fn chain(pieces: &[Segment]) -> Vec<Point> {
         let mut points: Vec<Point> = Vec::new();

@@ -6,7 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::Point;
-use crate::shop::region::Region;
+use crate::machine::region::Region;
 
 /// How far the middles of the flats of a turned surface may lie inside of their corners, mm. The surface itself is between
 /// them, so that the body has the volume of the part.

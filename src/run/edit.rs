@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::{Origin, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
-use crate::control::origin;
+use crate::origin;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
 use crate::text::parser::Resume;

@@ -11,12 +11,12 @@ use super::work::{ToolOutline, Work};
 use super::{Place, Plane, Scene};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::geometry::{Point, Turn};
+use crate::machine::Shop;
+use crate::machine::fitting::Fitted;
+use crate::machine::region::Region;
+use crate::machine::sweep::{self, way_of};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
-use crate::shop::Shop;
-use crate::shop::clock::Playhead;
-use crate::shop::fitting::Fitted;
-use crate::shop::region::Region;
-use crate::shop::sweep::{self, way_of};
+use crate::playback::clock::Playhead;
 
 /// Most moves whose swept area is worked out; of more only the paths are drawn.
 const MOST_SWEPT: usize = 2000;

@@ -28,7 +28,7 @@ use std::ops::Range;
 use crate::geometry::virtual_plane::VirtualMove;
 use crate::geometry::{Arc, Point, SAME};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
-use crate::shop::clock::Playhead;
+use crate::playback::clock::Playhead;
 use crate::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};

@@ -7,8 +7,8 @@
 use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
-use crate::shop::compare::Side;
-use crate::shop::fitting::Known;
+use crate::machine::compare::Side;
+use crate::machine::fitting::Known;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::hatch::hatch;

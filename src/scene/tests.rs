@@ -1,11 +1,11 @@
 //! Tests of the scene, and hand-built paths for those of its parts.
 
 use crate::geometry::{Point, Turn};
+use crate::machine::Shop;
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
+use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
 use crate::setup::{Setup, Stock};
-use crate::shop::Shop;
-use crate::shop::clock::Playhead;
 use crate::source::Span;
 
 use super::Scene;

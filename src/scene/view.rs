@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::geometry::Point;
-use crate::shop::clock::Playhead;
+use crate::playback::clock::Playhead;
 
 use super::Scene;
 use super::camera::{Camera, Pixel, Size, XPlus};

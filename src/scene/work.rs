@@ -8,11 +8,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::Plane;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME};
+use crate::machine::Shop;
+use crate::machine::compare::{Comparison, Side};
+use crate::machine::fitting::Known;
+use crate::machine::region::Region;
 use crate::motion::Motions;
-use crate::shop::Shop;
-use crate::shop::compare::{Comparison, Side};
-use crate::shop::fitting::Known;
-use crate::shop::region::Region;
 
 /// A way over a point that is longer than the straight one by no more than this, mm, leads along it.
 const ON_EDGE: f64 = 1e-6;

@@ -110,7 +110,7 @@ impl CodeList {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum DecimalChoice {
-    /// What the program shows: [`crate::control::origin::numbers`].
+    /// What the program shows: [`crate::origin::numbers`].
     #[default]
     Auto,
     /// Units.

@@ -4,8 +4,8 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::{Readout, Shown};
-use crate::shop::clock::{Playhead, Stops};
-use crate::shop::steps::{Direction, Unit, step};
+use crate::playback::clock::{Playhead, Stops};
+use crate::playback::steps::{Direction, Unit, step};
 
 /// How far one step goes.
 #[wasm_bindgen]

@@ -4,9 +4,9 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::setup::{Fitted, SetupPlace, Subject};
+use crate::machine::assumed::guessed;
+use crate::machine::fitting::Fitting;
 use crate::setup::draft::Entry;
-use crate::shop::assumed::guessed;
-use crate::shop::fitting::Fitting;
 
 #[wasm_bindgen(typescript_custom_section)]
 const PLACE: &str = "/** Where a setup is kept. */\nexport type SetupPlace = \"program\" | \"page\";";

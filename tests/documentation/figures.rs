@@ -62,45 +62,42 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "README.md",
         "least input increments: 0.001 mm, 0.0001 in, 0.001 s",
-        Held::Stated(
-            "src/control/origin/decimal.rs",
-            "Least input increment: 0.001 mm, 0.0001 inch, 0.001 s",
-        ),
+        Held::Stated("src/origin/decimal.rs", "Least input increment: 0.001 mm, 0.0001 inch, 0.001 s"),
     ),
     figure(
         "README.md",
         "X and U from 1000 mm or 40 in",
-        Held::Stated("src/control/origin/decimal.rs", "Self::Diameter => (1000.0, 40.0),"),
+        Held::Stated("src/origin/decimal.rs", "Self::Diameter => (1000.0, 40.0),"),
     ),
     figure(
         "README.md",
         "Z and W from 2000 mm or 80 in",
-        Held::Stated("src/control/origin/decimal.rs", "Self::Length => (2000.0, 80.0),"),
+        Held::Stated("src/origin/decimal.rs", "Self::Length => (2000.0, 80.0),"),
     ),
     figure(
         "README.md",
         "an allowance from 50 mm or 10 in",
-        Held::Stated("src/control/origin/decimal.rs", "Self::Cut => (50.0, 10.0),"),
+        Held::Stated("src/origin/decimal.rs", "Self::Cut => (50.0, 10.0),"),
     ),
     figure(
         "README.md",
         "100 mm or 10 in; R",
-        Held::Stated("src/control/origin/decimal.rs", "Self::Relief => (100.0, 10.0),"),
+        Held::Stated("src/origin/decimal.rs", "Self::Relief => (100.0, 10.0),"),
     ),
     figure(
         "README.md",
         "from 10 mm or 2 in",
-        Held::Stated("src/control/origin/decimal.rs", "Self::ThreadAllowance => (10.0, 2.0),"),
+        Held::Stated("src/origin/decimal.rs", "Self::ThreadAllowance => (10.0, 2.0),"),
     ),
     figure(
         "README.md",
         "a dwell from 500 s",
-        Held::Stated("src/control/origin/decimal.rs", "Self::Time => return 500.0,"),
+        Held::Stated("src/origin/decimal.rs", "Self::Time => return 500.0,"),
     ),
     figure(
         "README.md",
         "by its first 256 kB",
-        Held::Stated("src/control/origin.rs", "pub const NUMBERS: usize = 256 << 10;"),
+        Held::Stated("src/origin/mod.rs", "pub const NUMBERS: usize = 256 << 10;"),
     ),
     figure("README.md", "8 digits of a number", Held::Shown(digits)),
     figure("README.md", "±10⁴⁷ in a variable", Held::Shown(variables)),
@@ -124,9 +121,9 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "ARCHITECTURE.md",
         "chord (0.002 mm)",
-        Held::Stated("src/shop/sweep.rs", "const CHORD: f64 = 0.002;"),
+        Held::Stated("src/machine/sweep.rs", "const CHORD: f64 = 0.002;"),
     ),
-    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/shop/danger.rs", "shrunk(0.01)")),
+    figure("ARCHITECTURE.md", "0.01 mm smaller", Held::Stated("src/machine/danger.rs", "shrunk(0.01)")),
     figure("README.md", "\"G90, pass 3: retract at feed to X40 Z-20\"", Held::Shown(stroke)),
     figure(
         "README.md",

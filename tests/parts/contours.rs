@@ -3,11 +3,11 @@
 
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
+use gcode_playground::machine::Shop;
+use gcode_playground::machine::region::Region;
 use gcode_playground::motion::{Cycle, Motion, Motions};
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::region::Region;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 

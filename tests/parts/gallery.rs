@@ -1,10 +1,10 @@
 //! Every turning program of the gallery: the radii of the part against intervals worked out motion by motion.
 
 use gcode_playground::analyze;
+use gcode_playground::machine::Shop;
+use gcode_playground::machine::fitting::{Fitting, Known};
 use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::setup::{Setup, Side, Stock, Tool, ToolKind};
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::fitting::{Fitting, Known};
 
 use crate::fixtures::{Program, all, folder};
 use crate::reach::{Interval, Reach, left, turns, without_dust};

@@ -1,8 +1,8 @@
 //! What is concluded of tools and blank that nobody has named, as a machinist would.
 
 use gcode_playground::analyze;
+use gcode_playground::machine::fitting::Fitting;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::fitting::Fitting;
 
 use crate::fixtures::all;
 

@@ -1,10 +1,10 @@
 //! What holds of every program: random ones.
 
 use gcode_playground::analyze;
+use gcode_playground::machine::region::Region;
+use gcode_playground::machine::{Advanced, Machining, Shop};
 use gcode_playground::motion::Motions;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::region::Region;
-use gcode_playground::shop::{Advanced, Machining, Shop};
 use proptest::prelude::*;
 
 use crate::gallery::compare;

@@ -1,9 +1,9 @@
 //! Single cases worked out by hand. Diameters, mm.
 
 use gcode_playground::analyze;
+use gcode_playground::machine::Shop;
+use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
-use gcode_playground::shop::Shop;
-use gcode_playground::shop::region::Region;
 
 const TOOLS: &str = r#""T0101": {"type": "turning", "noseRadius": 0.8, "pointAngle": 35, "enteringAngle": 93},
     "T0202": {"type": "drill", "diameter": 10}, "T0303": {"type": "grooving", "width": 3},

@@ -40,7 +40,7 @@ use super::program::Labels;
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
-use crate::diagnostics::{Diagnostic, Fix, Message, Severity, rules};
+use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
 use crate::geometry::{Point, Turn};
 use crate::motion::{
     Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,

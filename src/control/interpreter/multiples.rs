@@ -10,6 +10,7 @@ use super::*;
 use crate::control::doubt::Doubt;
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
+use crate::lint;
 use crate::motion::Cycle;
 
 /// The least input increment, mm: D of the one-block forms counts it when written without a point.
@@ -183,7 +184,7 @@ impl Interpreter {
         };
         let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
         let stock = self.setup.stock;
-        for message in rules::contour::remarks(code, turning, &contour, shape.first.x && shape.first.z, stock)
+        for message in lint::contour::remarks(code, turning, &contour, shape.first.x && shape.first.z, stock)
         {
             let place = match message {
                 Message::ContourNotClosed { .. } => shape.span_of(contour.pieces.len().saturating_sub(1)),
@@ -343,16 +344,16 @@ impl Interpreter {
             },
         };
         let contour = shape.contour(self.state.position);
-        for (axis, address) in rules::contour::allowance_into_part(&contour, how.allowance) {
+        for (axis, address) in lint::contour::allowance_into_part(&contour, how.allowance) {
             debug_assert!(axis == address as char);
             self.tell_allowance(words, address, words.quote(text, address));
         }
         let turned = |stock| {
             let chunks = self.motions.chunks().iter().chain([&self.chunk]);
             let before = chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)));
-            rules::contour::turned_before(&contour, stock, before)
+            lint::contour::turned_before(&contour, stock, before)
         };
-        let told = rules::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
+        let told = lint::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
         if let Some(message) = told {
             self.tell(Diagnostic::new(message, block.words_span()));
         }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::control::compensation::{Axis, cycle_shift};
 use crate::control::doubt::Doubt;
+use crate::lint;
 
 /// A span longer than this, bytes, is a block and not the word of a taper.
 const LONGEST_WORD: usize = 12;
@@ -154,7 +155,7 @@ impl Interpreter {
         let before = self.state.memory.deepest.filter(|_| self.state.memory.passes > 0);
         if let Some(address) = self.taper_word(words, cycle) {
             let word = words.quote(text, address);
-            if let Some(message) = rules::taper_shape(cycle, start, end, taper, &word, self.setup.stock) {
+            if let Some(message) = lint::taper_shape(cycle, start, end, taper, &word, self.setup.stock) {
                 let fix = matches!(message, Message::TaperNarrows { .. })
                     .then(|| Fix::write(words.span(address), with_other_sign(&word)));
                 let told = Diagnostic::new(message, words.span(address));
@@ -164,7 +165,7 @@ impl Interpreter {
         let surface = before
             .map(|before| before.end.x + before.taper)
             .or(self.setup.stock.map(|stock| start.x.min(stock.diameter / 2.0)));
-        if let Some(depth) = rules::cycle::edge_depth(cycle, &own, surface, before.is_none()) {
+        if let Some(depth) = lint::cycle::edge_depth(cycle, &own, surface, before.is_none()) {
             self.tell(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
         }
         let moved = match cycle {
@@ -174,19 +175,19 @@ impl Interpreter {
         let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
         if let (Some(before), Some(address)) = (before, own_word) {
             let word = words.quote(text, address);
-            if let Some(message) = rules::cycle::pass_not_deeper(cycle, &own, &before, word)
+            if let Some(message) = lint::cycle::pass_not_deeper(cycle, &own, &before, word)
                 && self.state.told.first(Once::PassNotDeeper)
             {
                 self.tell(Diagnostic::new(message, words.span(address)));
             }
         } else if before.is_none()
             && let Some(message) =
-                self.setup.stock.as_ref().and_then(|stock| rules::cycle::start(cycle, &own, stock))
+                self.setup.stock.as_ref().and_then(|stock| lint::cycle::start(cycle, &own, stock))
         {
             self.tell(Diagnostic::new(message, block.words_span()));
         }
         if cycle != Single::Threading {
-            self.state.memory.deepest = Some(rules::cycle::deeper(cycle, own, before));
+            self.state.memory.deepest = Some(lint::cycle::deeper(cycle, own, before));
         }
         let switches = block.words.iter().find(|word| {
             let code = if word.address == b'G' { plain(word) } else { None };
@@ -241,12 +242,11 @@ impl Interpreter {
             return !error;
         }
         if let Some(stock) = self.setup.stock
-            && let Some((message, reading)) =
-                crate::diagnostics::rules::taper_not_extended(cycle, start, end, taper, stock)
+            && let Some((message, reading)) = lint::taper_not_extended(cycle, start, end, taper, stock)
             && self.state.told.first(Once::TaperNotExtended)
         {
             let mut told = Diagnostic::new(message, span);
-            let sure = reading == rules::TaperReading::HeightOnDrawing;
+            let sure = reading == lint::TaperReading::HeightOnDrawing;
             if !sure {
                 told = told.graded(Severity::Info);
             }

@@ -1,13 +1,14 @@
 //! G76 as blocks call it: `P(m)(r)(a) Q R`, then the thread (semantics §7.7).
 //!
 //! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor remarks in
-//! `rules::thread`.
+//! `lint::thread`.
 
 use super::multiples::NEAR;
 use super::*;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
 use crate::diagnostics::{Edit, Repair};
+use crate::lint;
 use crate::motion::Cycle;
 
 /// Tool angles that FANUC takes, degrees (PS0315).
@@ -80,7 +81,7 @@ impl Interpreter {
             Ok(moves) => {
                 self.check_thread_start(block, start, &how);
                 let measured = if one_block { 60.0 } else { angle };
-                if let Some(message) = rules::thread::amounts(how.height, how.first_depth, lead, measured) {
+                if let Some(message) = lint::thread::amounts(how.height, how.first_depth, lead, measured) {
                     let address =
                         if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
                     let span = if one_block { block.words_span() } else { words.span(address) };
@@ -96,7 +97,7 @@ impl Interpreter {
                     let word = words.quote(text, taper_word);
                     let stock = self.setup.stock;
                     if let Some(message) =
-                        rules::taper_shape(Single::Threading, start, end, taper, &word, stock)
+                        lint::taper_shape(Single::Threading, start, end, taper, &word, stock)
                     {
                         let fix = matches!(message, Message::TaperNarrows { .. })
                             .then(|| Fix::write(words.span(taper_word), singles::with_other_sign(&word)));

@@ -1,6 +1,7 @@
 //! What a teacher would remark before a cut: feed, spindle, threads, compensation.
 
 use super::*;
+use crate::lint;
 
 /// Nearer to the work than this, mm, no turret should turn.
 const NEAR_WORK: f64 = 20.0;
@@ -159,7 +160,7 @@ impl Interpreter {
         // L of GSK's G92: so many starts.
         let starts = self.starts(words, Single::Threading) as f64;
         let face = self.setup.stock.map(|stock| stock.face);
-        for told in rules::thread::remarks(&own, before.as_ref(), angle, starts, face) {
+        for told in lint::thread::remarks(&own, before.as_ref(), angle, starts, face) {
             self.tell(Diagnostic::new(told, block.words_span()));
         }
     }
@@ -267,7 +268,7 @@ impl Interpreter {
             let message = Message::CompensationTip { tip: f64::from(tip) };
             self.tell(Diagnostic::new(message, block.words_span()));
         }
-        let Some((code, right)) = rules::compensation::wrong_side(self.state.compensation, tip, from, to)
+        let Some((code, right)) = lint::compensation::wrong_side(self.state.compensation, tip, from, to)
         else {
             return;
         };

@@ -3,8 +3,8 @@
 //! In: nothing. Out: messages of which each wording says one, and one for each alarm where several are raised.
 
 use crate::control::macros::FaultKind;
-use crate::control::origin::{Measure, Origin};
 use crate::diagnostics::Message;
+use crate::origin::{Measure, Origin};
 use crate::setup::dialect::{DecimalRule, GSystem};
 use crate::setup::faults::Need;
 

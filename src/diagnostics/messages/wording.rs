@@ -4,8 +4,8 @@
 //! sentences. Each language is an exhaustive match on it, so a message without a translation does not compile.
 
 use crate::control::macros::FaultKind;
-use crate::control::origin::{Measure, Origin};
 use crate::diagnostics::message::Message;
+use crate::origin::{Measure, Origin};
 use crate::setup::dialect::DecimalRule;
 use crate::setup::faults::Need;
 

@@ -22,7 +22,7 @@ use super::super::{Scene, StrokeShape, StrokeStyle};
 use super::paths::{Paths, halves, path_of, under_way};
 use super::pen::{Dash, Pen, rgb};
 use super::sheet;
-use crate::shop::clock::Playhead;
+use crate::playback::clock::Playhead;
 
 /// Opacity of what has not run yet, while there is a playhead.
 const AHEAD: f64 = 0.22;

@@ -14,7 +14,7 @@ use super::super::work::{Outlines, closed, edges};
 use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
-use crate::shop::fitting::Known;
+use crate::machine::fitting::Known;
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";

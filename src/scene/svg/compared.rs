@@ -1,7 +1,7 @@
 //! The differences of two parts in the file: each in its colour, hatched its own way, with a legend.
 
 use crate::geometry::Point;
-use crate::shop::compare::Side;
+use crate::machine::compare::Side;
 
 use super::super::Scene;
 use super::super::camera::Pixel;

@@ -289,8 +289,8 @@ fn distance(place: Point, a: Point, b: Point) -> f64 {
 mod tests {
     use super::*;
     use crate::analyze;
+    use crate::machine::Shop;
     use crate::setup::Setup;
-    use crate::shop::Shop;
 
     const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 20, "length": 80},
         "tools": {"T0101": {"type": "turning", "noseRadius": NOSE, "tip": 3}, "T0303": {"type": "threading"}}}"#;

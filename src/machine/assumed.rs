@@ -78,7 +78,7 @@ pub fn usual(tool: &Tool) -> Tool {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::shop::tool::Shape;
+    use crate::machine::tool::Shape;
 
     #[test]
     fn what_is_usual_has_the_same_shape() {

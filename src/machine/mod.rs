@@ -7,7 +7,6 @@
 pub mod assumed;
 pub mod blank;
 mod choice;
-pub mod clock;
 pub mod compare;
 pub mod danger;
 pub mod feature;
@@ -15,12 +14,9 @@ pub mod fitting;
 pub mod guess;
 pub mod part;
 pub mod region;
-pub mod steps;
 mod surface;
 pub mod sweep;
-pub mod tally;
 pub mod thread_point;
-pub mod timing;
 pub mod tool;
 
 use crate::limits::Limits;

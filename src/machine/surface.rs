@@ -268,7 +268,7 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shop::tool::Shape;
+    use crate::machine::tool::Shape;
 
     const PLACES: Stations = Stations { low: -40.0, step: 0.06 };
 

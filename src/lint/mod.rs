@@ -3,7 +3,6 @@
 pub mod compensation;
 pub mod contour;
 pub mod cycle;
-pub mod machine;
 pub mod plausible;
 mod taper;
 pub mod thread;

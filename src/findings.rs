@@ -4,10 +4,10 @@
 //! that runs into something does so in every pass.
 
 use crate::diagnostics::{Diagnostic, Levels, Message};
+use crate::machine::danger::{Axis, Danger, Finding};
+use crate::machine::fitting::{Fitting, Known};
+use crate::machine::{Full, Shop};
 use crate::motion::Motions;
-use crate::shop::danger::{Axis, Danger, Finding};
-use crate::shop::fitting::{Fitting, Known};
-use crate::shop::{Full, Shop};
 use crate::source::Span;
 
 /// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has told.

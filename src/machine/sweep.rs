@@ -166,7 +166,7 @@ fn turn(a: Point, b: Point, c: Point) -> f64 {
 mod tests {
     use super::*;
     use crate::geometry::Turn;
-    use crate::shop::region::Region;
+    use crate::machine::region::Region;
 
     fn square() -> Outline {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.5, 0.5)];
