@@ -2,7 +2,6 @@
 //!
 //! Plain values, part of [`super::modal::State`]. What calls and jumps do is in `interpreter/calls`.
 
-use super::modal::State;
 use crate::text::parser::Resume;
 
 /// What was called, and from where.
@@ -75,8 +74,6 @@ pub struct Course {
     pub head: Resume,
     /// How often M99 of the main program was met.
     pub rounds: u32,
-    /// The state at one of them, to be compared with a later one.
-    pub round: Option<Box<State>>,
     /// A macro asked for more than its variables: where the tool stands, what is in force, or a table.
     pub asks: bool,
 }

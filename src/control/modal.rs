@@ -513,6 +513,8 @@ pub struct State {
     pub thread_chamfer_on: bool,
     /// Calls and loops under way.
     pub course: Course,
+    /// The state when M99 of the main program was met, to be compared with a later one.
+    pub last_round: Option<Box<State>>,
     /// Macro variables.
     pub variables: Variables,
     /// System variables that are only kept.
@@ -587,6 +589,7 @@ impl State {
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
             course: Course::default(),
+            last_round: None,
             variables: Variables::default(),
             system: Arc::default(),
             sequence: 0,
@@ -601,7 +604,7 @@ impl State {
     /// Whether a program that begins in this state may take another course than the one that began in `other`: it
     /// can see its variables, and all the rest only if it asks for it.
     pub fn may_differ_from(&self, other: &Self) -> bool {
-        let rest = |state: &Self| Self { course: Course::default(), ..state.clone() };
+        let rest = |state: &Self| Self { course: Course::default(), last_round: None, ..state.clone() };
         self.variables != other.variables
             || self.system != other.system
             || (self.course.asks && rest(self) != rest(other))

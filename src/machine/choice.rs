@@ -5,10 +5,10 @@
 
 use std::collections::BTreeMap;
 
-use super::fitting::takes;
-use super::guess::{Guesses, LOOKED_AT, Seen, Use};
+use super::seen::{LOOKED_AT, Seen, Use};
 use super::surface::{Facing, Stations, Surface, Track};
 use super::sweep::way_of;
+use super::tool::takes;
 use crate::geometry::SAME;
 use crate::motion::{Motions, Process};
 use crate::setup::{Side, Stock, Tool, ToolKind};
@@ -32,24 +32,25 @@ const FEW: usize = 4;
 /// Beyond this, mm, a program has a slip, and no blank.
 const LONGEST: f64 = 5000.0;
 
-/// Puts the tool that does it in place of each guess that would cut too deep.
+/// Puts the tool that does it in place of each guess that would cut too deep; `tools` has one for each use. Returns the first
+/// motion of each use that no tool is known for.
 pub(super) fn decide(
     motions: &Motions,
     seen: &[Seen],
     spoken: &BTreeMap<u16, Tool>,
     stock: Option<Stock>,
-    guesses: &mut Guesses,
-) {
-    for (index, own) in seen.iter().enumerate() {
+    mut tools: Vec<&mut Tool>,
+) -> Vec<usize> {
+    for (own, tool) in seen.iter().zip(&mut tools) {
         if let Some(words) = spoken.get(&own.station) {
-            let guess = guesses.tools().nth(index).map(|(.., tool)| with_words(own.purpose, tool, words));
-            guess.into_iter().for_each(|tool| guesses.put(index, tool));
+            **tool = with_words(own.purpose, tool, words);
         }
     }
-    let Some(stock) = stock else { return };
-    let Some(led) = Led::of(motions, seen, &stock) else { return };
+    let mut unknown = Vec::new();
+    let Some(stock) = stock else { return unknown };
+    let Some(led) = Led::of(motions, seen, &stock) else { return unknown };
     for (index, own) in seen.iter().enumerate().filter(|(_, own)| own.purpose == Use::Turning) {
-        let Some(first) = guesses.tools().nth(index).map(|(.., tool)| tool.clone()) else { continue };
+        let Some(first) = tools.get_mut(index) else { continue };
         if first.kind == Some(ToolKind::Grooving) {
             // It only plunges.
             continue;
@@ -57,7 +58,7 @@ pub(super) fn decide(
         let grooves = seen.iter().any(|other| other.station == own.station && other.purpose == Use::Grooving);
         let words = spoken.get(&own.station).cloned().unwrap_or_default();
         let is_blade = words.kind == Some(ToolKind::Grooving) || (grooves && own.station > 0 && !own.contour);
-        let mut all = candidates(&first, own, &words);
+        let mut all = candidates(first, own, &words);
         let (inserts, blades): (Vec<Tool>, Vec<Tool>) =
             all.drain(..).partition(|tool| tool.kind != Some(ToolKind::Grooving));
         let mut found = None;
@@ -69,12 +70,13 @@ pub(super) fn decide(
             .or_else(|| blades.iter().find(|tool| led.does(index, own, tool)))
             .or_else(|| blades.iter().find(|tool| words.kind == tool.kind && led.grooves(index, own, tool)));
         match found {
-            Some(tool) => guesses.put(index, tool.clone()),
+            Some(tool) => **first = tool.clone(),
             // Of a tool some of whose cuts are left out the others say too little.
             None if has_uncertain_cut(motions, own.station) => {}
-            None => guesses.unknown.push(own.first),
+            None => unknown.push(own.first),
         }
     }
+    unknown
 }
 
 fn has_uncertain_cut(motions: &Motions, station: u16) -> bool {

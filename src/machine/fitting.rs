@@ -2,11 +2,11 @@
 //!
 //! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is a guess.
 
-use super::guess::{Guesses, Use};
+use super::guess::Guesses;
+use super::seen::Use;
 use super::sweep::Outline;
 use super::thread_point::{for_pitch, leads};
-use super::tool::{LONG, Shape};
-use crate::geometry::Point;
+use super::tool::{Shape, over_edge};
 use crate::motion::{Motion, Motions};
 use crate::setup::{Setup, Stock, Tool, ToolKind};
 
@@ -135,22 +135,6 @@ impl Fitted {
         let takes = over_edge(&tool, &shape);
         Self { station, shape, takes, tool, known: Known::Guessed }
     }
-}
-
-/// What a guessed tool takes off.
-pub(super) fn takes(tool: &Tool) -> Outline {
-    over_edge(tool, &Shape::of(tool))
-}
-
-/// How long the edge of a guessed insert is, nobody knows: nothing is left standing over it.
-fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
-    let over = match tool.kind {
-        Some(ToolKind::Turning) => LONG,
-        Some(ToolKind::Boring) => -LONG,
-        _ => 0.0,
-    };
-    let edge = shape.edge.points().iter();
-    Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]))
 }
 
 /// Station and offset of a T word such as `T0101`.

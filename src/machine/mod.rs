@@ -14,6 +14,7 @@ pub mod fitting;
 pub mod guess;
 pub mod part;
 pub mod region;
+mod seen;
 mod surface;
 pub mod sweep;
 pub mod thread_point;

@@ -321,6 +321,22 @@ fn rectangle(z: (f64, f64), x: (f64, f64)) -> [Point; 4] {
     [Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
 }
 
+/// What a guessed tool takes off.
+pub(super) fn takes(tool: &Tool) -> Outline {
+    over_edge(tool, &Shape::of(tool))
+}
+
+/// How long the edge of a guessed insert is, nobody knows: nothing is left standing over it.
+pub(super) fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
+    let over = match tool.kind {
+        Some(ToolKind::Turning) => LONG,
+        Some(ToolKind::Boring) => -LONG,
+        _ => 0.0,
+    };
+    let edge = shape.edge.points().iter();
+    Outline::around(edge.flat_map(|&own| [own, Point::new(own.x + over, own.z)]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,6 +9,7 @@ pub mod faults;
 pub mod fields;
 pub mod machine;
 pub mod notes;
+mod side;
 pub mod stock;
 pub mod thread_insert;
 pub mod tool;
@@ -23,8 +24,9 @@ use crate::diagnostics::Levels;
 use crate::limits::Limits;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
+pub use side::Side;
 pub use stock::Stock;
-pub use tool::{Side, Tool, ToolKind};
+pub use tool::{Tool, ToolKind};
 
 /// A setup as written: every key optional, an unknown key is an error that names it.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]

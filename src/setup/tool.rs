@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use super::side::Side;
 use super::thread_insert::ThreadInsert;
 
 /// A tool as a setup sheet names it. What is left out has the usual value of its kind.
@@ -60,33 +61,6 @@ pub enum ToolKind {
     Tap,
     /// A live cutter.
     Endmill,
-}
-
-/// Which side of the work a tool is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Side {
-    /// The outside.
-    #[default]
-    Outside,
-    /// The bore.
-    Inside,
-    /// The end face.
-    Face,
-}
-
-impl Side {
-    /// All sides.
-    pub const ALL: [Side; 3] = [Self::Outside, Self::Inside, Self::Face];
-
-    /// Its name in a setup.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Outside => "outside",
-            Self::Inside => "inside",
-            Self::Face => "face",
-        }
-    }
 }
 
 impl ToolKind {

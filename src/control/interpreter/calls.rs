@@ -263,13 +263,13 @@ impl Interpreter {
         self.state.course.rounds += 1;
         // Looked at now and then only: there may be many variables to compare.
         if self.state.course.rounds.is_power_of_two() {
-            let last = self.state.course.round.take();
+            let last = self.state.last_round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
                 self.tell_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
                 return Flow::End;
             }
-            self.state.course.round = Some(Box::new(self.state.clone()));
+            self.state.last_round = Some(Box::new(self.state.clone()));
         }
         self.wandered = true;
         self.jumped_by = Some(block.words_span());

@@ -1,0 +1,316 @@
+//! What is seen of each use that a program puts a turret station to.
+//!
+//! In: the motions, what comments say of the tools, the blank. Out: a [`Seen`] for each use, and the [`Tool`] that could do what
+//! was seen.
+
+use std::collections::BTreeMap;
+
+use super::blank::Extents;
+use crate::geometry::SAME;
+use crate::motion::{Cycle, Motion, MotionKind, Motions};
+use crate::setup::{Side, Stock, Tool, ToolKind};
+
+/// So many motions are looked at.
+pub(super) const LOOKED_AT: usize = 200_000;
+
+/// A shorter way back along +Z only clears the bottom of a groove, mm.
+const SHORT: f64 = 2.0;
+
+/// A rapid that moves less across the axis than this share of its way along it does not leave the work.
+const ASIDE: f64 = 0.1;
+
+/// What a motion does, as far as it decides about the tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Use {
+    /// Turns, faces, bores.
+    Turning,
+    /// Cuts a thread.
+    Threading,
+    /// Plunges.
+    Grooving,
+    /// Drills or taps on the axis.
+    Hole,
+    /// The tool turns, not the work.
+    Live,
+}
+
+impl Use {
+    /// That of a motion.
+    pub fn of(motion: &Motion) -> Self {
+        let on_axis = motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
+        let along = (motion.to.z - motion.from.z).abs() > SAME;
+        match motion.cycle.map(|step| step.cycle) {
+            _ if motion.rotary.is_some() => Self::Live,
+            Some(Cycle::SideDrilling | Cycle::SideTapping | Cycle::SideBoring) => Self::Live,
+            Some(Cycle::Turning | Cycle::Facing) => Self::Turning,
+            _ if on_axis && along && motion.kind.cuts() => Self::Hole,
+            Some(Cycle::Threading | Cycle::MultiThreading) => Self::Threading,
+            _ if motion.kind == MotionKind::Thread => Self::Threading,
+            Some(Cycle::Grooving | Cycle::FacePecking) => Self::Grooving,
+            _ => Self::Turning,
+        }
+    }
+}
+
+/// What is seen of one use of a station.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub station: u16,
+    pub purpose: Use,
+    /// The first motion of this use.
+    pub first: usize,
+    /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
+    outside: i32,
+    /// How far the last cut behind the face went along Z, mm.
+    along: f64,
+    /// Whether it follows the contour of a cycle.
+    pub contour: bool,
+    /// Plunges that come back the way they went, and other cuts.
+    plunges: u32,
+    cuts: u32,
+    /// Cuts towards −Z, and towards +Z that end at a shoulder or climb; and such as go down towards +Z.
+    left: u32,
+    right: u32,
+    down: u32,
+    /// Ways into the work along the axis, and back, and how far the deepest goes: Z, mm.
+    holes: u32,
+    pub deepest: f64,
+    /// Steepest way into the work behind the tip, radians from the spindle axis: outside and inside.
+    slopes: [f64; 2],
+    /// Whether it taps: on the axis, locked to the spindle.
+    taps: bool,
+    /// Whether grooves are in the end face.
+    face: bool,
+    pub extents: Extents,
+}
+
+/// The cuts that are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Clamping {
+    /// Those in the frame of the first cut.
+    First,
+    /// Those [elsewhere](crate::motion::Process::elsewhere).
+    Other,
+}
+
+impl Clamping {
+    fn of(motion: &Motion) -> Self {
+        if motion.process.elsewhere { Self::Other } else { Self::First }
+    }
+}
+
+impl Seen {
+    /// What is seen of each use of a station in a clamping.
+    pub fn all(
+        motions: &Motions,
+        spoken: &BTreeMap<u16, Tool>,
+        stock: Option<Stock>,
+        clamping: Clamping,
+    ) -> Vec<Self> {
+        let mut seen: Vec<Seen> = Vec::new();
+        let mut before = None;
+        let moves = motions.iter().take(LOOKED_AT).enumerate();
+        let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
+        while let Some((index, motion)) = moves.next() {
+            let before = before.replace(motion);
+            if !motion.kind.cuts() || motion.process.uncertain || Clamping::of(&motion) != clamping {
+                continue;
+            }
+            let (station, purpose) = (motion.process.tool.0, Use::of(&motion));
+            let at = seen
+                .iter()
+                .position(|own| (own.station, own.purpose) == (station, purpose))
+                .unwrap_or_else(|| {
+                    seen.push(Seen::new(station, purpose, index));
+                    seen.len() - 1
+                });
+            seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
+        }
+        // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
+        let stations: Vec<u16> =
+            seen.iter().filter(|own| own.purpose != Use::Hole).map(|own| own.station).collect();
+        seen.retain(|own| own.purpose != Use::Hole || own.holes > 0 || !stations.contains(&own.station));
+        // A live cutter that also moves along X or Z alone bores nothing.
+        let live: Vec<u16> =
+            seen.iter().filter(|own| own.purpose == Use::Live).map(|own| own.station).collect();
+        for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
+            own.outside = 0;
+        }
+        // What motions leave open, words decide.
+        for own in seen.iter_mut().filter(|own| own.outside == 0) {
+            own.outside = if bores(spoken.get(&own.station)) { -1 } else { 0 };
+        }
+        // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
+        let is_drilled = seen.iter().any(|own| own.purpose == Use::Hole);
+        if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
+            for own in seen.iter_mut().filter(|own| !bores(spoken.get(&own.station))) {
+                own.outside = own.outside.max(0);
+            }
+        }
+        seen
+    }
+
+    fn new(station: u16, purpose: Use, first: usize) -> Self {
+        Self {
+            station,
+            purpose,
+            first,
+            outside: 0,
+            along: 0.0,
+            contour: false,
+            plunges: 0,
+            cuts: 0,
+            left: 0,
+            right: 0,
+            down: 0,
+            holes: 0,
+            deepest: f64::INFINITY,
+            slopes: [0.0; 2],
+            taps: false,
+            face: false,
+            extents: Extents::default(),
+        }
+    }
+
+    /// Whether it works in a bore.
+    pub fn is_inside(&self) -> bool {
+        self.outside < 0 && matches!(self.purpose, Use::Turning | Use::Threading | Use::Grooving)
+    }
+
+    fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
+        let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+        let (dx, dz) = way(motion);
+        self.cuts += 1;
+        self.taps |= motion.kind == MotionKind::Thread;
+        self.extents.add(motion);
+        let (after_x, after_z) = next.map_or((0.0, 0.0), way);
+        // Between tools it goes home, though that is not always seen.
+        let own_next = next.filter(|next| next.process.tool == motion.process.tool);
+        self.outside += leaves(motion, self.along, own_next);
+        self.along = if motion.to.z < -SAME { dz } else { 0.0 };
+        let cycle = motion.cycle.map(|step| step.cycle);
+        let contour = [Cycle::Finishing, Cycle::RoughTurning, Cycle::RoughFacing, Cycle::Pattern];
+        self.contour |= cycle.is_some_and(|cycle| contour.contains(&cycle));
+        let back =
+            |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
+        let (before_x, before_z) = before.map_or((0.0, 0.0), way);
+        let comes_back = before_z.abs() <= SAME && back(before_x, (dx, dz));
+        self.plunges += u32::from(dz.abs() <= SAME && (back(dx, (after_x, after_z)) || comes_back));
+        // To the left, or to the right while still behind the face.
+        let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
+        self.left += u32::from(dz < -SAME);
+        self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
+        self.down += u32::from(dz > SAME && dx < -SAME);
+        let axis = |motion: &Motion| motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
+        let drills = !matches!(cycle, None | Some(Cycle::Finishing | Cycle::RoughTurning | Cycle::Pattern));
+        self.deepest = self.deepest.min(motion.to.z);
+        self.holes += u32::from(dz < -SAME && axis(motion) && (drills || next.is_some_and(axis)));
+        if motion.cycle.is_some_and(|step| step.cycle == Cycle::FacePecking) {
+            self.face = true;
+        }
+        // On the way to the work at feed it follows no slope.
+        if motion.to.z > SAME && before.is_none_or(|before| !before.kind.cuts()) {
+            return;
+        }
+        let [outside, inside] = &mut self.slopes;
+        for (sx, slope) in [(1.0, outside), (-1.0, inside)] {
+            // Only a slope that goes on along Z is a slope of the work; straight in is a plunge.
+            for (dx, dz) in directions(motion) {
+                if dz < -SAME && sx * dx < -SAME {
+                    *slope = slope.max((sx * -dx).atan2(-dz));
+                }
+            }
+        }
+    }
+
+    /// The tool that could do what was seen; `bore` is the radius at which boring begins.
+    pub fn tool(&self, bore: f64) -> Tool {
+        let inside = self.is_inside();
+        let side = if inside { Side::Inside } else { Side::Outside };
+        match self.purpose {
+            Use::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
+            Use::Hole => {
+                let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
+                let diameter = if bore.is_finite() && bore > 0.0 { Some(2.0 * bore) } else { None };
+                Tool { kind: Some(kind), diameter, ..Tool::default() }
+            }
+            Use::Threading => Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() },
+            Use::Grooving => self.blade(if self.face { Side::Face } else { side }),
+            Use::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
+            Use::Turning => {
+                let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
+                let slope = self.slopes[usize::from(inside)].to_degrees();
+                // One that only cuts away from the chuck has its edge on the other side.
+                let tip = (!inside && self.right > 0 && self.left + self.down == 0).then_some(4);
+                // The usual roughing tool, or the bluntest that can follow.
+                let (insert, entering) = match slope {
+                    slope if slope < 4.5 => ("C", 95.0),
+                    slope if slope < 31.5 => ("D", 93.0),
+                    slope if slope < 51.5 => ("V", 93.0),
+                    _ => {
+                        let point = (88.0 - slope).max(1.0);
+                        return Tool {
+                            kind: Some(kind),
+                            point_angle: Some(point),
+                            entering_angle: Some(91.0),
+                            tip,
+                            ..Tool::default()
+                        };
+                    }
+                };
+                Tool {
+                    kind: Some(kind),
+                    insert: Some(insert.into()),
+                    entering_angle: Some(entering),
+                    tip,
+                    ..Tool::default()
+                }
+            }
+        }
+    }
+
+    fn blade(&self, side: Side) -> Tool {
+        Tool { kind: Some(ToolKind::Grooving), side: Some(side), ..Tool::default() }
+    }
+}
+
+/// Whether a comment says that a tool works in a bore.
+fn bores(words: Option<&Tool>) -> bool {
+    words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
+}
+
+/// Which way a tool leaves the work behind a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
+/// follows the contour, which may fall or rise. `along` is how far the cut before went along Z.
+fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
+    let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    // A cut to the axis faces the work; and a little back along +Z, from the bottom of a groove, it may go on either side.
+    let faces = dx < -SAME && motion.to.x <= 1.0;
+    if motion.to.z > SAME || faces || next.is_some_and(|next| next.kind.cuts()) {
+        return 0;
+    }
+    let goes_back = (SAME..SHORT).contains(&dz) && dx.abs() <= SAME;
+    let aside = |next: &&Motion| (next.to.x - next.from.x).abs() > ASIDE * (next.to.z - next.from.z).abs();
+    let next = next.filter(|_| !goes_back).filter(aside);
+    let after = next.map_or(0.0, |next| next.to.x - next.from.x);
+    let escapes = along.abs() > SAME && dz * along <= SAME * SAME;
+    let on_the_way = if escapes { dx } else { 0.0 };
+    // Deeper in along Z nothing leaves the work.
+    let deeper = next.is_some_and(|next| next.to.z < next.from.z - SAME);
+    // Straight out, or back along Z from where the last cut led.
+    match if after.abs() > SAME { after } else { on_the_way } {
+        way if way > SAME => 1,
+        way if way < -SAME && !deeper => -1,
+        _ => 0,
+    }
+}
+
+/// Directions a cut takes: one of a line, those at both ends and the middle of an arc.
+fn directions(motion: &Motion) -> Vec<(f64, f64)> {
+    match motion.arc() {
+        None => vec![(motion.to.x - motion.from.x, motion.to.z - motion.from.z)],
+        Some(arc) => {
+            let points: Vec<_> = (0..=8).map(|index| arc.at(f64::from(index) / 8.0)).collect();
+            points.windows(2).map(|ends| (ends[1].x - ends[0].x, ends[1].z - ends[0].z)).collect()
+        }
+    }
+}

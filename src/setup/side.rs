@@ -1,0 +1,30 @@
+//! Which side of the work a tool is for.
+
+use serde::Deserialize;
+
+/// Which side of the work a tool is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    /// The outside.
+    #[default]
+    Outside,
+    /// The bore.
+    Inside,
+    /// The end face.
+    Face,
+}
+
+impl Side {
+    /// All sides.
+    pub const ALL: [Side; 3] = [Self::Outside, Self::Inside, Self::Face];
+
+    /// Its name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Outside => "outside",
+            Self::Inside => "inside",
+            Self::Face => "face",
+        }
+    }
+}
