@@ -1,0 +1,147 @@
+//! The rooms of `src` stand in one order, which is the picture in ARCHITECTURE.md: no file imports from a room above its own,
+//! and no files of a room import each other in a circle.
+//!
+//! A path counts for the file that defines what it names; re-exports are followed, and tests are left out. The paths of a
+//! parent module to the modules below it do not count: a parent declares, re-exports and calls its children.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "rooms/house.rs"]
+mod house;
+#[path = "rooms/paths.rs"]
+mod paths;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use house::{House, Module, Upward};
+
+/// Files that still import from a room above, that room, and what has to change before they need not.
+const EXCEPTIONS: [(&str, &str, &str); 9] = [
+    (
+        "control/interpreter/multiples",
+        "lint",
+        "lints are called at a block; they are to hear events of the run",
+    ),
+    ("control/interpreter/singles", "lint", "the same"),
+    ("control/interpreter/threads", "lint", "the same"),
+    ("control/interpreter/watch", "lint", "the same"),
+    ("diagnostics/diagnostic", "diagnostics/messages", "a message makes its own sentence"),
+    ("diagnostics/message", "control", "arguments of messages are types of rooms above"),
+    ("diagnostics/message", "origin", "the same"),
+    ("diagnostics/message", "setup", "the same"),
+    ("diagnostics/register", "diagnostics/messages", "the table of rules is made of sample messages"),
+];
+
+/// The rooms in the picture of ARCHITECTURE.md, the lowest first: the first words of the lines of the first drawing under
+/// the heading.
+fn rooms(document: &str) -> Vec<&str> {
+    let section = document.split("\n## ").find(|part| part.starts_with("The rooms\n")).expect("a section");
+    let picture = section.lines().skip_while(|line| !line.starts_with("    "));
+    let picture = picture.take_while(|line| line.starts_with("    "));
+    picture.filter_map(|line| line.split_whitespace().next()).collect()
+}
+
+/// All modules of `src` with their texts. `main.rs` only calls the command line.
+fn sources() -> BTreeMap<Module, String> {
+    fn walk(folder: &Path, inside: &[String], found: &mut BTreeMap<Module, String>) {
+        for entry in fs::read_dir(folder).expect("a folder").flatten() {
+            let path = entry.path();
+            let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            if path.is_dir() {
+                walk(&path, &[inside, &[name]].concat(), found);
+            } else if path.extension().is_some_and(|ending| ending == "rs") && name != "main" {
+                let is_parent = name == "mod" || name == "lib";
+                let module = if is_parent { inside.to_vec() } else { [inside, &[name]].concat() };
+                let text = fs::read_to_string(&path).expect("a source file");
+                assert!(found.insert(module, text).is_none(), "{} is there twice", path.display());
+            }
+        }
+    }
+    let mut found = BTreeMap::new();
+    walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &[], &mut found);
+    found
+}
+
+fn architecture() -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("ARCHITECTURE.md")).expect("a document")
+}
+
+#[test]
+fn every_file_is_in_a_room_of_the_picture() {
+    let unlisted = House::new(&sources(), &rooms(&architecture())).unlisted();
+    assert!(unlisted.is_empty(), "ARCHITECTURE.md, \"The rooms\": {unlisted:#?}");
+}
+
+#[test]
+fn no_file_imports_from_a_room_above() {
+    let upward = House::new(&sources(), &rooms(&architecture())).upward();
+    let known = |(from, room, _): &(&str, &str, &str)| Upward { from: (*from).into(), room: (*room).into() };
+    let known: BTreeSet<Upward> = EXCEPTIONS.iter().map(known).collect();
+    let new: Vec<_> = upward.difference(&known).collect();
+    assert!(new.is_empty(), "arrows up: {new:#?}");
+    let cured: Vec<_> = known.difference(&upward).collect();
+    assert!(cured.is_empty(), "no longer needed in EXCEPTIONS: {cured:#?}");
+}
+
+#[test]
+fn no_files_of_a_room_import_each_other_in_a_circle() {
+    let circles = House::new(&sources(), &rooms(&architecture())).circles();
+    assert!(circles.is_empty(), "{circles:#?}");
+}
+
+/// A small house: module and text of each file.
+fn house(files: &[(&str, &str)], rooms: &[&str]) -> House {
+    let split = |path: &str| path.split('/').filter(|name| !name.is_empty()).map(str::to_owned).collect();
+    let sources = files.iter().map(|(path, text)| (split(path), (*text).to_owned())).collect();
+    House::new(&sources, rooms)
+}
+
+#[test]
+fn an_arrow_up_would_be_found() {
+    let upward = |files: &[(&str, &str)]| -> Vec<String> {
+        let found = house(files, &["low", "high", "low/roof"]).upward();
+        found.into_iter().map(|up| format!("{} {}", up.from, up.room)).collect()
+    };
+    let high = ("high", "use crate::low::Thing; pub struct Other;");
+    assert!(upward(&[("low", ""), high, ("", "mod low; mod high;")]).is_empty());
+    assert_eq!(upward(&[("low", "use crate::high::Other;"), high]), ["low high"]);
+    assert_eq!(
+        upward(&[("low", ""), ("low/part", "fn f() -> super::super::high::Other {}"), high]),
+        ["low/part high"]
+    );
+    assert_eq!(upward(&[("low", "mod roof; use roof::Tile;"), ("low/roof", "")]), ["low low/roof"]);
+    // By way of the root of the crate.
+    let root = ("", "pub use high::Other; pub fn own() {}");
+    assert_eq!(upward(&[("low", "use crate::Other;"), high, root]), ["low high"]);
+    assert_eq!(upward(&[("low", "use crate::own;"), high, root]), ["low lib.rs"]);
+    // Tests may use what is above.
+    let tested = "#[cfg(test)] mod tests; #[cfg(test)] mod more { use crate::high::Other; }";
+    assert!(upward(&[("low", tested), ("low/tests", "use crate::high::Other;"), high]).is_empty());
+}
+
+#[test]
+fn a_circle_would_be_found() {
+    let circles = |files: &[(&str, &str)]| house(files, &["low"]).circles();
+    let parent = ("low", "mod a; mod b; pub use a::One; pub use b::Two; use a::help;");
+    let child = ("low/b", "use super::One; pub struct Two;");
+    assert!(circles(&[parent, ("low/a", "pub struct One;"), child]).is_empty());
+    assert_eq!(circles(&[parent, ("low/a", "use super::Two;"), child]), ["low/a → low/b → low/a"]);
+    // A file that leads to a circle is none of it; and a child can close one for its parent.
+    let leads = ("low/0", "use super::a::One;");
+    assert_eq!(circles(&[parent, leads, ("low/a", "use super::Two;"), child]), ["low/a → low/b → low/a"]);
+    let inner = ("low/a/inner", "use super::One;");
+    let back = ("low/b", "use super::a::inner::help;");
+    assert_eq!(
+        circles(&[parent, ("low/a", "use super::b::Two;"), inner, back]),
+        ["low/a → low/b → low/a/inner → low/a"]
+    );
+}
+
+#[test]
+fn a_missing_room_would_be_found() {
+    let small = house(&[("", ""), ("low", ""), ("low/a", ""), ("lower", "")], &["low", "high"]);
+    assert_eq!(small.unlisted(), ["`lower` is in no room", "there is no module `high`"]);
+    let document = "# A\n\n    no    no\n\n## The rooms\n\nText.\n\n    low   one\n    high  two\n\nText.\n\n    no   three\n";
+    assert_eq!(rooms(document), ["low", "high"]);
+}

@@ -1,0 +1,172 @@
+//! Which file of `src` uses which, and which of that the order of the rooms forbids.
+//!
+//! In: the modules with their texts, the rooms from the lowest up. Out: sentences about arrows up and circles.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::paths::Named;
+
+/// A module by the names on the way to it; the root of the crate has none.
+pub type Module = Vec<String>;
+
+/// An import from a room above.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Upward {
+    /// The module that imports, with `/`.
+    pub from: String,
+    /// The room above it.
+    pub room: String,
+}
+
+/// All modules, what they name, and their rooms.
+pub struct House {
+    named: BTreeMap<Module, Named>,
+    /// From the lowest up. A room is a module with all below it, but for those that are rooms of their own.
+    rooms: Vec<String>,
+}
+
+impl House {
+    /// A house of modules with their texts. Modules for tests only are left out.
+    pub fn new(sources: &BTreeMap<Module, String>, rooms: &[&str]) -> Self {
+        let mut named: BTreeMap<Module, Named> =
+            sources.iter().map(|(module, text)| (module.clone(), Named::read(text))).collect();
+        let below = |module: &Module, name: &String| [module.as_slice(), &[name.clone()]].concat();
+        let for_tests: Vec<Module> = named
+            .iter()
+            .flat_map(|(module, named)| named.test_modules.iter().map(|name| below(module, name)))
+            .collect();
+        named.retain(|module, _| !for_tests.iter().any(|test| module.starts_with(test)));
+        Self { named, rooms: rooms.iter().map(|room| (*room).to_owned()).collect() }
+    }
+
+    /// The place of a module's room in the order; nothing for the root of the crate.
+    fn room(&self, module: &Module) -> Option<usize> {
+        let name = module.join("/");
+        let is_in =
+            |room: &str| name.strip_prefix(room).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
+        let rooms = self.rooms.iter().enumerate().filter(|(_, room)| is_in(room));
+        rooms.max_by_key(|(_, room)| room.len()).map(|(place, _)| place)
+    }
+
+    /// Modules without a room, and rooms without a module.
+    pub fn unlisted(&self) -> Vec<String> {
+        let modules = self.named.keys().filter(|module| !module.is_empty() && self.room(module).is_none());
+        let modules = modules.map(|module| format!("`{}` is in no room", module.join("/")));
+        let is_there = |room: &String| self.named.keys().any(|module| module.join("/") == *room);
+        let rooms = self.rooms.iter().filter(|room| !is_there(room));
+        modules.chain(rooms.map(|room| format!("there is no module `{room}`"))).collect()
+    }
+
+    /// The module a path of a module leads to: that which defines what it names, or the last one on the way.
+    fn target(&self, module: &Module, path: &[String]) -> Option<Module> {
+        let mut base = match path.first()?.as_str() {
+            "crate" => Vec::new(),
+            "self" | "super" => module.clone(),
+            child => {
+                let inside = [module.as_slice(), &[child.to_owned()]].concat();
+                return self.named.contains_key(&inside).then(|| self.follow(module.clone(), path, 0));
+            }
+        };
+        let up = path.iter().take_while(|name| *name == "super").count();
+        base.truncate(base.len().saturating_sub(up));
+        Some(self.follow(base, &path[up.max(1)..], 0))
+    }
+
+    fn follow(&self, mut module: Module, names: &[String], followed: usize) -> Module {
+        /// Longer chains of re-exports there are none.
+        const MOST: usize = 8;
+        for (index, name) in names.iter().enumerate() {
+            let inside = [module.as_slice(), &[name.clone()]].concat();
+            if self.named.contains_key(&inside) {
+                module = inside;
+                continue;
+            }
+            let offered = self.named.get(&module).map_or(&[][..], |named| &named.offered);
+            let path = offered.iter().find(|(own, _)| own == name).map(|(_, path)| path);
+            if let Some(path) = path.filter(|_| followed < MOST) {
+                let rest = [path, &names[index + 1..]].concat();
+                let (start, rest) = match path[0].as_str() {
+                    "crate" => (Vec::new(), &rest[1..]),
+                    "self" => (module, &rest[1..]),
+                    "super" => {
+                        let up = rest.iter().take_while(|name| *name == "super").count();
+                        module.truncate(module.len().saturating_sub(up));
+                        (module, &rest[up..])
+                    }
+                    _ => (module, &rest[..]),
+                };
+                return self.follow(start, rest, followed + 1);
+            }
+            break;
+        }
+        module
+    }
+
+    /// Each module with those it uses, as far as that counts. What a module says of those below it in its own room does
+    /// not: it declares, re-exports and calls them.
+    fn edges(&self) -> BTreeSet<(&Module, Module)> {
+        let mut edges = BTreeSet::new();
+        for (module, named) in &self.named {
+            let offered = named.offered.iter().map(|(_, path)| path);
+            for path in named.paths.iter().chain(offered) {
+                let Some(target) = self.target(module, path) else { continue };
+                let is_own = target.starts_with(module) && self.room(&target) == self.room(module);
+                if !is_own {
+                    edges.insert((module, target));
+                }
+            }
+        }
+        edges.retain(|(module, _)| !module.is_empty());
+        edges
+    }
+
+    /// Imports from a room above. The root of the crate is above all rooms.
+    pub fn upward(&self) -> BTreeSet<Upward> {
+        let mut upward = BTreeSet::new();
+        for (module, target) in self.edges() {
+            let own = self.room(module);
+            let room = match self.room(&target) {
+                Some(above) if Some(above) > own => self.rooms[above].clone(),
+                None if own.is_some() => "lib.rs".to_owned(),
+                _ => continue,
+            };
+            upward.insert(Upward { from: module.join("/"), room });
+        }
+        upward
+    }
+
+    /// A circle of files in each room that has one: `a → b → a`.
+    pub fn circles(&self) -> Vec<String> {
+        let mut within: BTreeMap<Module, BTreeSet<Module>> = BTreeMap::new();
+        for (module, target) in self.edges() {
+            if self.room(module) == self.room(&target) {
+                within.entry(module.clone()).or_default().insert(target);
+            }
+        }
+        // Without the files that use none that is left, only circles remain, and files that lead to them.
+        loop {
+            let left: BTreeSet<Module> = within.keys().cloned().collect();
+            let count: usize = within.values().map(BTreeSet::len).sum();
+            within.values_mut().for_each(|targets| targets.retain(|target| left.contains(target)));
+            within.retain(|_, targets| !targets.is_empty());
+            if count == within.values().map(BTreeSet::len).sum::<usize>() {
+                break;
+            }
+        }
+        let mut circles = BTreeMap::new();
+        for start in within.keys() {
+            let mut way = vec![start];
+            let circle = loop {
+                let next = within[way[way.len() - 1]].first().expect("a file of a circle uses another");
+                if let Some(begin) = way.iter().position(|module| *module == next) {
+                    way.push(next);
+                    break &way[begin..];
+                }
+                way.push(next);
+            };
+            let names: Vec<String> = circle.iter().map(|module| module.join("/")).collect();
+            circles.entry(self.room(start)).or_insert_with(|| names.join(" → "));
+        }
+        circles.into_values().collect()
+    }
+}

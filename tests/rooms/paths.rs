@@ -1,0 +1,222 @@
+//! The module paths that a Rust source file names.
+//!
+//! In: the text of a file. Out: the paths of its `use` items and the paths in its code that begin with `crate`, `super` or
+//! `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Must not know where modules are.
+
+/// What a file names.
+#[derive(Debug, Default, PartialEq)]
+pub struct Named {
+    /// Paths in code, and those of private `use` items.
+    pub paths: Vec<Vec<String>>,
+    /// Paths of `pub use` items, with the name under which each is offered; `*` for all names of a module.
+    pub offered: Vec<(String, Vec<String>)>,
+    /// Modules that exist for tests only.
+    pub test_modules: Vec<String>,
+}
+
+impl Named {
+    /// Reads a file.
+    pub fn read(source: &str) -> Self {
+        let tokens = tokens(source);
+        let mut named = Self::default();
+        let mut at = 0;
+        while at < tokens.len() {
+            at = named.read_item(&tokens, at);
+        }
+        named
+    }
+
+    /// Reads what begins at a token; returns the token behind it.
+    fn read_item(&mut self, tokens: &[String], at: usize) -> usize {
+        let is = |index: usize, text: &str| tokens.get(index).is_some_and(|token| token == text);
+        if tokens[at..].starts_with(&["#", "[", "cfg", "(", "test", ")", "]"].map(str::to_owned)) {
+            let item = skip_attributes(tokens, at);
+            if is(item, "mod") && is(item + 2, ";") {
+                self.test_modules.push(tokens[item + 1].clone());
+            }
+            return skip_item(tokens, item);
+        }
+        let begins_path = matches!(tokens[at].as_str(), "crate" | "super" | "self");
+        if begins_path && is(at + 1, "::") && (at == 0 || tokens[at - 1] != "::") {
+            let mut path = vec![tokens[at].clone()];
+            let mut end = at + 1;
+            while is(end, "::") && tokens.get(end + 1).is_some_and(|name| is_name(name)) {
+                path.push(tokens[end + 1].clone());
+                end += 2;
+            }
+            self.paths.push(path);
+            return end;
+        }
+        // `use<…>` in a type names lifetimes.
+        if tokens[at] != "use" || is(at + 1, "<") {
+            return at + 1;
+        }
+        let is_public = at > 0 && (tokens[at - 1] == "pub" || tokens[at - 1] == ")");
+        let mut found = Vec::new();
+        let end = read_tree(tokens, at + 1, &[], &mut found);
+        for (name, path) in found {
+            if is_public {
+                self.offered.push((name, path));
+            } else {
+                self.paths.push(path);
+            }
+        }
+        end
+    }
+}
+
+/// Reads a tree of a `use` item into names and paths; returns the token behind it.
+fn read_tree(
+    tokens: &[String],
+    mut at: usize,
+    prefix: &[String],
+    found: &mut Vec<(String, Vec<String>)>,
+) -> usize {
+    let mut path = prefix.to_vec();
+    while let Some(token) = tokens.get(at) {
+        match token.as_str() {
+            "::" => at += 1,
+            "{" => {
+                at += 1;
+                while tokens.get(at).is_some_and(|token| token != "}") {
+                    let end = read_tree(tokens, at, &path, found);
+                    let comma = tokens.get(end).is_some_and(|token| token == ",");
+                    at = (end + usize::from(comma)).max(at + 1);
+                }
+                return at + 1;
+            }
+            "," | ";" | "}" | "as" => break,
+            "self" if path.len() > prefix.len() || !prefix.is_empty() => at += 1,
+            _ => {
+                path.push(token.clone());
+                at += 1;
+            }
+        }
+    }
+    let mut name = path.last().cloned().unwrap_or_default();
+    if tokens.get(at).is_some_and(|token| token == "as") {
+        name = tokens[at + 1].clone();
+        at += 2;
+    }
+    found.push((name, path));
+    at
+}
+
+/// The token behind the attributes that begin here.
+fn skip_attributes(tokens: &[String], mut at: usize) -> usize {
+    while tokens.get(at).is_some_and(|token| token == "#") {
+        at = skip_group(tokens, at + 1);
+    }
+    at
+}
+
+/// The token behind an item: behind its `;` or its braces.
+fn skip_item(tokens: &[String], mut at: usize) -> usize {
+    while let Some(token) = tokens.get(at) {
+        match token.as_str() {
+            ";" => return at + 1,
+            "{" => return skip_group(tokens, at),
+            "(" | "[" => at = skip_group(tokens, at),
+            _ => at += 1,
+        }
+    }
+    at
+}
+
+/// The token behind a group that opens here.
+fn skip_group(tokens: &[String], mut at: usize) -> usize {
+    let mut depth = 0;
+    while let Some(token) = tokens.get(at) {
+        at += 1;
+        match token.as_str() {
+            "{" | "(" | "[" => depth += 1,
+            "}" | ")" | "]" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    at
+}
+
+fn is_name(token: &str) -> bool {
+    token.starts_with(|ch: char| ch.is_alphabetic() || ch == '_')
+}
+
+/// The tokens of a file, without comments and literals; `::` is one token.
+fn tokens(source: &str) -> Vec<String> {
+    let mut tokens = Vec::new();
+    let mut rest = source;
+    while let Some(first) = rest.chars().next() {
+        let length = if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if rest.starts_with("/*") {
+            rest.find("*/").map_or(rest.len(), |end| end + 2)
+        } else if let Some(length) = literal(rest) {
+            length
+        } else if is_name(rest) || first.is_ascii_digit() {
+            let length = rest.find(|ch: char| !(ch.is_alphanumeric() || ch == '_')).unwrap_or(rest.len());
+            tokens.push(rest[..length].to_owned());
+            length
+        } else if rest.starts_with("::") {
+            tokens.push("::".to_owned());
+            2
+        } else {
+            if !first.is_whitespace() {
+                tokens.push(first.to_string());
+            }
+            first.len_utf8()
+        };
+        rest = &rest[length..];
+    }
+    tokens
+}
+
+/// The length of the string or character that begins here, if one does.
+fn literal(text: &str) -> Option<usize> {
+    let body = text.strip_prefix('b').unwrap_or(text);
+    let before = text.len() - body.len();
+    if let Some(raw) = body.strip_prefix('r') {
+        let marks = raw.len() - raw.trim_start_matches('#').len();
+        if raw[marks..].starts_with('"') {
+            let close = format!("\"{}", "#".repeat(marks));
+            let end = raw[marks + 1..].find(&close)?;
+            return Some(before + 1 + marks + 1 + end + close.len());
+        }
+    }
+    let quote = body.chars().next().filter(|ch| matches!(ch, '"' | '\''))?;
+    let mut escaped = false;
+    for (at, ch) in body.char_indices().skip(1) {
+        match ch {
+            _ if escaped => escaped = false,
+            '\\' => escaped = true,
+            _ if ch == quote => return Some(before + at + ch.len_utf8()),
+            _ => {}
+        }
+        // A quote that no other follows is that of a lifetime.
+        if quote == '\'' && !escaped && !body[at + ch.len_utf8()..].starts_with('\'') {
+            return None;
+        }
+    }
+    None
+}
+
+#[test]
+fn paths_are_read_as_they_are_written() {
+    let named = Named::read(
+        "//! crate::comment\nuse crate::a::{self, B, c::{D, E as F}};\npub use g::H;\npub(crate) use super::i::*;\n\
+         #[cfg(test)]\nmod checks;\nfn f<'a>(x: &'a str, q: char) { crate::j::k(\"crate::no\", '\\'', r#\"super::no\"#); }\n\
+         #[cfg(test)]\n#[allow(unused)]\nmod tests {\n    use crate::l::M;\n}\nfn last<'a>() -> impl Fn(super::n::O) + use<'a> { ; }\n",
+    );
+    let written = |path: &Vec<String>| path.join("::");
+    let paths: Vec<String> = named.paths.iter().map(written).collect();
+    assert_eq!(
+        paths,
+        ["crate::a", "crate::a::B", "crate::a::c::D", "crate::a::c::E", "crate::j::k", "super::n::O"]
+    );
+    let offered: Vec<(&str, String)> =
+        named.offered.iter().map(|(name, path)| (name.as_str(), written(path))).collect();
+    assert_eq!(offered, [("H", "g::H".to_owned()), ("*", "super::i::*".to_owned())]);
+    assert_eq!(named.test_modules, ["checks"]);
+}
