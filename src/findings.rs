@@ -1,6 +1,6 @@
-//! What is told of what happens at the machine.
+//! Messages about what happens at the machine.
 //!
-//! In: the findings of the shop, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
+//! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
 //! that runs into something does so in every pass.
 
 use crate::diagnostics::{Diagnostic, Levels, Message};

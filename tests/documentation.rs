@@ -32,7 +32,7 @@ const DOCUMENTS: [&str; 6] = [
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
 /// documents.
-const NOT_RUN: [(&str, &str); 7] = [
+const NOT_RUN: [(&str, &str); 8] = [
     (
         "cargo install --path .",
         "an optimised build of minutes; that the program builds is shown by every test of it",
@@ -49,6 +49,7 @@ const NOT_RUN: [(&str, &str); 7] = [
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
     ("# rapid-through-stock", "a sketch of a page; `tests/rule_pages.rs` reads all pages"),
     ("text ──►", "a drawing"),
+    ("geometry  ", "the order of the rooms, which `tests/rooms.rs` reads"),
 ];
 
 /// What the documents name and only a build makes.

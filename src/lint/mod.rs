@@ -1,4 +1,5 @@
-//! Rules: what a good instructor would remark though the control runs it. One small file for each family.
+//! What a good instructor would say though the control runs it: one file for each family of rules. Lints that need the part are in
+//! `findings`.
 
 pub mod compensation;
 pub mod contour;

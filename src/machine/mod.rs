@@ -1,4 +1,4 @@
-//! What happens at the machine: the part that appears, the time it takes, and what runs into what.
+//! What happens at the machine: the part that appears, and what runs into what.
 //!
 //! In: the motions and the setup. Out: [`Machining`], which takes the material off in slices and can show nothing of it, and in
 //! the end the [`Shop`], with the work at any moment and the findings. Comes after the control and before the picture; must

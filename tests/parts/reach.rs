@@ -2,7 +2,7 @@
 //!
 //! In: motions, and outlines of tools written down anew. Out: intervals of radius that are left of a blank at a Z. For each
 //! straight piece of a cut the nearest and the farthest radius the outline reaches at that Z is the least of a convex and
-//! the greatest of a concave function of the way, found by narrowing it down. Uses nothing of `shop`.
+//! the greatest of a concave function of the way, found by narrowing it down. Uses nothing of `machine`.
 
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Motion, MotionKind};
