@@ -15,6 +15,7 @@ pub mod guess;
 pub mod part;
 pub mod region;
 mod seen;
+mod stations;
 mod surface;
 pub mod sweep;
 pub mod thread_point;
