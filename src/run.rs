@@ -6,6 +6,7 @@
 mod edit;
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
@@ -44,20 +45,33 @@ pub struct Analysis {
     pub setup: Setup,
     /// The unit of length at the end of the program.
     pub unit: Unit,
+    /// Tools and blank, once somebody has asked for them.
+    fitting: OnceLock<Fitting>,
 }
 
 impl Analysis {
+    /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first call and kept, so setup
+    /// and motions must not change after that.
+    pub fn fitting(&self) -> &Fitting {
+        self.fitting.get_or_init(|| Fitting::new(&self.motions, &self.setup))
+    }
+
+    /// The program at the machine, with all its material off.
+    pub fn shop(&self) -> Shop {
+        Shop::fitted(self.fitting().clone(), &self.motions, &self.setup)
+    }
+
     /// Adds what is to be told of what happens at the machine: what runs into what, where a blank or a machine is given to hold it
     /// against, and which tools are not known.
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
-            let shop = Shop::done(&self.motions, &self.setup);
+            let shop = self.shop();
             let found = findings::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
-            let fitting = Fitting::new(&self.motions, &self.setup);
-            let left_out = findings::not_shown(&fitting, &self.motions);
-            self.diagnostics.extend(left_out.filter_map(|told| self.setup.rules.graded(told)));
+            let left_out = findings::not_shown(self.fitting(), &self.motions);
+            let left_out: Vec<_> = left_out.filter_map(|told| self.setup.rules.graded(told)).collect();
+            self.diagnostics.extend(left_out);
         }
         sort_by_place(&mut self.diagnostics);
     }
@@ -431,7 +445,8 @@ impl Run {
         let setup = interpreter.setup().clone();
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit }
+        let fitting = OnceLock::new();
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, fitting }
     }
 
     /// Begins with another program than the first of the text.

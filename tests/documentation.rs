@@ -2,6 +2,8 @@
 //! figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "documentation/documents.rs"]
+mod documents;
 #[path = "documentation/figures.rs"]
 mod figures;
 #[path = "documentation/markdown.rs"]
@@ -14,21 +16,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
+use documents::DOCUMENTS;
 use figures::{FIGURES, Held};
 use gcode_playground::analyze;
 use gcode_playground::setup::Setup;
 use markdown::Document;
 use serde_json::Value;
-
-/// The documents. The change log tells of the past, and only its commands and files are looked at.
-const DOCUMENTS: [&str; 6] = [
-    "README.md",
-    "ARCHITECTURE.md",
-    "CHANGELOG.md",
-    "benches/README.md",
-    "tests/programs/README.md",
-    "src/diagnostics/pages/README.md",
-];
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
 /// documents.
@@ -159,6 +152,15 @@ fn every_file_that_is_named_exists() {
         }
     }
     assert!(missing.is_empty(), "no such file:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn every_document_is_in_the_list() {
+    let files = files();
+    let is_document =
+        |file: &&String| file.ends_with(".md") && (!file.contains('/') || file.ends_with("/README.md"));
+    let found: BTreeSet<&str> = files.iter().filter(is_document).map(String::as_str).collect();
+    assert_eq!(found, DOCUMENTS.into_iter().collect());
 }
 
 #[test]

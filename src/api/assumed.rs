@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use crate::diagnostics::messages::{Language, labels};
-use crate::machine::fitting::Fitting;
 use crate::run::Analysis;
 use crate::setup::Stock;
 use crate::setup::written;
@@ -41,7 +40,7 @@ impl AssumedStock {
         if analysis.setup.stock.is_some() {
             return None;
         }
-        let fitting = Fitting::new(&analysis.motions, &analysis.setup);
+        let fitting = analysis.fitting();
         let (stock, _) = fitting.stock().filter(|_| fitting.unknown().is_empty())?;
         let Stock { diameter, bore, face, length, .. } = stock;
         let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);

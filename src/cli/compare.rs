@@ -6,7 +6,6 @@ use std::io::{self, Write};
 
 use super::{Format, Program, write_row};
 use crate::api;
-use crate::machine::Shop;
 use crate::machine::compare::{Comparison, Side, parts};
 use crate::machine::region::Region;
 use crate::motion::Motions;
@@ -83,7 +82,7 @@ impl<'a> Compared<'a> {
     /// The picture: the second part, and what only one of them has.
     pub(super) fn svg(&self) -> String {
         let analysis = &self.programs[1].analysis;
-        let shop = Shop::done(&analysis.motions, &analysis.setup);
+        let shop = analysis.shop();
         let work = Work::of(&shop, &analysis.motions, None)
             .map(|work| work.with_part(&self.second).compared_with(&self.comparison));
         let legend = [Side::First, Side::Second]

@@ -8,7 +8,6 @@ use super::{Program, encoded};
 use crate::diagnostics::messages::Language;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
-use crate::machine::Shop;
 use crate::machine::region::Region;
 use crate::run::Run;
 use crate::scene::Scene;
@@ -71,7 +70,7 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 pub(super) fn drawing(program: &Program, ground: Ground) -> String {
     let motions = &program.analysis.motions;
     let outline = Outline::of(motions);
-    let work = Work::of(&Shop::done(motions, &program.analysis.setup), motions, None);
+    let work = Work::of(&program.analysis.shop(), motions, None);
     let x_plus = program.analysis.setup.machine.turret.into();
     svg(
         &Scene::new(motions, &outline, work.as_ref()),
@@ -80,5 +79,5 @@ pub(super) fn drawing(program: &Program, ground: Ground) -> String {
 }
 
 fn part(program: &Program) -> Option<Region> {
-    Shop::done(&program.analysis.motions, &program.analysis.setup).finished()
+    program.analysis.shop().finished()
 }

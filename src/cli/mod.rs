@@ -330,7 +330,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
         }
         Command::Part { file, with } => {
             let program = program(&file, &with)?;
-            let shop = Shop::done(&program.analysis.motions, &program.analysis.setup);
+            let shop = program.analysis.shop();
             let finished = shop.finished();
             if finished.is_none() {
                 eprintln!("gcode-playground: {}: no part: {}", program.name, why_no_part(&program, &shop));
@@ -383,7 +383,7 @@ fn why_no_part(program: &Program, shop: &Shop) -> String {
 fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
-    let shop = Shop::done(motions, setup);
+    let shop = program.analysis.shop();
     match view {
         ViewName::Section => {
             let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));

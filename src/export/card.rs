@@ -80,11 +80,12 @@ impl Card<'_> {
             w.name,
             w.date,
         );
-        self.facts(&mut page, w);
+        let fitting = Fitting::new(self.motions, self.setup);
+        self.facts(&mut page, &fitting, w);
         if let Some(drawing) = self.drawing {
             let _ = writeln!(page.html, "<figure>{drawing}</figure>");
         }
-        self.tools(&mut page, language);
+        self.tools(&mut page, &fitting, language);
         page.heading(w.program);
         page.begin_table("blocks", &["N", w.block, w.does, w.remark, &format!("{}, {}", w.time, w.seconds)]);
         for row in &rows {
@@ -112,9 +113,8 @@ impl Card<'_> {
         number.map(|number| format!("O{number:04}")).unwrap_or_default()
     }
 
-    fn facts(&self, page: &mut Page, w: &Words) {
+    fn facts(&self, page: &mut Page, fitting: &Fitting, w: &Words) {
         let mut facts = vec![(w.control, self.codes.name().to_owned())];
-        let fitting = Fitting::new(self.motions, self.setup);
         if let Some((stock, known)) = fitting.stock() {
             facts.push((w.blank, blank(&stock, known, w)));
         }
@@ -127,9 +127,8 @@ impl Card<'_> {
         page.html.push_str("</dl>\n");
     }
 
-    fn tools(&self, page: &mut Page, language: Language) {
+    fn tools(&self, page: &mut Page, fitting: &Fitting, language: Language) {
         let w = words(language);
-        let fitting = Fitting::new(self.motions, self.setup);
         let (tools, all) = tally(self.motions, &self.setup.machine);
         if tools.is_empty() {
             return;

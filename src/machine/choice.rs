@@ -3,14 +3,15 @@
 //! In: the motions, what was seen of each use, what comments say, the blank. Out: the guesses, with another tool where the first
 //! would cut into the surface that all tips leave together, or the word that none is known. Must not know the text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::seen::{LOOKED_AT, Seen, Use};
-use super::surface::{Facing, Stations, Surface, Track};
+use super::stations::{Places, Stations};
+use super::surface::{Facing, Surface, Track};
 use super::sweep::way_of;
 use super::tool::takes;
 use crate::geometry::SAME;
-use crate::motion::{Motions, Process};
+use crate::motion::{Motion, Motions, Process};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// Widths of blades that are tried, mm.
@@ -49,6 +50,7 @@ pub(super) fn decide(
     let mut unknown = Vec::new();
     let Some(stock) = stock else { return unknown };
     let Some(led) = Led::of(motions, seen, &stock) else { return unknown };
+    let mut uncertain: Option<BTreeSet<u16>> = None;
     for (index, own) in seen.iter().enumerate().filter(|(_, own)| own.purpose == Use::Turning) {
         let Some(first) = tools.get_mut(index) else { continue };
         if first.kind == Some(ToolKind::Grooving) {
@@ -72,16 +74,17 @@ pub(super) fn decide(
         match found {
             Some(tool) => **first = tool.clone(),
             // Of a tool some of whose cuts are left out the others say too little.
-            None if has_uncertain_cut(motions, own.station) => {}
+            None if uncertain.get_or_insert_with(|| with_uncertain_cuts(motions)).contains(&own.station) => {}
             None => unknown.push(own.first),
         }
     }
     unknown
 }
 
-fn has_uncertain_cut(motions: &Motions, station: u16) -> bool {
+/// The stations of the turret that have cuts which are left out.
+fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
     let cuts = motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts());
-    cuts.filter(|cut| cut.process.tool.0 == station).any(|cut| cut.process.uncertain)
+    cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0).collect()
 }
 
 /// A guess with what comments say of it, as far as they speak of the same kind of tool.
@@ -162,10 +165,19 @@ impl Led {
             let counts = |process: &Process| !process.uncertain && !process.elsewhere;
             all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };
+        let index_of = |motion: &Motion| {
+            let (station, purpose) = (motion.process.tool.0, Use::of(motion));
+            let found = seen.iter().position(|own| own.station == station && own.purpose == purpose);
+            found.filter(|&index| turns(&seen[index]))
+        };
         let (mut low, mut high) = (f64::INFINITY, stock.face);
+        let mut places = Places::default();
         for motion in cuts() {
             low = low.min(motion.to.z.min(motion.from.z));
             high = high.max(motion.from.z);
+            if index_of(&motion).is_some() {
+                places.add(&way_of(&motion));
+            }
         }
         let behind = low < -SAME;
         // The bar behind all cuts is held, and no part.
@@ -174,18 +186,14 @@ impl Led {
         if high - low > LONGEST {
             return None;
         }
-        let stations = Stations::between(low, high);
+        // Where the work may begin and end.
+        [back, stock.face, 0.0].into_iter().for_each(|z| places.end(z));
+        let stations = places.between(low, high);
         let facing = |own: &Seen| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
-        let mut tracks = vec![Track::default(); seen.len()];
+        let mut tracks = vec![Track::new(&stations); seen.len()];
         let mut faces: Vec<(f64, usize)> = Vec::new();
         for motion in cuts() {
-            let use_of = (motion.process.tool.0, Use::of(&motion));
-            let Some(index) = seen.iter().position(|own| (own.station, own.purpose) == use_of) else {
-                continue;
-            };
-            if !turns(&seen[index]) {
-                continue;
-            }
+            let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
             tracks[index].add(&way, facing(&seen[index]), &stations);
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
@@ -210,12 +218,16 @@ impl Led {
         let front = faces.iter().filter(|face| is_face(face)).map(|face| face.0).fold(face, f64::min);
         let outside = Surface::of(
             of(Facing::Outwards),
-            (Facing::Outwards, stations),
+            (Facing::Outwards, stations.clone()),
             stock.diameter / 2.0,
             (back, front),
         );
-        let inside =
-            Surface::of(of(Facing::Inwards), (Facing::Inwards, stations), stock.bore / 2.0, (back, front));
+        let inside = Surface::of(
+            of(Facing::Inwards),
+            (Facing::Inwards, stations.clone()),
+            stock.bore / 2.0,
+            (back, front),
+        );
         Some(Self { tracks, stations, outside, inside, front })
     }
 
@@ -252,8 +264,8 @@ impl Led {
         }
         // Both corners of a blade are led along the walls of a groove, each by its own blocks; but a contour is made by one.
         let begins_at_face = track.goes_on_behind(&self.stations, self.front);
-        let is_groove = !own.contour && !begins_at_face && track.is_valley();
-        let own_surface = Surface::of_one(track, (facing, self.stations));
+        let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.stations);
+        let own_surface = Surface::of_one(track, (facing, self.stations.clone()));
         let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };
         is_groove || !own_surface.is_gouged(&outline, &track.without_parting(parting))
     }

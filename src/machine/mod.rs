@@ -15,6 +15,7 @@ pub mod guess;
 pub mod part;
 pub mod region;
 mod seen;
+mod stations;
 mod surface;
 pub mod sweep;
 pub mod thread_point;
@@ -75,8 +76,12 @@ pub enum Advanced {
 impl Machining {
     /// Fits out a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
+        Self::fitted(Fitting::new(motions, setup), motions, setup)
+    }
+
+    /// The same with the tools and the blank that are already known.
+    fn fitted(fitting: Fitting, motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
-        let fitting = Fitting::new(motions, setup);
         // With a tool that nobody knows, no part is better than a wrong one.
         let known = fitting.stock().filter(|_| fitting.unknown().is_empty());
         let part = known.map(|(stock, _)| Part::new(&stock));
@@ -114,7 +119,12 @@ impl Machining {
 impl Shop {
     /// A program with all its material off.
     pub fn done(motions: &Motions, setup: &Setup) -> Self {
-        let mut machining = Machining::new(motions, setup);
+        Self::fitted(Fitting::new(motions, setup), motions, setup)
+    }
+
+    /// The same with the [`Fitting`] of these motions and this setup.
+    pub fn fitted(fitting: Fitting, motions: &Motions, setup: &Setup) -> Self {
+        let mut machining = Machining::fitted(fitting, motions, setup);
         loop {
             match machining.advance(motions, usize::MAX) {
                 Advanced::UnderWay(more) => machining = more,

@@ -4,14 +4,21 @@
 //! along Z, and whether an outline led along them takes off what no tip was led along. Depths are *heights*: radii for the
 //! outside, negative radii for a bore, mm; a cut makes them less. Must not know which tool is which.
 
+use super::stations::{Profile, Stations, without_narrow_peaks};
 use super::sweep::Outline;
 use crate::geometry::{Point, SAME};
 
-/// Stations along Z.
-const STATIONS: usize = 800;
+/// Most plunges of a track that are kept.
+const MOST_PLUNGES: usize = 800;
+
+/// What is right beside a place is no further from it than this along Z, mm.
+const BESIDE: f64 = 0.3;
 
 /// What a guessed tool may cut too deep, mm.
 pub const GOUGE: f64 = 0.05;
+
+/// How far along Z a guessed tool may shift a wall, mm.
+const SHIFT: f64 = 0.08;
 
 /// A roughing pass ends no further in front of the last step of a contour than this, mm.
 const ALLOWANCE: f64 = 1.0;
@@ -34,35 +41,6 @@ impl Facing {
     }
 }
 
-/// Stations along Z, evenly spaced.
-#[derive(Clone, Copy, Debug)]
-pub struct Stations {
-    low: f64,
-    step: f64,
-}
-
-impl Stations {
-    /// Stations from `low` to `high`, mm.
-    pub fn between(low: f64, high: f64) -> Self {
-        Self { low, step: ((high - low) / STATIONS as f64).max(SAME) }
-    }
-
-    fn z(&self, index: usize) -> f64 {
-        self.low + (index as f64 + 0.5) * self.step
-    }
-
-    /// The first station at or behind `z`; may be beyond the last.
-    fn at_least(&self, z: f64) -> usize {
-        ((z - self.low) / self.step - 0.5 - 1e-9).ceil().max(0.0) as usize
-    }
-
-    /// Stations from one Z to another, both counted.
-    fn range(&self, from: f64, to: f64) -> std::ops::Range<usize> {
-        let end = ((to - self.low) / self.step - 0.5 + 1e-9).floor() + 1.0;
-        self.at_least(from).min(STATIONS)..(end.max(0.0) as usize).min(STATIONS)
-    }
-}
-
 /// Where a use of a tool is led.
 #[derive(Clone, Debug)]
 pub struct Track {
@@ -72,33 +50,32 @@ pub struct Track {
     pub plunges: Vec<(f64, f64)>,
 }
 
-impl Default for Track {
-    fn default() -> Self {
-        Self { along: vec![f64::INFINITY; STATIONS], plunges: Vec::new() }
-    }
-}
-
 impl Track {
+    /// A tool that is not led anywhere yet.
+    pub fn new(stations: &Stations) -> Self {
+        Self { along: vec![f64::INFINITY; stations.all().len()], plunges: Vec::new() }
+    }
+
     /// Adds a cut along some points.
     pub fn add(&mut self, way: &[Point], facing: Facing, stations: &Stations) {
         for ends in way.windows(2) {
             let (from, to) = (ends[0], ends[1]);
-            let (before, behind) = (facing.height(from.x), facing.height(to.x));
+            let (start, end) = (facing.height(from.x), facing.height(to.x));
             if (to.z - from.z).abs() > SAME {
-                for index in stations.range(from.z.min(to.z), from.z.max(to.z)) {
-                    let share = (stations.z(index) - from.z) / (to.z - from.z);
-                    let height = before + share * (behind - before);
-                    self.along[index] = self.along[index].min(height);
+                let slope = (end - start) / (to.z - from.z);
+                let range = stations.range(from.z.min(to.z), from.z.max(to.z));
+                for (own, z) in self.along[range.clone()].iter_mut().zip(&stations.all()[range]) {
+                    *own = own.min(start + (z - from.z) * slope);
                 }
-            } else if behind < before - SAME {
-                self.plunge(to.z, behind);
+            } else if end < start - SAME {
+                self.plunge(to.z, end);
             }
         }
     }
 
     fn plunge(&mut self, z: f64, height: f64) {
         const LATELY: usize = 8;
-        let room = self.plunges.len() < STATIONS;
+        let room = self.plunges.len() < MOST_PLUNGES;
         match self.plunges.iter_mut().rev().take(LATELY).find(|own| (own.0 - z).abs() <= SAME) {
             Some(own) => own.1 = own.1.min(height),
             None if room => self.plunges.push((z, height)),
@@ -109,7 +86,7 @@ impl Track {
     /// The highest Z where it is led along Z between two heights.
     pub fn highest_between(&self, stations: &Stations, low: f64, high: f64) -> Option<f64> {
         let index = self.along.iter().rposition(|height| (low..high).contains(height))?;
-        Some(stations.z(index))
+        Some(stations.all()[index])
     }
 
     /// The same without the ways that part the work off: those that end below a height.
@@ -121,15 +98,15 @@ impl Track {
 
     /// Whether it is led along Z right behind a place.
     pub fn goes_on_behind(&self, stations: &Stations, z: f64) -> bool {
-        let next = stations.at_least(z).min(STATIONS);
-        self.along[next.saturating_sub(2)..next].iter().any(|height| height.is_finite())
+        self.along[stations.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
 
     /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An arc that is not quite
-    /// tangent bulges a little.
-    pub fn is_valley(&self) -> bool {
+    /// tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
+    pub fn is_valley(&self, stations: &Stations) -> bool {
+        let heights = without_narrow_peaks(stations, &self.along, SHIFT);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
-        self.along.iter().all(|&height| {
+        heights.iter().all(|&height| {
             if height.is_infinite() {
                 (lowest, highest) = (f64::INFINITY, f64::NEG_INFINITY);
                 return true;
@@ -147,7 +124,7 @@ impl Track {
     pub fn without_last_step(&self, stations: &Stations) -> Self {
         let mut track = self.clone();
         if let Some(back) = self.along.iter().position(|height| height.is_finite()) {
-            track.plunges.retain(|(z, _)| *z > stations.z(back) + ALLOWANCE);
+            track.plunges.retain(|(z, _)| *z > stations.all()[back] + ALLOWANCE);
         }
         track
     }
@@ -177,24 +154,27 @@ impl Surface {
         radius: f64,
         (back, front): (f64, f64),
     ) -> Self {
-        let mut heights = vec![facing.height(radius); STATIONS];
+        let mut heights = vec![facing.height(radius); stations.all().len()];
         for track in tracks {
             for (height, own) in heights.iter_mut().zip(&track.along) {
                 *height = height.min(*own);
             }
         }
-        for (index, height) in heights.iter_mut().enumerate() {
-            if stations.z(index) > front - SAME || stations.z(index) < back {
+        for (height, z) in heights.iter_mut().zip(stations.all()) {
+            if *z > front - SAME || *z < back {
                 *height = f64::NEG_INFINITY;
             }
         }
+        let heights = without_narrow_peaks(&stations, &heights, SHIFT);
         Self { facing, stations, heights }
     }
 
     /// What a track alone leaves; where it is not led along Z nothing is to stay.
     pub fn of_one(track: &Track, (facing, stations): (Facing, Stations)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
-        Self { facing, stations, heights: track.along.iter().map(stays).collect() }
+        let heights: Vec<f64> = track.along.iter().map(stays).collect();
+        let heights = without_narrow_peaks(&stations, &heights, SHIFT);
+        Self { facing, stations, heights }
     }
 
     /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left beside it.
@@ -205,20 +185,51 @@ impl Surface {
 
     /// Whether the surface is as deep as this at a place, or right beside it.
     fn is_reached(&self, z: f64, height: f64) -> bool {
-        let next = self.stations.at_least(z);
-        let near = next.saturating_sub(2).min(STATIONS)..(next + 3).min(STATIONS);
+        let near = self.stations.range(z - BESIDE, z + BESIDE);
         self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
     /// Whether an outline led along a track takes off any of it.
+    ///
+    /// Track, surface and edge are straight between their points. So the outline is deepest in the surface where two of three meet:
+    /// a point of the track, a point of the surface, a corner of the edge.
     pub fn is_gouged(&self, outline: &Outline, track: &Track) -> bool {
-        let edge = Edge::of(outline, self.facing);
-        let led = track.along.iter().enumerate().filter(|(_, height)| height.is_finite());
-        let led = led.map(|(index, height)| (self.stations.z(index), *height));
-        led.chain(track.plunges.iter().copied()).any(|(z, height)| {
-            self.stations.range(z + edge.left(), z + edge.right()).any(|index| {
-                let low = height + edge.height(self.stations.z(index) - z);
-                low < self.heights[index] - GOUGE
+        // A wall may be shifted a little, and stations do not show exactly where it is.
+        let edge = Edge::of(outline, self.facing).narrowed(SHIFT.max(self.stations.exact_to()));
+        let led = self.stations.all().iter().copied().zip(track.along.iter().copied());
+        let led: Vec<(f64, f64)> = led.filter(|(_, height)| height.is_finite()).collect();
+        let mut plunges = track.plunges.clone();
+        plunges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        self.is_below(&edge, &led) || self.is_below(&edge, &plunges) || self.is_above(&edge, track)
+    }
+
+    /// Whether an edge takes off any of the surface while its tip stands at some places, in ascending order of Z.
+    fn is_below(&self, edge: &Edge, tips: &[(f64, f64)]) -> bool {
+        let cuts_points = |side: &[Point]| {
+            let (a, b) = (side[0], side[1]);
+            let slope = (b.x - a.x) / (b.z - a.z);
+            let mut profile = Profile::new(&self.stations, &self.heights);
+            tips.iter().any(|&(z, height)| {
+                let mut under = profile.range(z + a.z, z + b.z);
+                under.any(|(own, surface)| height + a.x + (own - z - a.z) * slope < surface - GOUGE)
+            })
+        };
+        let cuts_with_corner = |corner: &Point| {
+            let mut profile = Profile::new(&self.stations, &self.heights);
+            tips.iter().any(|&(z, height)| {
+                profile.at(z + corner.z).is_some_and(|surface| height + corner.x < surface - GOUGE)
+            })
+        };
+        edge.0.windows(2).any(cuts_points) || edge.0.iter().any(cuts_with_corner)
+    }
+
+    /// Whether a corner of an edge led along a track comes below a point of the surface.
+    fn is_above(&self, edge: &Edge, track: &Track) -> bool {
+        edge.0.iter().any(|corner| {
+            let mut led = Profile::new(&self.stations, &track.along);
+            let mut points = self.stations.all().iter().zip(&self.heights);
+            points.any(|(z, surface)| {
+                led.at(z - corner.z).is_some_and(|height| height + corner.x < surface - GOUGE)
             })
         })
     }
@@ -247,12 +258,16 @@ impl Edge {
         Self(lower)
     }
 
-    fn left(&self) -> f64 {
-        self.0.first().map_or(0.0, |point| point.z)
-    }
-
-    fn right(&self) -> f64 {
-        self.0.last().map_or(0.0, |point| point.z)
+    /// The same without so much of both ends, mm.
+    fn narrowed(&self, by: f64) -> Self {
+        let (Some(first), Some(last)) = (self.0.first(), self.0.last()) else { return Self(Vec::new()) };
+        let (left, right) = (first.z + by, last.z - by);
+        if left >= right {
+            return Self(Vec::new());
+        }
+        let end = |z: f64| Point::new(self.height(z), z);
+        let inner = self.0.iter().copied().filter(|point| point.z > left + SAME && point.z < right - SAME);
+        Self([end(left)].into_iter().chain(inner).chain([end(right)]).collect())
     }
 
     /// Height above the tip at a place beside it.
@@ -268,20 +283,22 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::machine::stations::Places;
     use crate::machine::tool::Shape;
 
-    const PLACES: Stations = Stations { low: -40.0, step: 0.06 };
-
-    fn led(points: &[(f64, f64)]) -> Track {
-        let mut track = Track::default();
+    fn led(points: &[(f64, f64)]) -> (Track, Stations) {
         let way: Vec<Point> = points.iter().map(|&(x, z)| Point::new(x, z)).collect();
-        track.add(&way, Facing::Outwards, &PLACES);
-        track
+        let mut places = Places::default();
+        way.windows(2).for_each(|ends| places.add(ends));
+        let stations = places.between(-40.0, 8.0);
+        let mut track = Track::new(&stations);
+        track.add(&way, Facing::Outwards, &stations);
+        (track, stations)
     }
 
     fn gouges(tool: &str, points: &[(f64, f64)]) -> bool {
-        let track = led(points);
-        let surface = Surface::of([&track].into_iter(), (Facing::Outwards, PLACES), 30.0, (-40.0, 0.0));
+        let (track, stations) = led(points);
+        let surface = Surface::of([&track].into_iter(), (Facing::Outwards, stations), 30.0, (-40.0, 0.0));
         let shape = Shape::of(&serde_json::from_str(tool).expect("a tool"));
         surface.is_gouged(&shape.edge, &track)
     }
@@ -301,16 +318,17 @@ mod tests {
 
     #[test]
     fn valleys_and_rings() {
-        let clears = |track: &Track| {
-            let side = (Facing::Outwards, PLACES);
+        let clears = |(track, stations): &(Track, Stations)| {
+            let side = (Facing::Outwards, stations.clone());
             Surface::of([track].into_iter(), side, 30.0, (-40.0, 0.0)).clears_plunges(track, 0.0)
         };
         let valley = led(&[(30.0, -10.0), (25.0, -10.0), (25.0, -15.0), (30.0, -20.0)]);
-        assert!(valley.is_valley() && clears(&valley));
-        assert!(!led(&[(30.0, -10.0), (25.0, -12.0), (28.0, -15.0), (20.0, -20.0)]).is_valley());
+        assert!(valley.0.is_valley(&valley.1) && clears(&valley));
+        let hill = led(&[(30.0, -10.0), (25.0, -12.0), (28.0, -15.0), (20.0, -20.0)]);
+        assert!(!hill.0.is_valley(&hill.1));
         assert!(!clears(&led(&[(30.0, -10.0), (25.0, -10.0)])));
         // It bulges a little before it falls.
         let bulging = led(&[(30.0, -20.0), (30.01, -19.9), (25.0, -15.0), (25.0, -11.0), (30.0, -10.0)]);
-        assert!(bulging.is_valley());
+        assert!(bulging.0.is_valley(&bulging.1));
     }
 }

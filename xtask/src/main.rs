@@ -126,21 +126,18 @@ fn parse_bench(words: &[&str]) -> run::Result<bench::Options> {
 }
 
 #[cfg(test)]
+#[path = "../../tests/documentation/documents.rs"]
+mod documents;
+
+#[cfg(test)]
 mod tests {
+    use super::documents::DOCUMENTS;
     use super::*;
 
     /// The commands of the documents, from code spans and blocks; what explains them stands two blanks behind.
     fn documented() -> Vec<String> {
-        let documents = [
-            "README.md",
-            "ARCHITECTURE.md",
-            "CHANGELOG.md",
-            "benches/README.md",
-            "tests/programs/README.md",
-            "src/diagnostics/pages/README.md",
-        ];
         let mut found = Vec::new();
-        for document in documents {
+        for document in DOCUMENTS {
             let text = std::fs::read_to_string(run::root().join(document)).expect(document);
             for rest in text.split("cargo xtask ").skip(1) {
                 found.extend(

@@ -30,6 +30,8 @@ struct Measure<'a> {
     before: &'a str,
     /// Letters and `"` behind it.
     behind: &'a str,
+    /// Whether it is written right at the letters before it and has no decimal point, as a counter is (`GROOVE1`).
+    glued: bool,
 }
 
 /// Plausible nose radii, widths of blades and diameters of drills, mm.
@@ -90,10 +92,11 @@ pub fn width(text: &str, unit: Unit) -> Option<f64> {
                 .any(|name| before.starts_with(name))
     });
     let with_unit = || measures(text).find(Measure::has_unit);
-    // A number alone, that is no name of the insert and no other measure.
+    // A number alone, that is no name of the insert, no counter and no other measure.
     let alone = || {
-        measures(text)
-            .find(|own| own.behind.is_empty() && (own.before.len() > 2 && !own.before.contains('Ø')))
+        measures(text).find(|own| {
+            own.behind.is_empty() && own.before.len() > 2 && !own.before.contains('Ø') && !own.glued
+        })
     };
     let own = named.or_else(with_unit).or_else(|| if text.contains("GROOV") { alone() } else { None })?;
     Some(own.in_millimetres(unit)).filter(in_range(WIDTHS))
@@ -119,7 +122,9 @@ pub fn diameter(text: &str, unit: Unit) -> Option<f64> {
     let before_drill = || {
         measures(text).find(|own| {
             own.behind.starts_with("DRILL")
-                || (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA") && own.behind.is_empty())
+                || (matches!(own.before, "BROCA" | "DE" | "MECHA" | "PUNTA")
+                    && own.behind.is_empty()
+                    && !own.glued)
         })
     };
     named.or_else(before_drill).map(|own| own.in_millimetres(unit)).filter(in_range(DIAMETERS))
@@ -197,5 +202,6 @@ fn measure(text: &str, start: usize, end: usize) -> Option<Measure<'_>> {
     // `16ER1.5` and `N2A4` are names.
     let is_name = lead.len() == start && from < start && lead[..from].ends_with(|c: char| c.is_ascii_digit());
     let counts = text[..start].ends_with(['#', '-']) || is_name;
-    (!counts).then_some(Measure { value, fraction, before: &lead[from..], behind })
+    let glued = lead.len() == start && from < start && !written.contains(['.', ',', '/']);
+    (!counts).then_some(Measure { value, fraction, before: &lead[from..], behind, glued })
 }

@@ -122,6 +122,29 @@ fn designations_and_measures() {
     assert_eq!(words("GROOVE W=3", Unit::Millimetre), "grooving w3");
 }
 
+#[test]
+fn a_number_glued_to_the_name_of_a_tool_is_a_counter() {
+    for (comment, expected) in [
+        ("GROOVE1", "grooving"),
+        ("GROOVING2 OD", "grooving outside"),
+        ("BROCA1", "drill"),
+        ("GROOVE 3MM", "grooving w3"),
+        ("GROOVE3MM", "grooving w3"),
+        ("GROOVE 3.0", "grooving w3"),
+        ("GROOVE3.0", "grooving w3"),
+        ("GROOVE 2", "grooving w2"),
+        ("GROOVE=2", "grooving w2"),
+        ("GROOVE2 W=3", "grooving w3"),
+        ("GROOVE1 W3", "grooving w3"),
+        ("BROCA 10", "drill d10"),
+        ("BROCA8MM", "drill d8"),
+    ] {
+        assert_eq!(words(comment, Unit::Millimetre), expected, "{comment}");
+    }
+    assert_eq!(words("GROOVE1 W.079", Unit::Inch), "grooving w2.01");
+    assert_eq!(words("W.079 GROOVE1", Unit::Inch), "grooving w2.01");
+}
+
 /// Station and kind of each tool.
 fn check(text: &str, expected: &[(u16, ToolKind)]) {
     let found: Vec<_> =

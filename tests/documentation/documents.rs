@@ -1,0 +1,14 @@
+//! The documents of the project, whose commands, files, names and figures tests hold against the code.
+//!
+//! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
+
+/// The documents. The change log tells of the past, and only its commands and files are checked.
+pub const DOCUMENTS: [&str; 7] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CHANGELOG.md",
+    "benches/README.md",
+    "tests/browser/README.md",
+    "tests/programs/README.md",
+    "src/diagnostics/pages/README.md",
+];
