@@ -30,7 +30,7 @@ impl House {
     pub fn new(sources: &BTreeMap<Module, String>, rooms: &[&str]) -> Self {
         let mut named: BTreeMap<Module, Named> =
             sources.iter().map(|(module, text)| (module.clone(), Named::read(text))).collect();
-        let below = |module: &Module, name: &String| [module.as_slice(), &[name.clone()]].concat();
+        let below = |module: &Module, name: &String| [module.as_slice(), std::slice::from_ref(name)].concat();
         let for_tests: Vec<Module> = named
             .iter()
             .flat_map(|(module, named)| named.test_modules.iter().map(|name| below(module, name)))
@@ -76,7 +76,7 @@ impl House {
         /// Longer chains of re-exports there are none.
         const MOST: usize = 8;
         for (index, name) in names.iter().enumerate() {
-            let inside = [module.as_slice(), &[name.clone()]].concat();
+            let inside = [module.as_slice(), std::slice::from_ref(name)].concat();
             if self.named.contains_key(&inside) {
                 module = inside;
                 continue;
