@@ -40,7 +40,7 @@ const NOT_RUN: [(&str, &str); 8] = [
         "part of every `cargo xtask test`, which builds the module of the page",
     ),
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
-    ("# rapid-through-stock", "a sketch of a page; `tests/rule_pages.rs` reads all pages"),
+    ("# rapid-through-stock", "a sketch of a rule file; the build reads all of them"),
     ("text ──►", "a drawing"),
     ("geometry  ", "the order of the rooms, which `tests/rooms.rs` reads"),
 ];

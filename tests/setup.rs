@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Levels, Severity, register};
+use gcode_playground::diagnostics::{Levels, RULES, Severity};
 use gcode_playground::machine::Shop;
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
@@ -236,7 +236,7 @@ fn messages_offer_every_word() {
 /// Every rule can be set by its slug, in JSON and in a comment.
 #[test]
 fn every_rule_can_be_set() {
-    for rule in register() {
+    for rule in &RULES {
         let json = format!(r#"{{"rules": {{"{}": "off"}}}}"#, rule.slug);
         let rules = Setup::from_json(&json).map(|setup| setup.rules);
         let note = Notes::read(format!("(RULES {}=OFF)", rule.slug.to_uppercase()).as_bytes());

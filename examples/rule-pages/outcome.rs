@@ -13,7 +13,7 @@ use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
 
-use crate::page::Stop;
+use crate::format::page::Stop;
 
 /// CSS pixels of a picture: one of two side by side, or as wide as a phone.
 const WIDTH: f64 = 520.0;

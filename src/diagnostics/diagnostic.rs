@@ -3,8 +3,8 @@
 //! In: a [`Message`] and a span. Out: what travels, in one list, to the page and the command line. Knows no
 //! language: the sentences are in `messages/`.
 
-use super::message::{Message, Severity};
-use super::messages::{Language, Sentence};
+use super::message::Message;
+use super::rule::Severity;
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Unit;
@@ -41,11 +41,6 @@ impl Diagnostic {
     pub fn in_unit(mut self, unit: Unit) -> Self {
         self.unit = unit;
         self
-    }
-
-    /// What is said of it in a language, lengths in its unit.
-    pub fn sentence(&self, language: Language) -> Sentence {
-        self.message.sentence_in(language, self.unit)
     }
 
     /// The same with one more repair.

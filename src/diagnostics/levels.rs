@@ -4,42 +4,12 @@
 //! off are dropped. It changes what is said, never what the control does.
 
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 use super::diagnostic::Diagnostic;
-use super::message::Severity;
-use super::register::register;
-
-/// Rules that are set by one name.
-pub struct Group {
-    /// Its name in a setup.
-    pub name: &'static str,
-    /// Its rules.
-    pub slugs: &'static [&'static str],
-}
-
-/// What a teacher looks for and a control does not mind.
-pub const CLASSROOM: Group = Group {
-    name: "classroom",
-    slugs: &[
-        "coolant-off",
-        "feed-mode-not-named",
-        "tool-not-named",
-        "feed-only-for-finishing",
-        "spindle-stops-behind-move",
-    ],
-};
-
-/// All groups.
-pub const GROUPS: [Group; 1] = [CLASSROOM];
-
-/// Names that can be set: rules and groups.
-static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-    let rules = register().into_iter().map(|rule| rule.slug);
-    rules.chain(GROUPS.iter().flat_map(|group| group.slugs.iter().copied().chain([group.name]))).collect()
-});
+use super::message::RULES;
+use super::rule::{Group, Severity};
 
 /// The levels that are asked for, by the name of a rule or a group.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,8 +28,8 @@ impl Levels {
 
     /// The level of a rule. What is said of the rule goes before what is said of its group.
     pub fn of(&self, slug: &str) -> Option<Severity> {
-        let mut of_group = GROUPS.iter().filter(|group| group.slugs.contains(&slug));
-        self.get(slug).or_else(|| of_group.find_map(|group| self.get(group.name)))
+        let group = || RULES.iter().find(|rule| rule.slug == slug)?.group;
+        self.get(slug).or_else(|| self.get(group()?.name()))
     }
 
     /// A message as it is to be told; nothing where its rule is off.
@@ -74,8 +44,10 @@ impl Levels {
 
     /// These levels with others that go before them; a group that is set there goes before rules that are set here.
     pub fn with(mut self, others: &Self) -> Self {
-        for group in GROUPS.iter().filter(|group| others.get(group.name).is_some()) {
-            self.0.retain(|name, _| !group.slugs.contains(name));
+        for rule in &RULES {
+            if rule.group.is_some_and(|group| others.get(group.name()).is_some()) {
+                self.0.remove(rule.slug);
+            }
         }
         self.0.extend(&others.0);
         self
@@ -83,7 +55,7 @@ impl Levels {
 
     /// These levels without those of groups.
     pub fn without_groups(mut self) -> Self {
-        self.0.retain(|name, _| GROUPS.iter().all(|group| group.name != *name));
+        self.0.retain(|name, _| Group::ALL.iter().all(|group| group.name() != *name));
         self
     }
 
@@ -98,9 +70,14 @@ impl Levels {
     }
 }
 
+/// Names that can be set: rules and groups.
+fn names() -> impl Iterator<Item = &'static str> {
+    RULES.iter().map(|rule| rule.slug).chain(Group::ALL.map(Group::name))
+}
+
 /// The rule or group of a name, written in any case.
 pub fn known(name: &str) -> Option<&'static str> {
-    NAMES.iter().find(|known| known.eq_ignore_ascii_case(name)).copied()
+    names().find(|known| known.eq_ignore_ascii_case(name))
 }
 
 /// The rule or group whose name is most like this one; nothing where none is much like it.
@@ -111,7 +88,7 @@ pub fn nearest(name: &str) -> Option<&'static str> {
     if name.len() > LONGEST {
         return None;
     }
-    let near = NAMES.iter().map(|known| (distance(name.as_bytes(), known.as_bytes()), *known)).min()?;
+    let near = names().map(|known| (distance(name.as_bytes(), known.as_bytes()), known)).min()?;
     (near.0 <= name.len().div_ceil(2)).then_some(near.1)
 }
 
@@ -181,8 +158,10 @@ mod tests {
         let rule_first = levels(&[("coolant-off", Error), ("CLASSROOM", Info)]);
         let group_first = levels(&[("classroom", Info), ("Coolant-Off", Error)]);
         assert_eq!(rule_first, group_first);
-        for slug in CLASSROOM.slugs {
-            let level = if *slug == "coolant-off" { Error } else { Info };
+        let classroom = RULES.iter().filter(|rule| rule.group == Some(Group::Classroom));
+        assert_eq!(classroom.clone().count(), 5);
+        for slug in classroom.map(|rule| rule.slug) {
+            let level = if slug == "coolant-off" { Error } else { Info };
             assert_eq!((rule_first.of(slug), Levels::default().of(slug)), (Some(level), None), "{slug}");
         }
         let over = rule_first.clone().with(&levels(&[("classroom", Off), ("no-program-end", Warning)]));
@@ -201,13 +180,5 @@ mod tests {
         assert_eq!(nearest("xyz"), None);
         assert_eq!(nearest(&"no-program-end".repeat(100)), None);
         assert_eq!((distance(b"", b"abc"), distance(b"kitten", b"sitting")), (3, 3));
-    }
-
-    /// Nobody would find a rule that is off and in no group.
-    #[test]
-    fn what_is_off_by_itself_stands_in_a_group() {
-        for rule in register().into_iter().filter(|rule| rule.severity == Off) {
-            assert!(GROUPS.iter().any(|group| group.slugs.contains(&rule.slug)), "{}", rule.slug);
-        }
     }
 }

@@ -4,9 +4,9 @@ mod diagnostic;
 pub mod levels;
 mod message;
 pub mod messages;
-mod register;
+mod rule;
 
 pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
 pub use levels::Levels;
-pub use message::{Kind, Message, Severity};
-pub use register::{Rule, register};
+pub use message::{Arguments, Message, RULES, Value};
+pub use rule::{Group, Kind, Rule, Severity};

@@ -340,7 +340,7 @@ fn g96_has_no_speed_of_its_own() {
         "O0001\nG21 G40 G99\nT0101\nG97 S250 M03\nG00 X28 Z2\nG96\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
     let analysis = analyze(program.as_bytes(), &Setup::default());
     let told = analysis.diagnostics.iter().find(|told| told.message.slug() == "speed-missing").expect("told");
-    assert_eq!(told.message, Message::SpeedMissing { of_surface: true });
+    assert_eq!(told.message, Message::SurfaceSpeedMissing);
     check(&program.replace("G96\n", "G50 S2000\nG96 S120\n"), &[]);
 }
 

@@ -245,7 +245,11 @@ impl Interpreter {
             // Old controls take T with G50; it was usual there, above all beside the highest speed.
             let taken = one_shot == OneShot::Setting && !self.dialect.strict;
             let only_speed = taken && !words.has_any(letters(b"XZUW"));
-            let message = Message::ToolWithSetting { word: quote(text, word.span), only_speed };
+            let word_text = quote(text, word.span);
+            let message = match only_speed {
+                true => Message::ToolWithHighestSpeed { word: word_text },
+                false => Message::ToolWithSetting { word: word_text },
+            };
             let told = Diagnostic::new(message, word.span);
             self.tell(match (taken, only_speed) {
                 (true, true) => told.graded(Severity::Info),

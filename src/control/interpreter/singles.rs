@@ -229,15 +229,19 @@ impl Interpreter {
         word: impl FnOnce(&Self) -> String,
     ) -> bool {
         let taper = self.state.memory.taper;
-        let (way, limit, axis) = match cycle {
-            Single::Turning | Single::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
-            Single::Facing => (end.z - start.z, end.z - start.z, 'W'),
+        let way = match cycle {
+            Single::Turning | Single::Threading => end.x - start.x,
+            Single::Facing => end.z - start.z,
         };
         if single::begins_beyond_start(way, taper) {
             // GSK states it as an error (seed 000); no FANUC alarm is known for it.
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
-            let message = Message::TaperBeyondStart { word: word(self), limit, axis };
+            let word = word(self);
+            let message = match cycle {
+                Single::Turning | Single::Threading => Message::TaperBeyondHalf { word, limit: 2.0 * way },
+                Single::Facing => Message::TaperBeyondLength { word, limit: way },
+            };
             self.tell(Diagnostic::new(message, span).graded(severity));
             return !error;
         }

@@ -1,22 +1,20 @@
-//! The sentences. A message has a [`Wording`] and arguments; each language is one exhaustive match from wordings to
-//! templates, so a message without a translation does not compile; one small function fills the templates in.
+//! The sentences of the messages, and other words that are shown beside them, in all languages.
+//!
+//! In: a message with its arguments, a language, the unit of the program. Out: what is said. The templates are made from
+//! `src/rules/*.md` by the build script: a message without a sentence in one of the languages does not build.
 
-mod arguments;
 pub mod codes;
-mod en;
 pub mod labels;
 mod phrases;
-mod ru;
-pub(crate) mod samples;
-mod wording;
-mod zh;
+#[cfg(test)]
+mod tests;
 
-use super::message::Message;
-use crate::units::Unit;
-use arguments::fill;
-use phrases::Phrase;
+use super::diagnostic::Diagnostic;
+use super::message::{Arguments, Message, Value};
+use crate::units::{Unit, number};
 pub use phrases::{describe_motion, describe_rewrite};
-use wording::Wording;
+
+include!(concat!(env!("OUT_DIR"), "/sentences.rs"));
 
 /// A language the messages exist in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,20 +49,9 @@ impl Language {
             .unwrap_or_default()
     }
 
-    fn template(self, wording: Wording) -> &'static str {
-        match self {
-            Self::English => en::sentence(wording),
-            Self::Chinese => zh::sentence(wording),
-            Self::Russian => ru::sentence(wording),
-        }
-    }
-
-    fn phrase(self, phrase: Phrase) -> &'static str {
-        match self {
-            Self::English => en::phrase(phrase),
-            Self::Chinese => zh::phrase(phrase),
-            Self::Russian => ru::phrase(phrase),
-        }
+    /// The template of a message, and on a second line that of its help.
+    fn template(self, message: &Message) -> &'static str {
+        TEMPLATES[self as usize][message.index()]
     }
 }
 
@@ -76,6 +63,13 @@ pub struct Sentence {
     pub help: Option<String>,
 }
 
+impl Diagnostic {
+    /// What is said of it in a language, lengths in its unit.
+    pub fn sentence(&self, language: Language) -> Sentence {
+        self.message.sentence_in(language, self.unit)
+    }
+}
+
 impl Message {
     /// The message in a language, lengths in millimetres.
     pub fn sentence(&self, language: Language) -> Sentence {
@@ -84,12 +78,55 @@ impl Message {
 
     /// The message in a language, lengths in a unit.
     pub fn sentence_in(&self, language: Language, unit: Unit) -> Sentence {
-        let template = language.template(Wording::of(self));
-        let arguments = self.arguments_in(language, unit);
+        let template = language.template(self);
+        let mut arguments = self.arguments();
+        for (_, value) in &mut arguments {
+            if let Value::Length(length) = value {
+                *value = Value::Number(*length / unit.millimetres());
+            }
+        }
+        arguments.push(("mm", Value::Text(labels::length(unit, language))));
         let (message, help) = match template.split_once('\n') {
             Some((message, help)) => (message, Some(fill(help, &arguments))),
             None => (template, None),
         };
         Sentence { message: fill(message, &arguments), help }
+    }
+}
+
+/// A template with its arguments in place of the `{names}`. A name that is none stays as it is.
+fn fill(template: &str, arguments: &Arguments) -> String {
+    let mut out = String::with_capacity(template.len() + 16);
+    let mut rest = template.split('{');
+    out.push_str(rest.next().unwrap_or_default());
+    for part in rest {
+        let value =
+            |name: &str| arguments.iter().find(|argument| argument.0 == name).map(|argument| argument.1);
+        match part.split_once('}').and_then(|(name, behind)| Some((value(name)?, behind))) {
+            Some((value, behind)) => {
+                write(value, &mut out);
+                out.push_str(behind);
+            }
+            None => {
+                out.push('{');
+                out.push_str(part);
+            }
+        }
+    }
+    out
+}
+
+fn write(value: Value, out: &mut String) {
+    match value {
+        Value::Text(text) => out.push_str(text),
+        Value::Letter(letter) => out.push(letter),
+        Value::Count(count) => out.push_str(&count.to_string()),
+        // A length was converted to the unit of the program before.
+        Value::Number(value) | Value::Length(value) => out.push_str(&number(value)),
+        Value::Program(program) => {
+            let digits = program.to_string();
+            out.extend(std::iter::repeat_n('0', 4usize.saturating_sub(digits.len())));
+            out.push_str(&digits);
+        }
     }
 }

@@ -1,8 +1,12 @@
 //! What a stroke of the picture is, and the titles of repairs and rewritings, as templates of every language.
 
+mod en;
+mod ru;
+mod zh;
+
 use super::Language;
-use super::arguments::{Arguments, Value, fill};
-use crate::diagnostics::Repair;
+use super::fill;
+use crate::diagnostics::{Arguments, Repair, Value};
 use crate::geometry::virtual_plane::Surface;
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
 
@@ -32,6 +36,16 @@ phrases! {
     OfCycle, CutOfCycle, Pass, PassOf,
     Infeed, Cut, PullOut, Retract, Return, Approach, Escape, Contour, Relief, Stepover,
     AtRapid, WithSpindle, AtFeed,
+}
+
+impl Language {
+    pub(super) fn phrase(self, phrase: Phrase) -> &'static str {
+        match self {
+            Self::English => en::phrase(phrase),
+            Self::Chinese => zh::phrase(phrase),
+            Self::Russian => ru::phrase(phrase),
+        }
+    }
 }
 
 impl Repair {
