@@ -3,10 +3,10 @@
 //! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
 //! that runs into something does so in every pass.
 
-use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::fitting::{Fitting, Known};
 use crate::machine::{Full, Shop};
+use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::source::Span;
 

@@ -46,9 +46,10 @@ const NOT_RUN: [(&str, &str); 8] = [
 ];
 
 /// What the documents name and only a build makes.
-const BUILT: [(&str, &str); 2] = [
+const BUILT: [(&str, &str); 3] = [
     ("dist/rules", "`cargo xtask play`; `tests/browser/rules.spec.ts` opens its pages"),
     ("rules/en/index.html", "the same"),
+    ("rules/<language>/messages.json", "the same command; the tests of `sentences` fill its templates"),
 ];
 
 fn root() -> PathBuf {
@@ -99,7 +100,7 @@ fn files() -> Vec<String> {
     found
 }
 
-/// Whether a name such as `messages/wording.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
+/// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
 /// file or a folder. A name may begin at any folder, and leave out the ending of a module.
 fn is_there(name: &str, files: &[String]) -> bool {
     let name = name.split('#').next().unwrap_or_default().trim_end_matches('/');
@@ -167,9 +168,9 @@ fn every_document_is_in_the_list() {
 fn a_missing_file_would_be_found() {
     let files = files();
     assert!(is_path("element.js") && !is_there("element.js", &files));
-    assert!(is_path("messages/wording.ts") && !is_there("messages/wording.ts", &files));
+    assert!(is_path("sentences/labels.ts") && !is_there("sentences/labels.ts", &files));
     assert!(
-        is_there("diagnostics/messages", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
+        is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
     );
 }
 

@@ -10,11 +10,11 @@ mod format;
 
 use std::collections::BTreeSet;
 
-use gcode_playground::diagnostics::Severity;
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
+use gcode_playground::message::Severity;
 use gcode_playground::motion::{Feed, MotionKind, Step};
 use gcode_playground::run::Analysis;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;

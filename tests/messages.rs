@@ -2,9 +2,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::findings;
 use gcode_playground::machine::Shop;
+use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 

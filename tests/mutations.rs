@@ -18,8 +18,8 @@ mod text;
 use std::collections::BTreeMap;
 
 use classes::{CLASSES, Class, Mutant, Need, Place};
-use gcode_playground::diagnostics::{Diagnostic, Fix, Severity};
 use gcode_playground::machine::guess::Guesses;
+use gcode_playground::message::{Diagnostic, Fix, Severity};
 use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::Setup;

@@ -14,8 +14,8 @@ mod words;
 
 use std::path::{Component, Path, PathBuf};
 
-use gcode_playground::diagnostics::messages::Language;
-use gcode_playground::diagnostics::{Diagnostic, RULES, Severity};
+use gcode_playground::message::{Diagnostic, RULES, Severity};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 

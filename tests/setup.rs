@@ -2,8 +2,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Levels, RULES, Severity};
 use gcode_playground::machine::Shop;
+use gcode_playground::message::{Levels, RULES, Severity};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
@@ -130,7 +130,7 @@ fn refused(json: &str, words: &[&str]) {
         Err(reason) => reason,
         Ok(setup) => {
             let found = analyze(PROGRAM.as_bytes(), &setup).diagnostics;
-            let language = gcode_playground::diagnostics::messages::Language::English;
+            let language = gcode_playground::sentences::Language::English;
             found.iter().map(|found| found.message.sentence(language).message).collect::<Vec<_>>().join("\n")
         }
     };

@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use gcode_playground::diagnostics::messages::{Language, labels};
-use gcode_playground::diagnostics::{Diagnostic, RULES, Rule, Severity};
+use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
+use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 
 use crate::format::RuleFile;

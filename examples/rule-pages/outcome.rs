@@ -2,9 +2,9 @@
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
 
-use gcode_playground::diagnostics::{Diagnostic, sort_by_place};
 use gcode_playground::findings;
 use gcode_playground::machine::{Machining, Shop};
+use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;

@@ -7,8 +7,8 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::{Format, write_row};
-use crate::diagnostics::messages::{Language, labels};
-use crate::diagnostics::{Levels, RULES};
+use crate::message::{Levels, RULES};
+use crate::sentences::{Language, labels};
 
 /// A row of JSON.
 #[derive(Serialize)]

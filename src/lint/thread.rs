@@ -1,7 +1,7 @@
 //! Threads: what an instructor would remark of a pass (semantics §13.3).
 
 use crate::control::modal::ThreadPass;
-use crate::diagnostics::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Message, Severity};
 use crate::source::Span;
 
 /// n ≤ 1200 / P − K (seed 001).

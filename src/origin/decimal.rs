@@ -5,7 +5,7 @@
 //! means millimetres or inches, even behind a whole number. So the habit decides, and one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
-use crate::diagnostics::Message;
+use crate::message::Message;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::units::Unit;

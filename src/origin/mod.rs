@@ -17,7 +17,7 @@ use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
-use crate::diagnostics::Message;
+use crate::message::Message;
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 

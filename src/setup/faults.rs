@@ -4,7 +4,7 @@
 //! come of every setup.
 
 use super::{Setup, Stock, Tool};
-use crate::diagnostics::Message;
+use crate::message::Message;
 
 /// A value that cannot be.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@
 //! Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
-use crate::diagnostics::{Group, Levels, Severity};
+use crate::message::{Group, Levels, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use Entry::{Choice, Number, Text, Whole};
 
@@ -43,7 +43,7 @@ pub enum Unit {
     TurnsPerMinute,
 }
 
-/// What a field is for; its name in each language is in `diagnostics::messages::labels`.
+/// What a field is for; its name in each language is in `sentences::labels`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the labels say it")]
 pub enum Name {

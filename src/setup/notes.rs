@@ -22,8 +22,8 @@ use std::collections::BTreeMap;
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
-use crate::diagnostics::levels::{self, known};
-use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
+use crate::message::levels::{self, known};
+use crate::message::{Diagnostic, Fix, Levels, Message, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
 

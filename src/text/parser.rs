@@ -14,8 +14,8 @@
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
 use super::{lost_letter, misread};
-use crate::diagnostics::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::limits::DIGITS;
+use crate::message::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::source::Span;
 use crate::source::shift::Shift;
 

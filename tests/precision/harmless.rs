@@ -1,7 +1,7 @@
 //! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that looks like it and is told.
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Message, Severity};
+use gcode_playground::message::{Message, Severity};
 use gcode_playground::setup::Setup;
 
 /// The slugs of what is told with at least this severity.

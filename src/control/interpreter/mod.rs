@@ -40,8 +40,8 @@ use super::program::Labels;
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
-use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
 use crate::geometry::{Point, Turn};
+use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::motion::{
     Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
 };

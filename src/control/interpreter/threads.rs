@@ -7,8 +7,8 @@ use super::multiples::NEAR;
 use super::*;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
-use crate::diagnostics::{Edit, Repair};
 use crate::lint;
+use crate::message::{Edit, Repair};
 use crate::motion::Cycle;
 
 /// Tool angles that FANUC takes, degrees (PS0315).

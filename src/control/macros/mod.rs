@@ -16,7 +16,7 @@ mod variables;
 
 use std::ops::Range;
 
-use crate::diagnostics::Message;
+use crate::message::Message;
 
 pub use arguments::{ArgumentFault, arguments};
 pub use expression::address_value;

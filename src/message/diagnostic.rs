@@ -1,10 +1,10 @@
 //! A message at a place of the text, with its repairs.
 //!
 //! In: a [`Message`] and a span. Out: what travels, in one list, to the page and the command line. Knows no
-//! language: the sentences are in `messages/`.
+//! language: `sentences` says it.
 
-use super::message::Message;
 use super::rule::Severity;
+use super::variants::Message;
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Unit;

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 use super::diagnostic::Diagnostic;
-use super::message::RULES;
 use super::rule::{Group, Severity};
+use super::variants::RULES;
 
 /// The levels that are asked for, by the name of a rule or a group.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@ mod en;
 mod ru;
 mod zh;
 
-use super::Language;
+use super::language::Language;
 use crate::control::codes::{Effect, Function, Section};
 
 impl Section {

@@ -1,6 +1,6 @@
 //! Every message with its arguments, and what is the same in all languages: code, slug, severity, kind and alarm.
 //!
-//! In: nothing. Out: the enum [`Message`] and the table [`RULES`], which the build script makes from `src/rules/*.md`. Knows
+//! In: nothing. Out: the enum [`Message`] and the table [`RULES`], which the build script makes from `src/rules/<slug>.md`. Knows
 //! no language.
 
 use super::rule::{Group, Kind, Rule, Severity};

@@ -1,54 +1,16 @@
-//! The sentences of the messages, and other words that are shown beside them, in all languages.
+//! Fills the templates of the messages.
 //!
-//! In: a message with its arguments, a language, the unit of the program. Out: what is said. The templates are made from
-//! `src/rules/*.md` by the build script: a message without a sentence in one of the languages does not build.
+//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates are made from
+//! `src/rules/<slug>.md` by the build script: a message without a sentence in one of the languages does not build.
 
-pub mod codes;
-pub mod labels;
-mod phrases;
-#[cfg(test)]
-mod tests;
-
-use super::diagnostic::Diagnostic;
-use super::message::{Arguments, Message, Value};
+use super::labels;
+use super::language::Language;
+use crate::message::{Arguments, Diagnostic, Message, Value};
 use crate::units::{Unit, number};
-pub use phrases::{describe_motion, describe_rewrite};
 
 include!(concat!(env!("OUT_DIR"), "/sentences.rs"));
 
-/// A language the messages exist in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Language {
-    /// English.
-    #[default]
-    English,
-    /// Chinese, simplified.
-    Chinese,
-    /// Russian.
-    Russian,
-}
-
 impl Language {
-    /// All languages, in the order they are offered.
-    pub const ALL: [Language; 3] = [Self::English, Self::Chinese, Self::Russian];
-
-    /// Its tag: `en`, `zh`, `ru`.
-    pub fn tag(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::Chinese => "zh",
-            Self::Russian => "ru",
-        }
-    }
-
-    /// The language of a tag such as `zh` or `zh-CN`; English for one that is not spoken here.
-    pub fn from_tag(tag: &str) -> Self {
-        Self::ALL
-            .into_iter()
-            .find(|language| tag.to_ascii_lowercase().starts_with(language.tag()))
-            .unwrap_or_default()
-    }
-
     /// The template of a message, and on a second line that of its help.
     fn template(self, message: &Message) -> &'static str {
         TEMPLATES[self as usize][message.index()]
@@ -95,7 +57,7 @@ impl Message {
 }
 
 /// A template with its arguments in place of the `{names}`. A name that is none stays as it is.
-fn fill(template: &str, arguments: &Arguments) -> String {
+pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
     let mut out = String::with_capacity(template.len() + 16);
     let mut rest = template.split('{');
     out.push_str(rest.next().unwrap_or_default());

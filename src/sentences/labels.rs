@@ -3,8 +3,8 @@
 //!
 //! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
 
-use super::Language;
-use crate::diagnostics::{Kind, Severity};
+use super::language::Language;
+use crate::message::{Kind, Severity};
 use crate::setup::ToolKind;
 use crate::setup::draft::Slip;
 use crate::setup::faults::Need;

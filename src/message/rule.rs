@@ -1,6 +1,6 @@
 //! Rules: what all messages of one fault have in common.
 //!
-//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made from `src/rules/*.md`.
+//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made from `src/rules/<slug>.md`.
 
 /// How grave a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -4,10 +4,10 @@ mod en;
 mod ru;
 mod zh;
 
-use super::Language;
-use super::fill;
-use crate::diagnostics::{Arguments, Repair, Value};
+use super::language::Language;
+use super::template::fill;
 use crate::geometry::virtual_plane::Surface;
+use crate::message::{Arguments, Repair, Value};
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
 
 /// Lists the phrases once, for the enum and for the tests of all of them.
