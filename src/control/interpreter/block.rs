@@ -149,6 +149,7 @@ impl Interpreter {
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
+        self.tell_feed_alone(text);
         self.tell_still_move();
         let end = block.words.iter().rfind(|word| word.address == b'M');
         if let Some(end) = end {
@@ -267,7 +268,10 @@ impl Interpreter {
         }
         match one_shot {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
-            OneShot::Multiple(_) => self.arrive_for_cycle(),
+            OneShot::Multiple(_) => {
+                self.state.feed_alone = None;
+                self.arrive_for_cycle();
+            }
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
                 if words.has_any(AXES) {
                     self.watch_compensation_at_home(text, block);

@@ -35,7 +35,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
-use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass};
+use super::modal::{
+    CycleMemory, DeepestPass, FeedAlone, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass,
+};
 use super::program::Labels;
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};

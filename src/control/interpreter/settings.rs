@@ -41,6 +41,9 @@ impl Interpreter {
             }
         }
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
+            if self.state.feed_alone.is_some() {
+                self.tell_feed_alone(text);
+            }
             self.state.feed = Some(value);
             self.state.told.forget(Once::FeedZero);
             self.state.feed_is_old = false;
