@@ -13,9 +13,9 @@ use std::{env, fs, io};
 
 use endless::{Hostile, MOST_SECONDS, hostile};
 use gcode_playground::api::{Places, Summary};
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::run::Run;
 use gcode_playground::scene::outline::Outline;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 use gcode_playground::text::highlight::highlight;

@@ -16,17 +16,17 @@ pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 
 use crate::control::codes;
-use crate::diagnostics::messages::{Language, describe_motion};
-use crate::diagnostics::{self, Severity};
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::machine::compare;
 use crate::machine::feature::{Feature, Shape};
 use crate::machine::region::{Piece, Region};
+use crate::message::{self, Severity};
 use crate::motion::{self, MotionKind, Motions, StopKind};
 use crate::playback::tally::Tally;
 use crate::playback::timing;
 use crate::run::Run;
+use crate::sentences::{Language, describe_motion};
 use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
 use crate::source::{LineIndex, Span};
@@ -271,7 +271,7 @@ pub struct Summary {
 
 impl Summary {
     /// Counts motions and messages.
-    pub fn new(motions: &Motions, diagnostics: &[diagnostics::Diagnostic]) -> Self {
+    pub fn new(motions: &Motions, diagnostics: &[message::Diagnostic]) -> Self {
         let mut summary = Self { motions: motions.len() as u32, ..Self::default() };
         for chunk in motions.chunks() {
             for &kind in chunk.kinds() {
@@ -656,7 +656,7 @@ pub struct Places<'a> {
 
 impl Places<'_> {
     /// The row of a message.
-    pub fn diagnostic(&self, diagnostic: &diagnostics::Diagnostic, language: Language) -> Diagnostic {
+    pub fn diagnostic(&self, diagnostic: &message::Diagnostic, language: Language) -> Diagnostic {
         let (start, end) = self.corners(diagnostic.span);
         let (from, to) = self.offsets(diagnostic.span);
         let sentence = diagnostic.sentence(language);
@@ -708,7 +708,7 @@ impl Places<'_> {
         Edit { line: start.0, column: start.1, end_line: end.0, end_column: end.1, from, to, text }
     }
 
-    fn fix(&self, fix: &diagnostics::Fix, language: Language) -> Fix {
+    fn fix(&self, fix: &message::Fix, language: Language) -> Fix {
         let edits = fix.edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));
         Fix { title: fix.title.words(language), safe: fix.safe, edits: edits.collect() }
     }

@@ -15,7 +15,7 @@ use std::ops::Range;
 use crate::control::codes::{self, G, MotionMode, Switch};
 use crate::control::interpreter::Executed;
 use crate::control::words::plain;
-use crate::diagnostics::Message;
+use crate::message::Message;
 use crate::motion::{
     Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
 };

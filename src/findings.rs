@@ -3,10 +3,10 @@
 //! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
 //! that runs into something does so in every pass.
 
-use crate::diagnostics::{Diagnostic, Levels, Message};
 use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::fitting::{Fitting, Known};
 use crate::machine::{Full, Shop};
+use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::source::Span;
 
@@ -27,7 +27,8 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was told so.
         let is_known = |other: &Diagnostic| {
-            matches!(other.message, Message::ThreadStartInside { .. }) && span.contains(other.span)
+            matches!(other.message, Message::ThreadStartInside { .. } | Message::ThreadStartAtCrest { .. })
+                && span.contains(other.span)
         };
         if matches!(message, Message::StartInStock { .. }) && run.iter().any(is_known) {
             continue;
@@ -46,7 +47,7 @@ fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
     let cuts = motions.uncertain_cuts();
     // Without a blank that somebody has named no collision is looked for at all.
     let looked_for = shop.fitting().stock().is_some_and(|(_, known)| known == Known::Given);
-    let message = Message::BehindLeftOut { cuts };
+    let message = if cuts == 0 { Message::BehindLeftOut } else { Message::BehindLeftOutCuts { cuts } };
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 

@@ -3,7 +3,7 @@
 //! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs that have to be
 //! asked for are left to the reader.
 
-use crate::diagnostics::{Diagnostic, Edit, Fix, Repair};
+use crate::message::{Diagnostic, Edit, Fix, Repair};
 use crate::rewrite::{applied, before_edits};
 use crate::setup::Setup;
 use crate::source::Span;
@@ -77,7 +77,7 @@ pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostics::Message;
+    use crate::message::Message;
 
     fn told(fixes: Vec<Fix>) -> Diagnostic {
         fixes.into_iter().fold(Diagnostic::new(Message::PrintedMinus, Span::new(0, 0)), Diagnostic::with)

@@ -13,9 +13,9 @@ use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
 use crate::control::program::Labels;
 use crate::control::words;
-use crate::diagnostics::{Diagnostic, Fix, Message, sort_by_place};
 use crate::machine::fitting::Fitting;
 use crate::machine::{Shop, danger};
+use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
 use crate::origin::{self, Bare, Foreign, Numbers, Seen};
 use crate::setup::Setup;
@@ -226,8 +226,7 @@ impl Run {
         }
         run.origin = Origin::of(&seen, &dialect);
         if let Some(foreign) = run.origin.foreign {
-            let message = Message::Foreign { origin: foreign.origin };
-            run.interpreter.tell(Diagnostic::new(message, foreign.evidence));
+            run.interpreter.tell(Diagnostic::new(foreign.origin.message(), foreign.evidence));
             run.finish();
             return run;
         }
@@ -236,7 +235,7 @@ impl Run {
         }
         if let Some((system, evidence)) = run.origin.system {
             run.interpreter.set_system(system);
-            run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system }, evidence));
+            run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
         }
         if let Some(number) = chosen {
             match Labels::new(&run.text).program(number) {
@@ -286,9 +285,8 @@ impl Run {
     /// What is to be told of numbers without a decimal point; nothing where nobody has to be told.
     pub fn decimal_message(&self) -> Option<Diagnostic> {
         let (bare, rule) = (self.bare_number()?, self.decimal_rule());
-        let word = words::quote(&self.text, bare.span);
-        let (value, measure) = (bare.counts(rule), bare.measure);
-        Some(Diagnostic::new(Message::DecimalRule { word, value, measure, rule }, bare.span))
+        let message = bare.message(rule, words::quote(&self.text, bare.span));
+        Some(Diagnostic::new(message, bare.span))
     }
 
     /// A number of the text that shows what numbers without a point count; nothing where none has to be told.
@@ -463,7 +461,12 @@ impl Run {
         let of_setup = |told: &&Diagnostic| {
             matches!(
                 told.message,
-                Message::SystemGuessed { .. } | Message::SetupValue { .. } | Message::NoteWord { .. }
+                Message::SystemGuessed { .. }
+                    | Message::SetupPositive { .. }
+                    | Message::SetupNotNegative { .. }
+                    | Message::SetupBelow { .. }
+                    | Message::SetupAtMost { .. }
+                    | Message::NoteWord { .. }
             )
         };
         let kept: Vec<_> = self.interpreter.diagnostics().iter().filter(of_setup).cloned().collect();

@@ -19,16 +19,16 @@ use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use crate::api::{self, Places, Summary};
 use crate::current::Current;
-use crate::diagnostics::messages::Language;
-use crate::diagnostics::sort_by_place;
 use crate::findings;
 use crate::geometry::Point;
+use crate::message::sort_by_place;
 use crate::motion::Chunk;
 use crate::playback::tally::tally;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::palette::Palette;
 use crate::scene::pick::pick;
+use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::text::highlight::highlight;
 

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 
 use endless::{MOST_SECONDS, bounds, endless, hostile};
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::limits::Limits;
+use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;

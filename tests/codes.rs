@@ -8,7 +8,7 @@ use std::fmt::Write;
 use gcode_playground::analyze;
 use gcode_playground::api::{self, CodeRow};
 use gcode_playground::control::codes::{self, Effect};
-use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::CodeList;
 

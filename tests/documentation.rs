@@ -40,15 +40,16 @@ const NOT_RUN: [(&str, &str); 8] = [
         "part of every `cargo xtask test`, which builds the module of the page",
     ),
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
-    ("# rapid-through-stock", "a sketch of a page; `tests/rule_pages.rs` reads all pages"),
+    ("# rapid-through-stock", "a sketch of a rule file; the build reads all of them"),
     ("text ──►", "a drawing"),
     ("geometry  ", "the order of the rooms, which `tests/rooms.rs` reads"),
 ];
 
 /// What the documents name and only a build makes.
-const BUILT: [(&str, &str); 2] = [
+const BUILT: [(&str, &str); 3] = [
     ("dist/rules", "`cargo xtask play`; `tests/browser/rules.spec.ts` opens its pages"),
     ("rules/en/index.html", "the same"),
+    ("rules/<language>/messages.json", "the same command; the tests of `sentences` fill its templates"),
 ];
 
 fn root() -> PathBuf {
@@ -99,7 +100,7 @@ fn files() -> Vec<String> {
     found
 }
 
-/// Whether a name such as `messages/wording.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
+/// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
 /// file or a folder. A name may begin at any folder, and leave out the ending of a module.
 fn is_there(name: &str, files: &[String]) -> bool {
     let name = name.split('#').next().unwrap_or_default().trim_end_matches('/');
@@ -167,9 +168,9 @@ fn every_document_is_in_the_list() {
 fn a_missing_file_would_be_found() {
     let files = files();
     assert!(is_path("element.js") && !is_there("element.js", &files));
-    assert!(is_path("messages/wording.ts") && !is_there("messages/wording.ts", &files));
+    assert!(is_path("sentences/labels.ts") && !is_there("sentences/labels.ts", &files));
     assert!(
-        is_there("diagnostics/messages", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
+        is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
     );
 }
 

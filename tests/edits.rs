@@ -9,8 +9,8 @@ mod workload;
 
 use std::sync::LazyLock;
 
-use gcode_playground::diagnostics::Severity;
 use gcode_playground::limits::Limits;
+use gcode_playground::message::Severity;
 use gcode_playground::run::{Run, TextEdit};
 use gcode_playground::setup::Setup;
 use gcode_playground::setup::dialect::DecimalRule;

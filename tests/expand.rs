@@ -5,16 +5,16 @@
 #[allow(dead_code, reason = "texts and setups alone are read here")]
 mod fixtures;
 #[allow(dead_code, reason = "its programs alone are read here")]
-#[path = "../examples/rule-pages/page.rs"]
-mod page;
+#[path = "../src/rules/format/mod.rs"]
+mod format;
 
 use std::collections::BTreeSet;
 
-use gcode_playground::diagnostics::Severity;
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
+use gcode_playground::message::Severity;
 use gcode_playground::motion::{Feed, MotionKind, Step};
 use gcode_playground::run::Analysis;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::{analyze, api};
 use proptest::prelude::*;
@@ -131,8 +131,8 @@ fn the_programs_of_the_gallery_and_the_fixtures_do_the_same() {
 #[test]
 fn the_corrected_programs_of_the_rule_pages_do_the_same() {
     let (mut slips, mut checked) = (Vec::new(), 0);
-    for (name, page) in page::all() {
-        let page = page.expect(&name);
+    for (name, rule) in format::all() {
+        let page = rule.expect(&name).page;
         let setup = Setup::from_json(&page.setup).expect(&name);
         slips.extend(difference(&page.right, &setup).map(|why| format!("{name}: {why}")));
         checked += 1;

@@ -2,9 +2,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Diagnostic, Severity};
 use gcode_playground::findings;
 use gcode_playground::machine::Shop;
+use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
@@ -607,4 +607,23 @@ fn compensation_left_on_is_told_where_the_tool_goes_home() {
         assert_eq!(told(&format!("G40 {home} {words}")), [""; 0]);
     }
     assert_eq!(told("G0 X100"), ["M30"]);
+}
+
+#[test]
+fn a_block_of_a_cycle_without_an_axis_makes_no_pass() {
+    let start = "M3 S500\nG0 X54 Z5\nG94 X30 Z0 R-4 F100\n";
+    check(&format!("{start}  R-8\n//^^^ W-CYCLE-NO-AXIS\n  R-12 F80\n//^^^^ W-CYCLE-NO-AXIS\nG0 X100"));
+    check(&format!("{start}Z0 R-8\nX30 R-12\nG0 X100"));
+    check_fix(&format!("{start}R-8\nG0 X100\nM30"), &format!("{start}Z0 R-8\nG0 X100\nM30"));
+    let incremental = "M3 S500\nG0 X54 Z5\nG90 W-30 U-4 R-1 F100\n";
+    check_fix(&format!("{incremental}R-2\nG0 X100\nM30"), &format!("{incremental}U-4 R-2\nG0 X100\nM30"));
+    // The code spelled again makes no pass either; its own first block may only set the taper.
+    check(&format!("{start}G94 R-8\n//  ^^^ W-CYCLE-NO-AXIS\nG0 X100"));
+    check("M3 S500\nG0 X54 Z5\nG94 R-4 F100\nX30 Z0\nG0 X100");
+    // An F that a later cut uses has its effect; one that is replaced before any cut has none.
+    check(&format!("{start}F80\nZ-1\nG0 X100"));
+    check(&format!("{start}F80\nG0 X100\nG1 X90"));
+    check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nG1 X90 F50"));
+    check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nM30"));
+    check(&format!("{start}M8\nG4 X1\nG0 X100"));
 }

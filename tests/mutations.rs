@@ -10,16 +10,16 @@ mod classes;
 #[allow(dead_code, reason = "the programs are asked for here, not what is expected of them")]
 mod fixtures;
 #[allow(dead_code, reason = "only the programs of the pages are read here")]
-#[path = "../examples/rule-pages/page.rs"]
-mod page;
+#[path = "../src/rules/format/mod.rs"]
+mod format;
 #[path = "mutations/text.rs"]
 mod text;
 
 use std::collections::BTreeMap;
 
 use classes::{CLASSES, Class, Mutant, Need, Place};
-use gcode_playground::diagnostics::{Diagnostic, Fix, Severity};
 use gcode_playground::machine::guess::Guesses;
+use gcode_playground::message::{Diagnostic, Fix, Severity};
 use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::setup::Setup;
@@ -207,9 +207,9 @@ fn the_first_message_stands_at_the_fault() {
     let fixtures = fixtures::all().into_iter().filter(|program| !WRONG.contains(&program.id.as_str()));
     let programs = fixtures.map(|program| Correct::new(program.id, program.text, &program.setup));
     // The corrected programs of the rule pages are fixtures as well; not those about bounds, which are set low there.
-    let pages = page::all().into_iter().filter_map(|(_, page)| page.ok());
-    let pages = pages.filter(|page| !page.setup.contains("limits"));
-    let corrected = pages.map(|page| Correct::new(page.slug, page.right, &page.setup));
+    let rules = format::all().into_iter().filter_map(|(_, rule)| rule.ok());
+    let rules = rules.filter(|rule| !rule.page.setup.contains("limits"));
+    let corrected = rules.map(|rule| Correct::new(rule.slug, rule.page.right, &rule.page.setup));
     let programs: Vec<Correct> = programs.chain(corrected).collect();
     assert!(programs.len() >= 40, "{} programs", programs.len());
     let mut scores: BTreeMap<usize, Score> = BTreeMap::new();

@@ -2,9 +2,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
 use gcode_playground::paste::{Found, Name, Program, Reason, find};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
 

@@ -6,9 +6,9 @@ mod fixtures;
 
 use fixtures::{Program, all, check_messages, compare, folder, same};
 use gcode_playground::api::{self, Places};
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
 use gcode_playground::run::Run;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 use gcode_playground::{analyze, run::Analysis};

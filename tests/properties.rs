@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;
 use gcode_playground::api::Places;
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::expand::expand;
 use gcode_playground::findings;
 use gcode_playground::geometry::Point;
@@ -18,6 +17,7 @@ use gcode_playground::scene::Scene;
 use gcode_playground::scene::outline::Outline;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 use gcode_playground::text::highlight::highlight;

@@ -3,8 +3,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::Severity;
-use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::message::Severity;
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
 /// The one door: a program gives these messages (hints left out), and ends at this X (diameter) and Z.

@@ -6,9 +6,9 @@
 mod fixtures;
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::messages::Language;
 use gcode_playground::motion::{Feed, MotionKind};
 use gcode_playground::rewrite::{Offer, applied, offers, rewritten};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::Span;
 use proptest::prelude::*;

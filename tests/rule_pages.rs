@@ -5,38 +5,33 @@
 
 #[path = "../examples/rule-pages/book.rs"]
 mod book;
+#[path = "../src/rules/format/mod.rs"]
+mod format;
 #[path = "../examples/rule-pages/outcome.rs"]
 mod outcome;
-#[path = "../examples/rule-pages/page.rs"]
-mod page;
 #[path = "../examples/rule-pages/words.rs"]
 mod words;
 
 use std::path::{Component, Path, PathBuf};
 
-use gcode_playground::diagnostics::messages::Language;
-use gcode_playground::diagnostics::{Diagnostic, Severity, register};
+use gcode_playground::message::{Diagnostic, RULES, Severity};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
+use format::RuleFile;
+use format::page::{INDENT, Mark};
 use outcome::Outcome;
-use page::{INDENT, Mark, Page};
 
-/// All pages that can be read.
-fn pages() -> Vec<Page> {
-    page::all().into_iter().filter_map(|(_, page)| page.ok()).collect()
+/// All rule files that can be read.
+fn rules() -> Vec<RuleFile> {
+    format::all().into_iter().filter_map(|(_, rule)| rule.ok()).collect()
 }
 
 #[test]
 fn every_rule_has_a_page_and_every_page_a_rule() {
-    let files: Vec<String> = page::all().into_iter().map(|(name, _)| name).collect();
-    let slugs: Vec<&str> = register().iter().map(|rule| rule.slug).collect();
-    let without: Vec<_> = slugs.iter().filter(|slug| !files.iter().any(|file| file == *slug)).collect();
-    let beyond: Vec<_> = files.iter().filter(|file| !slugs.contains(&file.as_str())).collect();
-    assert!(
-        without.is_empty() && beyond.is_empty(),
-        "rules without a page: {without:?}\npages without a rule: {beyond:?}"
-    );
+    let files: Vec<String> = format::all().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(files, RULES.map(|rule| rule.slug));
 }
 
 #[test]
@@ -44,9 +39,10 @@ fn pages_do_what_they_say() {
     let only = std::env::var("RULE_PAGES").unwrap_or_default();
     let only: Vec<&str> = only.split(',').filter(|slug| !slug.is_empty()).collect();
     let mut all = Vec::new();
-    for (name, page) in page::all() {
+    for (name, rule) in format::all() {
         if only.is_empty() || only.contains(&name.as_str()) {
-            let slips = page.map_or_else(|slips| slips, |page| slips(&page));
+            let slips = rule
+                .map_or_else(|found| found.iter().map(ToString::to_string).collect(), |rule| slips(&rule));
             all.extend(slips.into_iter().map(|slip| format!("{name}: {slip}")));
         }
     }
@@ -54,19 +50,20 @@ fn pages_do_what_they_say() {
 }
 
 /// What is wrong with the programs of a page.
-fn slips(page: &Page) -> Vec<String> {
+fn slips(rule: &RuleFile) -> Vec<String> {
+    let RuleFile { slug: own, page, .. } = rule;
     let setup = match Setup::from_json(&page.setup) {
         Ok(setup) => setup,
         Err(error) => return vec![format!("setup: {error}")],
     };
     let mut slips = Vec::new();
     let wrong = Outcome::of(&page.wrong, &setup, page.stop);
-    let mut found: Vec<Mark> = wrong.told(&page.slug).map(|found| mark(&page.wrong, found)).collect();
+    let mut found: Vec<Mark> = wrong.told(own).map(|found| mark(&page.wrong, found)).collect();
     found.sort_unstable();
     if found.is_empty() {
         slips.push("`wrong` does not make it speak".to_owned());
     } else if page.is_placeless {
-        if wrong.told(&page.slug).any(|told| !told.span.is_empty()) {
+        if wrong.told(own).any(|told| !told.span.is_empty()) {
             slips.push(format!("it does stand at a place{}", shown(&page.wrong, &found)));
         }
     } else if found != page.marks {
@@ -75,7 +72,7 @@ fn slips(page: &Page) -> Vec<String> {
     let grave = |found: &&Diagnostic| found.severity > Severity::Info;
     let others = |found: &&Diagnostic| {
         let slug = found.message.slug();
-        slug != page.slug && !page.also.iter().any(|also| also == slug)
+        slug != own && !page.also.iter().any(|also| also == slug)
     };
     for other in wrong.analysis.diagnostics.iter().filter(grave).filter(others) {
         slips.push(format!("`wrong` says more: {}", told(&page.wrong, other)));
@@ -86,11 +83,10 @@ fn slips(page: &Page) -> Vec<String> {
     }
     if page.is_fixed {
         // Where only the author can know, several are offered: one of them is right.
-        let offered = wrong.told(&page.slug).map(|told| told.fixes.len()).max().unwrap_or_default();
-        let mut made =
-            (0..offered.max(1)).map(|choice| repaired(&page.wrong, wrong.told(&page.slug), choice));
+        let offered = wrong.told(own).map(|told| told.fixes.len()).max().unwrap_or_default();
+        let mut made = (0..offered.max(1)).map(|choice| repaired(&page.wrong, wrong.told(own), choice));
         if !made.any(|made| made == page.right) {
-            let first = repaired(&page.wrong, wrong.told(&page.slug), 0);
+            let first = repaired(&page.wrong, wrong.told(own), 0);
             slips.push(format!("the repairs do not make `right` of `wrong`, but\n{first}"));
         }
     }
@@ -143,10 +139,16 @@ fn shown(program: &str, marks: &[Mark]) -> String {
     out
 }
 
+/// What is wrong with a rule file, a mistake a line.
+fn mistakes(text: &str) -> String {
+    let mistakes = RuleFile::read(text).expect_err("not well formed");
+    mistakes.iter().map(|mistake| format!("{mistake}\n")).collect()
+}
+
 #[test]
 fn a_page_that_is_not_well_formed_is_told_in_full() {
-    let text = "# x\n\nfix: perhaps\n\n```wrong\n// ^\n```\n\n```right\nG00\n// ^\n```\n\n## de: Titel\n## en: {a}\nWhy: `a";
-    let slips = Page::read(text).expect_err("not well formed").join("\n");
+    let text = "# x\n\n## examples\n\nfix: perhaps\n\n```wrong\n// ^\n```\n\n```right\nG00\n// ^\n```\n\n## de: Titel\n## en: {a}\nWhy: `a";
+    let slips = mistakes(text);
     for said in [
         "fix: perhaps",
         "no line to mark",
@@ -161,6 +163,43 @@ fn a_page_that_is_not_well_formed_is_told_in_full() {
     }
 }
 
+/// A rule file from its name to its examples.
+const HEAD: &str = "\nseverity: error\nkind: wrong\nalarm: PS0005\n\n## message NumberMissing\n\nAn address without its number.\n\n* address: letter `X`. The address.\n\nen: {address}\nzh: {address}\nru: {address}\n\n## examples\n";
+
+#[test]
+fn a_mistake_in_a_message_is_told_with_its_line() {
+    let rule = |from: &str, to: &str| {
+        let head = format!("# number-missing\n{HEAD}");
+        assert!(head.contains(from), "{from}");
+        mistakes(&head.replace(from, to))
+    };
+    for (from, to, said) in [
+        ("zh: {address}\n", "", "line 7: NumberMissing: no `zh:`"),
+        (
+            "ru: {address}",
+            "ru: {adress}",
+            "line 7: NumberMissing: `ru` quotes {adress}, which is no argument",
+        ),
+        ("ru: {address}", "ru: x", "line 7: NumberMissing: `ru` does not quote {address}"),
+        ("ru: {address}", "ru: {address}\nru help: y", "`ru help:` exists in one language only"),
+        ("ru: {address}", "ru: {address}\nru: y", "line 16: this was said before"),
+        ("letter `X`", "letter `XY`", "line 11: `XY` is no letter"),
+        ("letter `X`", "sign `X`", "line 11: `sign` is none of the types letter, text"),
+        ("* address: letter `X`. The", "* address letter `X`. The", "line 11: an argument is written"),
+        ("address: letter `X`", "mm: letter `X`", "line 11: `mm` cannot be the name of an argument"),
+        ("severity: error", "severity: grave", "line 3: `severity` is one of off, info, warning, error"),
+        ("severity: error", "severity: off", "a rule that is off by default needs a `group`"),
+        ("kind: wrong\n", "", "no `kind`"),
+        ("alarm: PS0005\n", "", "neither `code` nor `alarm`"),
+        ("alarm: PS0005", "alarm: PS0005, PS0006", "an argument of the type `alarm` belongs to"),
+        ("## message NumberMissing", "## message number", "line 7: `number` is not a name in Rust"),
+        ("An address without its number.", "", "no line says when it is given"),
+    ] {
+        let found = rule(from, to);
+        assert!(found.contains(said), "{said}\nin\n{found}");
+    }
+}
+
 #[test]
 fn what_a_page_says_is_held_against_what_happens() {
     let read = |wrong: &str, right: &str, head: &str| {
@@ -168,9 +207,11 @@ fn what_a_page_says_is_held_against_what_happens() {
         let texts: String =
             Language::ALL.iter().map(|language| format!("\n## {}: t\n{said}", language.tag())).collect();
         let page = format!(
-            "# number-missing\n\n{head}\n\n```wrong\n{wrong}\n```\n\n```right\n{right}\n```\n{texts}"
+            "{}\n{HEAD}\n{head}\n\n```wrong\n{wrong}\n```\n\n```right\n{right}\n```\n{texts}",
+            "# number-missing"
         );
-        slips(&Page::read(&page).expect("well formed")).join("\n")
+        let rule = RuleFile::read(&page).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
+        slips(&rule).join("\n")
     };
     assert_eq!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", ""), "");
     assert!(read("G00 X50 Z\n// ^^\nM30", "G00 X50 Z5\nM30", "").contains("elsewhere"));
@@ -183,7 +224,7 @@ fn what_a_page_says_is_held_against_what_happens() {
 
 #[test]
 fn links_between_the_pages_lead_somewhere() {
-    let files = book::files(&pages()).unwrap_or_else(|problem| panic!("{problem}"));
+    let files = book::files(&rules()).unwrap_or_else(|problem| panic!("{problem}"));
     let links = |html: &str| -> Vec<String> {
         let after = |name: &'static str| html.split(name).skip(1).collect::<Vec<_>>();
         let quoted = [after(" href=\""), after(" src=\"")].concat();
@@ -224,17 +265,17 @@ fn resolved(from: &Path, link: &str) -> Option<PathBuf> {
 
 #[test]
 fn each_language_has_every_page_with_what_is_said_in_it() {
-    let pages = pages();
-    let files = book::files(&pages).unwrap_or_else(|problem| panic!("{problem}"));
-    for page in &pages {
+    let rules = rules();
+    let files = book::files(&rules).unwrap_or_else(|problem| panic!("{problem}"));
+    for RuleFile { slug, page, .. } in &rules {
         for language in Language::ALL {
             let tag = language.tag();
-            let html = &files[&format!("{tag}/{}.html", page.slug)];
+            let html = &files[&format!("{tag}/{slug}.html")];
             assert!(html.contains(&format!("<html lang=\"{tag}\">")));
-            assert!(html.matches("<pre ").count() == 2 && html.contains("#program="), "{tag}: {}", page.slug);
-            assert!(page.is_placeless || html.contains("<mark "), "{tag}: {}", page.slug);
+            assert!(html.matches("<pre ").count() == 2 && html.contains("#program="), "{tag}: {slug}");
+            assert!(page.is_placeless || html.contains("<mark "), "{tag}: {slug}");
             let index = &files[&format!("{tag}/index.html")];
-            assert!(index.contains(&format!("href=\"{}.html\"", page.slug)), "{tag}: {}", page.slug);
+            assert!(index.contains(&format!("href=\"{slug}.html\"")), "{tag}: {slug}");
         }
     }
 }

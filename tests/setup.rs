@@ -2,8 +2,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Levels, Severity, register};
 use gcode_playground::machine::Shop;
+use gcode_playground::message::{Levels, RULES, Severity};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
@@ -130,7 +130,7 @@ fn refused(json: &str, words: &[&str]) {
         Err(reason) => reason,
         Ok(setup) => {
             let found = analyze(PROGRAM.as_bytes(), &setup).diagnostics;
-            let language = gcode_playground::diagnostics::messages::Language::English;
+            let language = gcode_playground::sentences::Language::English;
             found.iter().map(|found| found.message.sentence(language).message).collect::<Vec<_>>().join("\n")
         }
     };
@@ -236,7 +236,7 @@ fn messages_offer_every_word() {
 /// Every rule can be set by its slug, in JSON and in a comment.
 #[test]
 fn every_rule_can_be_set() {
-    for rule in register() {
+    for rule in &RULES {
         let json = format!(r#"{{"rules": {{"{}": "off"}}}}"#, rule.slug);
         let rules = Setup::from_json(&json).map(|setup| setup.rules);
         let note = Notes::read(format!("(RULES {}=OFF)", rule.slug.to_uppercase()).as_bytes());

@@ -6,12 +6,13 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use gcode_playground::diagnostics::messages::{Language, labels};
-use gcode_playground::diagnostics::{Diagnostic, Rule, Severity, register};
+use gcode_playground::message::{Diagnostic, RULES, Rule, Severity};
+use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 
+use crate::format::RuleFile;
+use crate::format::page::{Mark, Page, Text};
 use crate::outcome::Outcome;
-use crate::page::{Mark, Page};
 use crate::words::words;
 
 /// Colours first, so that the page and the playground have the same.
@@ -20,7 +21,7 @@ const STYLES: [&str; 2] = [include_str!("../../www/src/colours.css"), include_st
 /// A page with what its programs gave.
 struct Shown<'a> {
     page: &'a Page,
-    rule: Rule,
+    rule: &'static Rule,
     /// As the failing program has it, which may be milder than usual.
     severity: Severity,
     told: Diagnostic,
@@ -29,14 +30,13 @@ struct Shown<'a> {
 }
 
 /// All files by name, or what is wrong with the pages.
-pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
+pub fn files(rules: &[RuleFile]) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::from([("rules.css".to_owned(), STYLES.concat())]);
-    let rules = register();
     let (mut shown, mut slips) = (Vec::new(), Vec::new());
-    for page in pages {
-        match Shown::of(page, &rules, &mut files) {
+    for rule in rules {
+        match Shown::of(rule, &mut files) {
             Ok(one) => shown.push(one),
-            Err(slip) => slips.push(format!("{}: {slip}", page.slug)),
+            Err(slip) => slips.push(format!("{}: {slip}", rule.slug)),
         }
     }
     if !slips.is_empty() {
@@ -45,7 +45,7 @@ pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
     for language in Language::ALL {
         let tag = language.tag();
         for one in &shown {
-            files.insert(format!("{tag}/{}.html", one.page.slug), one.html(language));
+            files.insert(format!("{tag}/{}.html", one.rule.slug), one.html(language));
         }
         files.insert(format!("{tag}/index.html"), index(&shown, language));
     }
@@ -54,9 +54,9 @@ pub fn files(pages: &[Page]) -> Result<BTreeMap<String, String>, String> {
 
 impl<'a> Shown<'a> {
     /// Runs the programs of a page, and draws them.
-    fn of(page: &'a Page, rules: &[Rule], files: &mut BTreeMap<String, String>) -> Result<Self, String> {
-        let slug = &page.slug;
-        let rule = rules.iter().find(|rule| rule.slug == slug).cloned().ok_or("there is no such rule")?;
+    fn of(file: &'a RuleFile, files: &mut BTreeMap<String, String>) -> Result<Self, String> {
+        let RuleFile { slug, page, .. } = file;
+        let rule = RULES.iter().find(|rule| rule.slug == slug).ok_or("there is no such rule")?;
         let setup = Setup::from_json(&page.setup).map_err(|error| format!("setup: {error}"))?;
         let wrong = Outcome::of(&page.wrong, &setup, page.stop);
         let right = Outcome::of(&page.right, &setup, None);
@@ -72,8 +72,8 @@ impl<'a> Shown<'a> {
 
     fn html(&self, language: Language) -> String {
         let words = words(language);
-        let Page { slug, setup, .. } = self.page;
-        let text = self.page.text(language);
+        let (Page { setup, .. }, slug) = (self.page, self.rule.slug);
+        let text = self.text(language);
         let sentence = self.told.message.sentence(language);
         let mut out = String::new();
         let title = format!("{} · {}", text.title.replace('`', ""), words.playground);
@@ -110,10 +110,14 @@ impl<'a> Shown<'a> {
         out
     }
 
+    fn text(&self, language: Language) -> &Text {
+        &self.page.texts[language as usize]
+    }
+
     /// Severity, codes, name, kind and alarms.
     fn facts(&self, out: &mut String, language: Language) {
         let words = words(language);
-        let Rule { slug, codes, kind, alarms, .. } = &self.rule;
+        let Rule { slug, codes, kind, alarms, .. } = self.rule;
         let codes: Vec<_> = codes.iter().map(|code| format!("<code>{code}</code>")).collect();
         let severity = labels::severity(self.severity, language);
         let mut facts = vec![
@@ -164,16 +168,16 @@ fn index(shown: &[Shown], language: Language) -> String {
         if rows.is_empty() {
             continue;
         }
-        rows.sort_by_key(|one| one.page.text(language).title.replace('`', "").to_lowercase());
+        rows.sort_by_key(|one| one.text(language).title.replace('`', "").to_lowercase());
         put(&mut out, format_args!("<h2>{heading}</h2>\n<table>\n<thead><tr>"));
         for heading in [words.message, words.severity, words.code, words.alarm] {
             put(&mut out, format_args!("<th scope=\"col\">{heading}</th>"));
         }
         put(&mut out, "</tr></thead>\n<tbody>");
         for one in rows {
-            let Rule { slug, codes, alarms, .. } = &one.rule;
+            let Rule { slug, codes, alarms, .. } = one.rule;
             let (grade, severity) = (one.severity.name(), labels::severity(one.severity, language));
-            let title = prose(&one.page.text(language).title);
+            let title = prose(&one.text(language).title);
             put(&mut out, format_args!("<tr><td><a href=\"{slug}.html\">{title}</a></td>"));
             put(&mut out, format_args!("<td><span class=\"severity {grade}\">{severity}</span></td>"));
             put(&mut out, format_args!("<td>{}</td><td>{}</td></tr>", codes.join(" "), alarms.join(" ")));

@@ -1,15 +1,24 @@
 //! Writes the pages of all rules as HTML. Part of building the page: `cargo xtask play` and `cargo xtask test`.
 //!
-//! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, and the style sheet of all.
+//! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, the style sheet of all, and `<lang>/messages.json`: the
+//! templates of all messages in a language, by the names of the messages.
 
 mod book;
+#[path = "../../src/rules/format/mod.rs"]
+mod format;
 mod outcome;
-mod page;
 mod words;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs, io};
+
+/// The templates of each language, which the build script of the library made.
+const SENTENCES: [(&str, &str); 3] = [
+    ("en", include_str!(concat!(env!("OUT_DIR"), "/messages.en.json"))),
+    ("zh", include_str!(concat!(env!("OUT_DIR"), "/messages.zh.json"))),
+    ("ru", include_str!(concat!(env!("OUT_DIR"), "/messages.ru.json"))),
+];
 
 fn main() -> ExitCode {
     // cargo puts options of its own behind ours.
@@ -27,17 +36,20 @@ fn main() -> ExitCode {
 }
 
 fn write(folder: &Path) -> Result<usize, String> {
-    let (mut pages, mut slips) = (Vec::new(), Vec::new());
-    for (name, page) in page::all() {
-        match page {
-            Ok(page) => pages.push(page),
-            Err(found) => slips.extend(found.iter().map(|slip| format!("{name}.md: {slip}"))),
+    let (mut rules, mut mistakes) = (Vec::new(), Vec::new());
+    for (name, rule) in format::all() {
+        match rule {
+            Ok(rule) => rules.push(rule),
+            Err(found) => mistakes.extend(found.iter().map(|mistake| format!("{name}.md: {mistake}"))),
         }
     }
-    if !slips.is_empty() {
-        return Err(slips.join("\n"));
+    if !mistakes.is_empty() {
+        return Err(mistakes.join("\n"));
     }
-    let files = book::files(&pages)?;
+    let mut files = book::files(&rules)?;
+    for (language, sentences) in SENTENCES {
+        files.insert(format!("{language}/messages.json"), sentences.to_owned());
+    }
     let saved = || -> io::Result<()> {
         for (name, content) in &files {
             let path = folder.join(name);

@@ -2,9 +2,9 @@
 //!
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
 
-use gcode_playground::diagnostics::{Diagnostic, sort_by_place};
 use gcode_playground::findings;
 use gcode_playground::machine::{Machining, Shop};
+use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
@@ -13,7 +13,7 @@ use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
 
-use crate::page::Stop;
+use crate::format::page::Stop;
 
 /// CSS pixels of a picture: one of two side by side, or as wide as a phone.
 const WIDTH: f64 = 520.0;

@@ -1,7 +1,7 @@
 //! What stands on every page of a rule, in three languages.
 
-use gcode_playground::diagnostics::Kind;
-use gcode_playground::diagnostics::messages::Language;
+use gcode_playground::message::Kind;
+use gcode_playground::sentences::Language;
 
 /// The words of the pages.
 pub struct Words {

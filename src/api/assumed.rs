@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::diagnostics::messages::{Language, labels};
 use crate::run::Analysis;
+use crate::sentences::{Language, labels};
 use crate::setup::Stock;
 use crate::setup::written;
 

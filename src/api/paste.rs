@@ -8,8 +8,8 @@ use serde::Serialize;
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-use crate::diagnostics::messages::Language;
 use crate::paste::{Found, Name, Program};
+use crate::sentences::Language;
 
 /// Longest quotation of what was left out, characters.
 const QUOTE: usize = 160;

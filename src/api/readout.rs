@@ -5,12 +5,12 @@
 use serde::Serialize;
 
 use super::{Places, Stroke, rounded, tool_name};
-use crate::diagnostics::messages::Language;
 use crate::geometry::Point;
 use crate::machine::fitting::{Fitting, Known};
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
 use crate::playback::clock::{Clock, Playhead, stop_at};
 use crate::playback::timing::{self, Total};
+use crate::sentences::Language;
 use crate::setup::ToolKind;
 
 #[cfg(target_arch = "wasm32")]

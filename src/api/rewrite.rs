@@ -8,8 +8,8 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Edit, Places};
-use crate::diagnostics::messages::Language;
 use crate::rewrite::Offer;
+use crate::sentences::Language;
 use crate::source::Span;
 
 /// Blocks that can be written as a cycle.

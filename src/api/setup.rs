@@ -10,10 +10,10 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Edit, Places};
-use crate::diagnostics::messages::{Language, labels};
-use crate::diagnostics::{Levels, Severity};
 use crate::machine::assumed::usual;
 use crate::machine::fitting::{Fitting, Known};
+use crate::message::{Levels, Severity};
+use crate::sentences::{Language, labels};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
 use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::{Format, Program, write_row};
 use crate::api::AssumedStock;
-use crate::diagnostics::messages::Language;
+use crate::sentences::Language;
 
 /// Writes that the stock is assumed.
 pub(super) fn write(

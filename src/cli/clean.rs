@@ -8,8 +8,8 @@ use std::path::Path;
 
 use super::{encoding, print, read, save};
 use crate::api::paste::shortened;
-use crate::diagnostics::messages::Language;
 use crate::paste::{self, Found, Name, Piece, Program};
+use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// What to do with what is found.

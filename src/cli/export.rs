@@ -5,7 +5,6 @@
 use clap::ValueEnum;
 
 use super::{Program, encoded};
-use crate::diagnostics::messages::Language;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
 use crate::machine::region::Region;
@@ -14,6 +13,7 @@ use crate::scene::Scene;
 use crate::scene::outline::Outline;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
+use crate::sentences::Language;
 
 /// A kind of file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::{Format, With, encoded, encoding, has_errors, print, read, run_text, save, setup_of, tell};
-use crate::diagnostics::messages::Language;
 use crate::repair::repaired;
+use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// Where the repaired programs go.

@@ -22,15 +22,15 @@ use clap::{Parser, Subcommand, ValueEnum};
 use serde::Serialize;
 
 use crate::api::{self, Places};
-use crate::diagnostics::messages::Language;
-use crate::diagnostics::{Kind, Levels};
 use crate::machine::Shop;
+use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
 use crate::scene::outline::Outline;
 use crate::scene::svg::SvgOptions;
 use crate::scene::work::Work;
 use crate::scene::{self, Scene};
+use crate::sentences::Language;
 use crate::setup::dialect::{CodeList, Control, GSystem};
 use crate::setup::{Setup, Turret};
 use crate::source::LineIndex;

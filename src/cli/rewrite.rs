@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::{With, encoded, program, save, setup_of, status};
-use crate::diagnostics::messages::Language;
 use crate::rewrite::rewritten;
+use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// Writes the program with every offer taken.

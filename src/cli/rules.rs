@@ -7,8 +7,8 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::{Format, write_row};
-use crate::diagnostics::messages::{Language, labels};
-use crate::diagnostics::{Levels, register};
+use crate::message::{Levels, RULES};
+use crate::sentences::{Language, labels};
 
 /// A row of JSON.
 #[derive(Serialize)]
@@ -20,15 +20,15 @@ struct Row<'a> {
     alarms: &'a [&'a str],
 }
 
-/// Writes the list, in the order of the messages.
+/// Writes the list, in the order of the slugs.
 pub(super) fn write(
     out: &mut dyn Write,
     levels: &Levels,
     language: Language,
     format: Format,
 ) -> io::Result<()> {
-    for rule in register() {
-        let (slug, codes, alarms) = (rule.slug, &rule.codes, &rule.alarms);
+    for rule in &RULES {
+        let (slug, codes, alarms) = (rule.slug, rule.codes, rule.alarms);
         let level = levels.of(slug).unwrap_or(rule.severity);
         match format {
             Format::Json => {
@@ -38,7 +38,7 @@ pub(super) fn write(
             Format::Text => {
                 let (severity, kind) =
                     (labels::severity(level, language), labels::matter(rule.kind, language));
-                let alarms = if *alarms == *codes { String::new() } else { alarms.join(" ") };
+                let alarms = if alarms == codes { String::new() } else { alarms.join(" ") };
                 let line = format!("{slug:<34} {severity:<15} {:<22} {alarms:<8} {kind}", codes.join(" "));
                 writeln!(out, "{line}")?;
             }

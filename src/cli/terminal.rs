@@ -2,8 +2,8 @@
 
 use annotate_snippets::{AnnotationKind, Level, Patch, Renderer, Snippet};
 
-use crate::diagnostics::messages::Language;
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::message::{Diagnostic, Severity};
+use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// The messages of a program as text, coloured where the terminal is.

@@ -440,7 +440,7 @@ pub fn compensate_path(
     fault.map_or(Ok(moves), Err)
 }
 
-/// The axis along which a box cycle is moved.
+/// An axis of a single cycle; compensation moves a cut along one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// G90: the cut lies deeper or less deep.

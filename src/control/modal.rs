@@ -7,12 +7,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::codes::{Compensation, Hole, HoleReturn, MotionMode, Plane};
-use super::compensation::Compensator;
+use super::compensation::{Axis, Compensator};
 use super::corners::{Corner, Letter};
 use super::course::Course;
 use super::doubt::{Doubt, Doubts};
 use super::macros::Variables;
 use super::offsets::{Frames, ToolOffsets};
+use crate::cycles::single::Single;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
@@ -54,6 +55,8 @@ pub struct CycleMemory {
     pub z: Target,
     /// R: radius (G90, G92) or length (G94), start of the cut minus its end, mm.
     pub taper: f64,
+    /// The axis that was named last.
+    pub named: Option<Axis>,
     /// Passes run since the cycle came into force.
     pub passes: u32,
     /// The deepest of them.
@@ -69,6 +72,17 @@ pub struct DeepestPass {
     pub end: Point,
     /// Its taper, mm.
     pub taper: f64,
+}
+
+/// A block of a single cycle with a new F and without an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FeedAlone {
+    /// The word F.
+    pub span: Span,
+    /// The cycle in force.
+    pub cycle: Single,
+    /// The axis that was named last, and its end point.
+    pub end: (Axis, Target),
 }
 
 /// The last pass of a thread.
@@ -100,7 +114,8 @@ pub enum FeedUse {
 
 impl CycleMemory {
     /// Nothing remembered.
-    pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0, deepest: None };
+    pub const EMPTY: Self =
+        Self { x: Target::Stay, z: Target::Stay, taper: 0.0, named: None, passes: 0, deepest: None };
 }
 
 /// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
@@ -486,6 +501,8 @@ pub struct State {
     pub unclamped: Option<Span>,
     /// G90 without an axis, and no move since: the next code of group 01 may end it.
     pub g90_alone: Option<Span>,
+    /// F in a block of a single cycle without an axis; `feed_use` says whether a cut has used it.
+    pub feed_alone: Option<FeedAlone>,
     /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck opens or closes
     /// now, it stops or pulls the bar.
     pub still_move: Option<StillMove>,
@@ -576,6 +593,7 @@ impl State {
             },
             unclamped: None,
             g90_alone: None,
+            feed_alone: None,
             still_move: None,
             compensation: Compensation::Off,
             tool: (0, 0),
@@ -617,8 +635,11 @@ impl State {
         let stop = self.stop.map_or(u32::MAX, |stop| stop.span.start);
         let unclamped = self.unclamped.map_or(u32::MAX, |span| span.start);
         let g90_alone = self.g90_alone.map_or(u32::MAX, |span| span.start);
+        let feed_alone = self.feed_alone.map_or(u32::MAX, |alone| alone.span.start);
         let still_move = self.still_move.map_or(u32::MAX, |still| still.block.start);
-        pending.min(compensating).min(stop).min(unclamped).min(g90_alone).min(still_move)
+        [pending, compensating, stop, unclamped, g90_alone, feed_alone, still_move]
+            .into_iter()
+            .fold(u32::MAX, u32::min)
     }
 
     /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
@@ -635,6 +656,7 @@ impl State {
         }
         self.unclamped = self.unclamped.map(|span| shift.span(span));
         self.g90_alone = self.g90_alone.map(|span| shift.span(span));
+        self.feed_alone = self.feed_alone.map(|alone| FeedAlone { span: shift.span(alone.span), ..alone });
         self.still_move = self
             .still_move
             .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });

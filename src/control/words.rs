@@ -3,7 +3,7 @@
 //! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
 //! rule, inches, and that X counts diameters.
 
-use crate::diagnostics::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Message, Severity};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};

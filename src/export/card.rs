@@ -9,11 +9,11 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
 use crate::control::codes::{self, Function};
-use crate::diagnostics::messages::{Language, describe_motion};
 use crate::machine::fitting::{Fitted, Fitting, Known};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
 use crate::playback::tally::{Tally, tally};
 use crate::playback::timing::Total;
+use crate::sentences::{Language, describe_motion};
 use crate::setup::dialect::CodeList;
 use crate::setup::{Setup, Stock};
 use crate::source::Span;

@@ -1,8 +1,8 @@
 //! Contours of the multiple cycles: where they begin and end, and what is left (semantics §13.4).
 
 use crate::cycles::Contour;
-use crate::diagnostics::Message;
 use crate::geometry::Point;
+use crate::message::Message;
 use crate::motion::Motion;
 use crate::setup::Stock;
 

@@ -2,7 +2,7 @@
 
 use crate::control::modal::DeepestPass;
 use crate::cycles::single::Single;
-use crate::diagnostics::Message;
+use crate::message::Message;
 use crate::setup::Stock;
 
 /// Lengths this near are the same, mm.

@@ -12,7 +12,7 @@ mod signs;
 use std::collections::BTreeMap;
 
 use crate::control::words::Reading;
-use crate::diagnostics::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, Message};
 use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;

@@ -4,8 +4,8 @@
 //! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
 
 use crate::cycles::single::{self, Single};
-use crate::diagnostics::Message;
 use crate::geometry::Point;
+use crate::message::Message;
 use crate::setup::Stock;
 
 /// Lengths this near count as equal here, mm.

@@ -1,7 +1,8 @@
 //! Threads: what an instructor would remark of a pass (semantics §13.3).
 
 use crate::control::modal::ThreadPass;
-use crate::diagnostics::Message;
+use crate::message::{Diagnostic, Message, Severity};
+use crate::source::Span;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
@@ -11,18 +12,21 @@ const SPEED_MARGIN: f64 = 80.0;
 const PITCHES: std::ops::RangeInclusive<f64> = 0.2..=10.0;
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
+/// Few slides are faster than this, mm/min.
+const FAST_SLIDE: f64 = 4000.0;
 /// Most starts of a thread that are looked for.
 const STARTS: u32 = 8;
 
 /// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle at which it starts.
-/// `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one is known.
+/// `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one is known. `span`: the block.
 pub fn remarks(
     own: &ThreadPass,
     before: Option<&ThreadPass>,
     angle: bool,
     starts: f64,
     face: Option<f64>,
-) -> Vec<Message> {
+    span: Span,
+) -> Vec<Diagnostic> {
     let pitch = own.lead / starts;
     let mut told = Vec::new();
     let before = before.filter(|before| is_same_thread(own, before));
@@ -30,21 +34,26 @@ pub fn remarks(
         let limit = SPEED_OF_PITCH / pitch - SPEED_MARGIN;
         if PITCHES.contains(&pitch) && own.speed > limit {
             let speed = own.speed;
-            told.push(Message::ThreadTooFast { speed, pitch, limit: limit.floor(), slide: speed * own.lead });
+            let message = Message::ThreadTooFast { speed, pitch, limit: limit.floor() };
+            let told_of = Diagnostic::new(message, span);
+            // The rule of thumb is for small lathes.
+            let is_fast = speed * own.lead > FAST_SLIDE;
+            told.push(if is_fast { told_of.graded(Severity::Warning) } else { told_of });
         } else if let Some(run_in) = run_in(own, face) {
-            told.push(run_in);
+            told.push(Diagnostic::new(run_in, span));
         }
         return told;
     }
     let Some(before) = before else { return told };
     if (own.speed - before.speed).abs() > NEAR && own.speed > 0.0 && before.speed > 0.0 {
-        told.push(Message::ThreadSpeedChanged { before: before.speed, now: own.speed });
+        let message = Message::ThreadSpeedChanged { before: before.speed, now: own.speed };
+        told.push(Diagnostic::new(message, span));
     }
     let moved = own.start.z - before.start.z;
     let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
     if !angle && !is_start_of_lead(moved, own.lead) && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
-        told.push(Message::ThreadStartMoved { before, now, lead: own.lead });
+        told.push(Diagnostic::new(Message::ThreadStartMoved { before, now, lead: own.lead }, span));
     }
     told
 }

@@ -5,6 +5,7 @@
 //! means millimetres or inches, even behind a whole number. So the habit decides, and one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
+use crate::message::Message;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::units::Unit;
@@ -52,6 +53,21 @@ impl Bare {
         match rule {
             DecimalRule::Calculator => self.value,
             DecimalRule::LeastIncrement => self.value * self.measure.increment(),
+        }
+    }
+
+    /// What is said of it under a rule; `word` as it is written.
+    pub fn message(&self, rule: DecimalRule, word: String) -> Message {
+        let value = self.counts(rule);
+        match (rule, self.measure) {
+            (DecimalRule::LeastIncrement, Measure::Millimetre) => {
+                Message::LeastIncrementsMillimetres { word, value }
+            }
+            (DecimalRule::LeastIncrement, Measure::Inch) => Message::LeastIncrementsInches { word, value },
+            (DecimalRule::LeastIncrement, Measure::Second) => Message::LeastIncrementsSeconds { word, value },
+            (DecimalRule::Calculator, Measure::Millimetre) => Message::TooLargeMillimetres { word, value },
+            (DecimalRule::Calculator, Measure::Inch) => Message::TooLargeInches { word, value },
+            (DecimalRule::Calculator, Measure::Second) => Message::TooLargeSeconds { word, value },
         }
     }
 }

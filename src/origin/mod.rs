@@ -17,6 +17,7 @@ use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
+use crate::message::Message;
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
@@ -61,6 +62,21 @@ impl Origin {
             Self::Okuma => "Okuma OSP",
             Self::Gsk928 => "GSK 928",
             Self::Mill | Self::Printer => "",
+        }
+    }
+
+    /// What is said of a program for it.
+    pub fn message(self) -> Message {
+        match self {
+            Self::Mill => Message::ForeignMill,
+            Self::Printer => Message::ForeignPrinter,
+            Self::Hnc
+            | Self::Siemens
+            | Self::LinuxCnc
+            | Self::Fagor
+            | Self::Heidenhain
+            | Self::Okuma
+            | Self::Gsk928 => Message::ForeignControl { origin: self.name() },
         }
     }
 

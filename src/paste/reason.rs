@@ -1,6 +1,6 @@
 //! Why something was changed, in the three languages.
 
-use crate::diagnostics::messages::Language;
+use crate::sentences::Language;
 
 /// Why a piece of text was changed, left out, or is asked about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -11,10 +11,10 @@ mod write;
 use std::collections::BTreeMap;
 
 use crate::cycles::single::Single;
-use crate::diagnostics::messages::{Language, describe_rewrite};
-use crate::diagnostics::{Diagnostic, Edit, Message, Severity};
+use crate::message::{Diagnostic, Edit, Message, Severity};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::run::{Analysis, Run};
+use crate::sentences::{Language, describe_rewrite};
 use crate::setup::Setup;
 use crate::setup::dialect::Dialect;
 use crate::source::Span;

@@ -9,7 +9,7 @@ use super::shape::{Pass, level};
 use crate::control::codes::{self, G, MotionMode};
 use crate::control::words::{Reading, plain, quote};
 use crate::cycles::single::Single;
-use crate::diagnostics::Edit;
+use crate::message::Edit;
 use crate::run::Analysis;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;

@@ -4,6 +4,7 @@
 //! come of every setup.
 
 use super::{Setup, Stock, Tool};
+use crate::message::Message;
 
 /// A value that cannot be.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +15,19 @@ pub struct Fault {
     pub value: f64,
     /// What is asked of it.
     pub need: Need,
+}
+
+impl Fault {
+    /// What is said of it.
+    pub fn message(self) -> Message {
+        let Self { key, value, need } = self;
+        match need {
+            Need::Positive => Message::SetupPositive { key, value },
+            Need::NotNegative => Message::SetupNotNegative { key, value },
+            Need::Below(most) => Message::SetupBelow { key, value, most },
+            Need::AtMost(most) => Message::SetupAtMost { key, value, most },
+        }
+    }
 }
 
 /// What is asked of a value.

@@ -4,8 +4,7 @@
 //! Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
-use crate::diagnostics::levels::CLASSROOM;
-use crate::diagnostics::{Levels, Severity};
+use crate::message::{Group, Levels, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use Entry::{Choice, Number, Text, Whole};
 
@@ -44,7 +43,7 @@ pub enum Unit {
     TurnsPerMinute,
 }
 
-/// What a field is for; its name in each language is in `diagnostics::messages::labels`.
+/// What a field is for; its name in each language is in `sentences::labels`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the labels say it")]
 pub enum Name {
@@ -311,16 +310,16 @@ pub const MACHINE: &[Field<Machine>] = &[
 /// Groups of rules: `(RULES CLASSROOM=WARNING)`. Single rules have no fields: there are too many.
 pub const RULES: &[Field<Levels>] = &[field(
     Name::Classroom,
-    CLASSROOM.name,
+    Group::Classroom.name(),
     "CLASSROOM",
     Choice(&["off", "info", "warning", "error"]),
     (
-        |own: &Levels| own.get(CLASSROOM.name).map(|level| Value::Text(level.name().into())),
+        |own: &Levels| own.get(Group::Classroom.name()).map(|level| Value::Text(level.name().into())),
         |own, value| {
             if let Value::Text(text) = value
                 && let Some(level) = Severity::named(text)
             {
-                own.set(CLASSROOM.name, level);
+                own.set(Group::Classroom.name(), level);
             }
         },
     ),

@@ -20,8 +20,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use crate::diagnostics::Levels;
 use crate::limits::Limits;
+use crate::message::Levels;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use side::Side;

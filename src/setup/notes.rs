@@ -22,8 +22,8 @@ use std::collections::BTreeMap;
 use super::faults::Fault;
 use super::fields::{self, Field, Name};
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
-use crate::diagnostics::levels::{self, known};
-use crate::diagnostics::{Diagnostic, Fix, Levels, Message, Severity};
+use crate::message::levels::{self, known};
+use crate::message::{Diagnostic, Fix, Levels, Message, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
 
@@ -128,18 +128,20 @@ impl Notes {
         let words = self.faults.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
             let key = word.split('=').next().map_or(0, str::len) as u32;
-            let told =
-                Diagnostic::new(Message::NoteWord { word, expected: fault.expected.clone() }, fault.span);
+            let told = Diagnostic::new(
+                Message::NoteWord { word, expected: fault.expected.clone().into_owned() },
+                fault.span,
+            );
             let key = Span { end: fault.span.start + key, ..fault.span };
             let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
             Diagnostic { fixes: fix.into_iter().collect(), ..told }
         });
-        let values = faults.into_iter().filter_map(|Fault { key, value, need }| {
-            let place = self.places.iter().rfind(|place| key.starts_with(&place.0));
+        let values = faults.into_iter().filter_map(|fault| {
+            let place = self.places.iter().rfind(|place| fault.key.starts_with(&place.0));
             let span = place.map_or(Span::new(0, 0), |place| place.1);
             // One fault, one message: what a word that cannot be read was to set is missing.
             let is_consequence = self.faults.iter().any(|fault| place.is_some() && span.contains(fault.span));
-            (!is_consequence).then(|| Diagnostic::new(Message::SetupValue { key, value, need }, span))
+            (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
         });
         words.chain(values).collect()
     }

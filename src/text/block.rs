@@ -1,8 +1,8 @@
 //! Blocks and words as they were written.
 
 use super::lexer::Number;
-use crate::diagnostics::{Diagnostic, Message};
 use crate::limits::WORDS_PER_BLOCK;
+use crate::message::{Diagnostic, Message};
 use crate::source::Span;
 
 /// The value of a word.

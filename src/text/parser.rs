@@ -14,8 +14,8 @@
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
 use super::{lost_letter, misread};
-use crate::diagnostics::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::limits::DIGITS;
+use crate::message::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::source::Span;
 use crate::source::shift::Shift;
 
@@ -286,12 +286,7 @@ impl<'a> Parser<'a> {
                     return;
                 }
                 Some(TokenKind::Comma) if self.digit_follows() => {
-                    return self.comma_for_point(
-                        block,
-                        letter,
-                        start,
-                        token.map_or(first, |token| token.span),
-                    );
+                    return self.comma_for_point(block, start, token.map_or(first, |token| token.span));
                 }
                 _ => break,
             }
@@ -407,10 +402,10 @@ impl<'a> Parser<'a> {
     }
 
     /// `Z,15`: a comma where the point belongs.
-    fn comma_for_point(&mut self, block: &mut Block, letter: u8, start: Span, comma: Span) {
+    fn comma_for_point(&mut self, block: &mut Block, start: Span, comma: Span) {
         let digits = self.lexer.next_token().map_or(comma, |token| token.span);
         let span = start.to(digits);
-        let message = Message::CommaForPoint { address: letter as char, word: span.quote(self.lexer.text()) };
+        let message = Message::CommaForPoint { word: span.quote(self.lexer.text()) };
         let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
         block.fault(Diagnostic::new(message, span).with(fix));
     }
@@ -453,7 +448,7 @@ impl<'a> Parser<'a> {
         let message = match misread.letter {
             Some(letter) => {
                 let digit = if letter.eq_ignore_ascii_case(&b'O') { "0" } else { "1" };
-                Message::LetterForDigit { address: address as char, word, digit }
+                Message::LetterForDigit { word, digit }
             }
             None => Message::FullWidth { word, plain: plain.clone() },
         };
@@ -481,8 +476,7 @@ impl<'a> Parser<'a> {
                 // `Z20,5`: the word was taken at its comma; it is this number that is broken.
                 let word = block.words.pop().map_or(comma, |word| word.span);
                 let whole = word.to(span);
-                let address = self.lexer.text()[word.start as usize].to_ascii_uppercase() as char;
-                let message = Message::CommaForPoint { address, word: whole.quote(self.lexer.text()) };
+                let message = Message::CommaForPoint { word: whole.quote(self.lexer.text()) };
                 let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
                 block.fault(Diagnostic::new(message, whole).with(fix));
             }

@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 
 use super::to_js;
 use crate::api::paste::{self as rows, FoundPrograms};
-use crate::diagnostics::messages::Language;
 use crate::paste::{Found, find};
+use crate::sentences::Language;
 
 /// A text and the programs found in it.
 #[wasm_bindgen]

@@ -10,5 +10,5 @@ pub const DOCUMENTS: [&str; 7] = [
     "benches/README.md",
     "tests/browser/README.md",
     "tests/programs/README.md",
-    "src/diagnostics/pages/README.md",
+    "src/rules/README.md",
 ];

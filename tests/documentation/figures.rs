@@ -2,9 +2,9 @@
 //! does a listed one that the documents no longer state.
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::messages::Language;
-use gcode_playground::diagnostics::messages::describe_motion;
 use gcode_playground::limits;
+use gcode_playground::sentences::Language;
+use gcode_playground::sentences::describe_motion;
 use gcode_playground::setup::Setup;
 
 use super::{analyze_codes, source};

@@ -1,7 +1,7 @@
 //! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that looks like it and is told.
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::{Message, Severity};
+use gcode_playground::message::{Message, Severity};
 use gcode_playground::setup::Setup;
 
 /// The slugs of what is told with at least this severity.
@@ -340,7 +340,7 @@ fn g96_has_no_speed_of_its_own() {
         "O0001\nG21 G40 G99\nT0101\nG97 S250 M03\nG00 X28 Z2\nG96\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
     let analysis = analyze(program.as_bytes(), &Setup::default());
     let told = analysis.diagnostics.iter().find(|told| told.message.slug() == "speed-missing").expect("told");
-    assert_eq!(told.message, Message::SpeedMissing { of_surface: true });
+    assert_eq!(told.message, Message::SurfaceSpeedMissing);
     check(&program.replace("G96\n", "G50 S2000\nG96 S120\n"), &[]);
 }
 

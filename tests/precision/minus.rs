@@ -1,7 +1,7 @@
 //! `minus-missing` against programs judged by hand: no wrong alarm, and at least 95 % right.
 
 use gcode_playground::analyze;
-use gcode_playground::diagnostics::Diagnostic;
+use gcode_playground::message::Diagnostic;
 use gcode_playground::setup::Setup;
 
 /// A program and what a machinist says of it.

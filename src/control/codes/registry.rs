@@ -11,12 +11,12 @@ macro_rules! functions {
     ($($section:ident { $($function:ident)+ })+) => {
         /// A heading of the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "diagnostics::messages::codes says what each is")]
+        #[allow(missing_docs, reason = "sentences::codes says what each is")]
         pub enum Section { $($section),+ }
 
         /// What a code does: a row of the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "diagnostics::messages::codes says what each is")]
+        #[allow(missing_docs, reason = "sentences::codes says what each is")]
         pub enum Function { $($($function),+),+ }
 
         impl Function {

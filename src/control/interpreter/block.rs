@@ -149,6 +149,7 @@ impl Interpreter {
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
+        self.tell_feed_alone(text);
         self.tell_still_move();
         let end = block.words.iter().rfind(|word| word.address == b'M');
         if let Some(end) = end {
@@ -245,7 +246,11 @@ impl Interpreter {
             // Old controls take T with G50; it was usual there, above all beside the highest speed.
             let taken = one_shot == OneShot::Setting && !self.dialect.strict;
             let only_speed = taken && !words.has_any(letters(b"XZUW"));
-            let message = Message::ToolWithSetting { word: quote(text, word.span), only_speed };
+            let word_text = quote(text, word.span);
+            let message = match only_speed {
+                true => Message::ToolWithHighestSpeed { word: word_text },
+                false => Message::ToolWithSetting { word: word_text },
+            };
             let told = Diagnostic::new(message, word.span);
             self.tell(match (taken, only_speed) {
                 (true, true) => told.graded(Severity::Info),
@@ -263,7 +268,10 @@ impl Interpreter {
         }
         match one_shot {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
-            OneShot::Multiple(_) => self.arrive_for_cycle(),
+            OneShot::Multiple(_) => {
+                self.state.feed_alone = None;
+                self.arrive_for_cycle();
+            }
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
                 if words.has_any(AXES) {
                     self.watch_compensation_at_home(text, block);

@@ -150,7 +150,7 @@ impl Interpreter {
 
     fn tell_macro_with(&mut self, kind: FaultKind, span: Span, fix: Option<Fix>) {
         self.trace_fault();
-        let told = Diagnostic::new(Message::Macro { kind }, span);
+        let told = Diagnostic::new(kind.message(), span);
         self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
         self.left_out();
     }

@@ -35,13 +35,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
-use super::modal::{CycleMemory, DeepestPass, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass};
+use super::modal::{
+    CycleMemory, DeepestPass, FeedAlone, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass,
+};
 use super::program::Labels;
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
-use crate::diagnostics::{Diagnostic, Fix, Message, Severity};
 use crate::geometry::{Point, Turn};
+use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::motion::{
     Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
 };

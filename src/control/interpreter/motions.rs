@@ -342,8 +342,10 @@ impl Interpreter {
             Err(fault) => {
                 let message = match fault {
                     arcs::Fault::RadiusTooSmall { distance } => {
-                        Message::ArcRadiusTooSmall { word: words.quote(text, b'R'), distance }
+                        let word = words.quote(text, b'R');
+                        Message::ArcRadiusTooSmall { word, distance, least: distance / 2.0 }
                     }
+                    arcs::Fault::EndOffCircle { start_radius: 0.0, .. } => Message::ArcNoRadius,
                     arcs::Fault::EndOffCircle { start_radius, end_radius } => {
                         Message::ArcEndOffCircle { start_radius, end_radius }
                     }

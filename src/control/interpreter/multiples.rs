@@ -119,7 +119,7 @@ impl Interpreter {
             if let Some(depth) = length(depth_word) {
                 self.state.parameters.depth = Some(depth);
                 if depth <= 0.0 {
-                    let message = Message::DepthNotPositive { code, depth: Some(depth) };
+                    let message = Message::DepthNotPositive { code, depth };
                     let told = Diagnostic::new(message, words.span(depth_word));
                     let word = words.quote(text, depth_word);
                     let fix = (depth < 0.0)
@@ -136,7 +136,7 @@ impl Interpreter {
                     words.span(other_word),
                     format!("{}{}", depth_word as char, words::behind_letter(&word)),
                 );
-                let message = Message::DepthNotPositive { code, depth: None };
+                let message = Message::DepthMissing { code };
                 self.tell(Diagnostic::new(message, words.span(other_word)).with(fix));
                 self.state.parameters.depth = Some(0.0);
                 return None;
@@ -161,9 +161,12 @@ impl Interpreter {
             // A depth that is wrong in the first block was told there.
             if let Some(word) = words.get(b'D') {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
-                self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, word.span));
+                let message = depth.map_or(Message::DepthMissing { code }, |depth| {
+                    Message::DepthNotPositive { code, depth }
+                });
+                self.tell(Diagnostic::new(message, word.span));
             } else if depth.is_none() {
-                self.tell(Diagnostic::new(Message::DepthNotPositive { code, depth }, block.words_span()));
+                self.tell(Diagnostic::new(Message::DepthMissing { code }, block.words_span()));
             }
             return None;
         };
@@ -373,7 +376,9 @@ impl Interpreter {
         match passes {
             Some(passes) if passes >= 1.0 => Some(passes as u32),
             _ => {
-                self.tell(Diagnostic::new(Message::PatternPasses { passes }, words.span(address)));
+                let message =
+                    passes.map_or(Message::PatternNoPasses, |passes| Message::PatternPasses { passes });
+                self.tell(Diagnostic::new(message, words.span(address)));
                 None
             }
         }
@@ -478,13 +483,13 @@ fn contour_message(
     shape: &Shape,
 ) -> Option<Message> {
     let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
+    let turns_back = |axis, piece| {
+        let alarm = if axis == 'Z' { "PS0064" } else { "PS0329" };
+        Message::ContourTurnsBack { code, axis, line: shape.line_of(piece), alarm }
+    };
     Some(match fault {
-        roughing::Fault::NotMonotoneAlong { piece } => {
-            Message::ContourTurnsBack { code, axis: along, line: shape.line_of(piece) }
-        }
-        roughing::Fault::NotMonotoneAcross { piece } => {
-            Message::ContourTurnsBack { code, axis: across, line: shape.line_of(piece) }
-        }
+        roughing::Fault::NotMonotoneAlong { piece } => turns_back(along, piece),
+        roughing::Fault::NotMonotoneAcross { piece } => turns_back(across, piece),
         roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
         roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
         roughing::Fault::TooManyMoves => return None,

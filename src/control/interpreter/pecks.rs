@@ -7,7 +7,7 @@ use super::multiples::{INCREMENT, NEAR};
 use super::*;
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
-use crate::diagnostics::{Edit, Repair};
+use crate::message::{Edit, Repair};
 
 impl Interpreter {
     /// G74 and G75.

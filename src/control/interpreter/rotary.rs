@@ -196,9 +196,14 @@ impl Interpreter {
             && self.nose().radius == 0.0
             && self.state.told.first(Once::PolarRadius)
         {
-            let offset = self.unknown_offset();
-            let told = Diagnostic::new(Message::PolarNoRadius { offset }, block.words_span());
-            self.tell(if offset.is_some() { told.graded(Severity::Info) } else { told });
+            let span = block.words_span();
+            self.tell(match self.unknown_offset() {
+                Some(offset) => {
+                    let message = Message::PolarRadiusUnknown { offset: u32::from(offset) };
+                    Diagnostic::new(message, span).graded(Severity::Info)
+                }
+                None => Diagnostic::new(Message::PolarNoRadius, span),
+            });
         }
         let reading = self.reading();
         if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {

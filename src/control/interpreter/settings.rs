@@ -41,6 +41,9 @@ impl Interpreter {
             }
         }
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
+            if self.state.feed_alone.is_some() {
+                self.tell_feed_alone(text);
+            }
             self.state.feed = Some(value);
             self.state.told.forget(Once::FeedZero);
             self.state.feed_is_old = false;
@@ -128,7 +131,7 @@ impl Interpreter {
         let (at_work, in_force) = self.state.tool;
         let adds_offset = in_force == 0 && u64::from(at_work) == value;
         if digits <= 2 && value > 0 && !adds_offset {
-            let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u16 };
+            let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u32 };
             // M06 beside it: a turret that takes two digits, or a changer.
             let told = Diagnostic::new(message, word.span);
             self.tell(if self.state.m_code == 6 { told.graded(Severity::Info) } else { told });
@@ -138,7 +141,11 @@ impl Interpreter {
         if beyond || (digits == 6 && offset > 99) {
             // With M06 it is the number of a tool changer.
             let of_machine = !beyond || self.state.m_code == 6;
-            let message = Message::ToolNumber { word: quote(text, word.span), of_machine };
+            let word_text = quote(text, word.span);
+            let message = match of_machine {
+                true => Message::ToolNumberOfMachine { word: word_text },
+                false => Message::ToolNumber { word: word_text },
+            };
             let told = Diagnostic::new(message, word.span);
             self.tell(if of_machine { told.graded(Severity::Info) } else { told });
             if beyond {

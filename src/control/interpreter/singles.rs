@@ -34,6 +34,7 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::LetterIInG92, words.span(b'I')).with(fix));
         }
         if !words.has_any(AXES) {
+            self.watch_axis_missing(text, words, cycle, taper);
             return;
         }
         if let Some(index) = request.comma.into_iter().flatten().next() {
@@ -65,6 +66,9 @@ impl Interpreter {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
+        let named = block.words.iter().rfind(|word| matches!(word.address, b'X' | b'U' | b'Z' | b'W'));
+        self.state.memory.named =
+            named.map(|word| if matches!(word.address, b'X' | b'U') { Axis::X } else { Axis::Z });
         self.arrive_for_cycle();
         let start = self.state.position;
         let memory = self.state.memory;
@@ -132,6 +136,46 @@ impl Interpreter {
                 }
             }
         }
+    }
+
+    /// A block of a cycle with R or F, but without an axis: no pass is made. A new F may be meant for a later cut.
+    fn watch_axis_missing(&mut self, text: &[u8], words: &Words, cycle: Single, taper: Option<&Word>) {
+        let memory = self.state.memory;
+        let end = memory.named.map(|axis| (axis, if axis == Axis::X { memory.x } else { memory.z }));
+        let Some(end) = end.filter(|_| memory.passes > 0) else { return };
+        if let Some(word) = taper {
+            self.tell_axis_missing(text, word.span, cycle, end);
+        } else if let Some(word) = words.get(b'F') {
+            self.state.feed_alone = Some(FeedAlone { span: word.span, cycle, end });
+        }
+    }
+
+    /// F changes again, or the program ends: was a cut made with the F that was alone in a block of a cycle?
+    #[inline(never)]
+    pub(super) fn tell_feed_alone(&mut self, text: &[u8]) {
+        if let Some(FeedAlone { span, cycle, end }) = self.state.feed_alone.take()
+            && self.state.feed_use == FeedUse::Open
+        {
+            self.tell_axis_missing(text, span, cycle, end);
+        }
+    }
+
+    fn tell_axis_missing(&mut self, text: &[u8], span: Span, cycle: Single, end: (Axis, Target)) {
+        let (axis, target) = end;
+        let (letters, scale) = if axis == Axis::X { (['X', 'U'], 2.0) } else { (['Z', 'W'], 1.0) };
+        let (letter, value) = match target {
+            Target::Stay => return,
+            Target::Absolute(place) => (letters[0], place),
+            Target::Incremental(way) => (letters[usize::from(!self.state.incremental)], way),
+        };
+        let number = crate::units::number(scale * value / self.state.unit.millimetres());
+        let needs_point = self.dialect.decimal == DecimalRule::LeastIncrement && !number.contains('.');
+        let end = format!("{letter}{number}{}", if needs_point { "." } else { "" });
+        let word = quote(text, span);
+        let fix = Fix::insert(span.start, format!("{end} "));
+        let meant = format!("{end} {word}");
+        let message = Message::CycleAxisMissing { word, code: cycle.cycle().code(), meant };
+        self.tell(Diagnostic::new(message, span).with(fix));
     }
 
     /// What an instructor would remark of a pass of a single cycle.
@@ -229,15 +273,19 @@ impl Interpreter {
         word: impl FnOnce(&Self) -> String,
     ) -> bool {
         let taper = self.state.memory.taper;
-        let (way, limit, axis) = match cycle {
-            Single::Turning | Single::Threading => (end.x - start.x, 2.0 * (end.x - start.x), 'U'),
-            Single::Facing => (end.z - start.z, end.z - start.z, 'W'),
+        let way = match cycle {
+            Single::Turning | Single::Threading => end.x - start.x,
+            Single::Facing => end.z - start.z,
         };
         if single::begins_beyond_start(way, taper) {
             // GSK states it as an error (seed 000); no FANUC alarm is known for it.
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
-            let message = Message::TaperBeyondStart { word: word(self), limit, axis };
+            let word = word(self);
+            let message = match cycle {
+                Single::Turning | Single::Threading => Message::TaperBeyondHalf { word, limit: 2.0 * way },
+                Single::Facing => Message::TaperBeyondLength { word, limit: way },
+            };
             self.tell(Diagnostic::new(message, span).graded(severity));
             return !error;
         }

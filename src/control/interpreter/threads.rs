@@ -7,8 +7,8 @@ use super::multiples::NEAR;
 use super::*;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
-use crate::diagnostics::{Edit, Repair};
 use crate::lint;
+use crate::message::{Edit, Repair};
 use crate::motion::Cycle;
 
 /// Tool angles that FANUC takes, degrees (PS0315).
@@ -112,8 +112,8 @@ impl Interpreter {
             Err(threading::Fault::LeastDepthTooLarge) => {
                 Message::ThreadLeastDepth { least: how.least_depth, height: how.height }
             }
-            Err(threading::Fault::NoHeight) => Message::ThreadNoDepth { word: 'P' },
-            Err(threading::Fault::NoFirstDepth) => Message::ThreadNoDepth { word: 'Q' },
+            Err(threading::Fault::NoHeight) => Message::ThreadNoHeight,
+            Err(threading::Fault::NoFirstDepth) => Message::ThreadNoFirstDepth,
             Err(threading::Fault::TooManyMoves) => {
                 self.refuse_long_cycle(block, "G76", 0, most);
                 return None;
@@ -190,7 +190,11 @@ impl Interpreter {
         if inside {
             // Exactly at the crest that P gives: the work may have been turned a little smaller.
             let at_crest = (start.x - crest).abs() <= 0.001;
-            let message = Message::ThreadStartInside { start: 2.0 * start.x, crest: 2.0 * crest, at_crest };
+            let (start, crest) = (2.0 * start.x, 2.0 * crest);
+            let message = match at_crest {
+                true => Message::ThreadStartAtCrest { start },
+                false => Message::ThreadStartInside { start, crest },
+            };
             let told = Diagnostic::new(message, block.words_span());
             self.tell(if at_crest { told.graded(Severity::Info) } else { told });
         }

@@ -38,10 +38,12 @@ impl Interpreter {
                     |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
                 );
             if mixed_up && !counts && self.state.told.first(Once::FeedUnit) {
-                self.tell(Diagnostic::new(
-                    Message::FeedUnit { word: words.quote(text, b'F'), feed, per_turn },
-                    words.span(b'F'),
-                ));
+                let word = words.quote(text, b'F');
+                let message = match per_turn {
+                    true => Message::FeedPerTurnTooLarge { word, feed },
+                    false => Message::FeedPerMinuteTooSmall { word, feed },
+                };
+                self.tell(Diagnostic::new(message, words.span(b'F')));
             }
         } else if self.state.feed_is_old {
             self.state.feed_is_old = false;
@@ -49,8 +51,11 @@ impl Interpreter {
                 // The unit was changed: it is told of that, not of the lead as well.
                 self.state.feed_use = FeedUse::Open;
             }
-            let per_turn = self.state.feed_mode == FeedMode::PerTurn;
-            self.tell(Diagnostic::new(Message::FeedNotRepeated { feed, per_turn }, block.words_span()));
+            let message = match self.state.feed_mode {
+                FeedMode::PerTurn => Message::FeedNotRepeatedPerTurn { feed },
+                FeedMode::PerMinute => Message::FeedNotRepeatedPerMinute { feed },
+            };
+            self.tell(Diagnostic::new(message, block.words_span()));
         } else if self.state.feed_use == FeedUse::Thread {
             self.state.feed_use = FeedUse::Open;
             self.tell(Diagnostic::new(Message::FeedOfThread { feed }, block.words_span()));
@@ -126,7 +131,8 @@ impl Interpreter {
             && self.state.told.first(Once::SpeedMissing)
         {
             let of_surface = spindle.surface && spindle.rpm > 0.0;
-            self.tell(Diagnostic::new(Message::SpeedMissing { of_surface }, block.words_span()));
+            let message = if of_surface { Message::SurfaceSpeedMissing } else { Message::SpeedMissing };
+            self.tell(Diagnostic::new(message, block.words_span()));
         }
     }
 
@@ -160,8 +166,8 @@ impl Interpreter {
         // L of GSK's G92: so many starts.
         let starts = self.starts(words, Single::Threading) as f64;
         let face = self.setup.stock.map(|stock| stock.face);
-        for told in lint::thread::remarks(&own, before.as_ref(), angle, starts, face) {
-            self.tell(Diagnostic::new(told, block.words_span()));
+        for told in lint::thread::remarks(&own, before.as_ref(), angle, starts, face, block.words_span()) {
+            self.tell(told);
         }
     }
 

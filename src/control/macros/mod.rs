@@ -2,7 +2,7 @@
 //!
 //! In: the text of an address value or of a macro statement, and the [`Memory`] its variables are in. Out: a
 //! number, or the [`Action`] the statement asks for; else the [`Fault`]. Evaluated straight from the text: no
-//! tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions, messages
+//! tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions
 //! or the meaning of system variables (semantics §8.4, §8.5).
 
 mod arguments;
@@ -15,6 +15,8 @@ mod tests;
 mod variables;
 
 use std::ops::Range;
+
+use crate::message::Message;
 
 pub use arguments::{ArgumentFault, arguments};
 pub use expression::address_value;
@@ -37,13 +39,6 @@ pub struct Fault {
     pub kind: FaultKind,
     /// Bytes of the text that was given; empty only where that text is.
     pub at: Range<usize>,
-}
-
-impl Fault {
-    /// The alarm of the control, as in `PS0112`.
-    pub fn alarm(&self) -> &'static str {
-        self.kind.alarm()
-    }
 }
 
 /// What can be wrong with a macro.
@@ -106,45 +101,25 @@ impl FaultKind {
         }
     }
 
-    /// The alarm of the control, as in `PS0112`.
-    pub fn alarm(self) -> &'static str {
+    /// What is said of it.
+    pub fn message(self) -> Message {
         match self {
-            Self::Overflow => "PS0111",
-            Self::DivisionByZero => "PS0112",
-            Self::UnknownFunction => "PS0113",
-            Self::Expression | Self::BracketOpen | Self::NumberOrCondition => "PS0114",
-            Self::VariableNumber => "PS0115",
-            Self::ReadOnly => "PS0116",
-            Self::BracketsTooDeep => "PS0118",
-            Self::FunctionArgument => "PS0119",
-            Self::EndMissing => "PS0124",
-            Self::Format => "PS0125",
-            Self::LoopNumber => "PS0126",
-            Self::WordsBehind => "PS0127",
-            Self::JumpTarget => "PS0128",
-            Self::ArgumentLetter => "PS0129",
-        }
-    }
-
-    /// Stable name of the fault.
-    pub fn slug(self) -> &'static str {
-        match self {
-            Self::Overflow => "macro-overflow",
-            Self::DivisionByZero => "macro-division-by-zero",
-            Self::UnknownFunction => "macro-unknown-function",
-            Self::Expression => "macro-expression",
-            Self::BracketOpen => "macro-bracket-open",
-            Self::NumberOrCondition => "macro-number-or-condition",
-            Self::VariableNumber => "macro-variable-number",
-            Self::ReadOnly => "macro-read-only",
-            Self::BracketsTooDeep => "macro-brackets-too-deep",
-            Self::FunctionArgument => "macro-function-argument",
-            Self::EndMissing => "macro-end-missing",
-            Self::Format => "macro-format",
-            Self::LoopNumber => "macro-loop-number",
-            Self::WordsBehind => "macro-with-words",
-            Self::JumpTarget => "macro-jump-target",
-            Self::ArgumentLetter => "macro-argument-letter",
+            Self::Overflow => Message::MacroOverflow,
+            Self::DivisionByZero => Message::MacroDivisionByZero,
+            Self::UnknownFunction => Message::MacroUnknownFunction,
+            Self::Expression => Message::MacroExpression,
+            Self::BracketOpen => Message::MacroBracketOpen,
+            Self::NumberOrCondition => Message::MacroNumberOrCondition,
+            Self::VariableNumber => Message::MacroVariableNumber,
+            Self::ReadOnly => Message::MacroReadOnly,
+            Self::BracketsTooDeep => Message::MacroBracketsTooDeep,
+            Self::FunctionArgument => Message::MacroFunctionArgument,
+            Self::EndMissing => Message::MacroEndMissing,
+            Self::Format => Message::MacroFormat,
+            Self::LoopNumber => Message::MacroLoopNumber,
+            Self::WordsBehind => Message::MacroWordsBehind,
+            Self::JumpTarget => Message::MacroJumpTarget,
+            Self::ArgumentLetter => Message::MacroArgumentLetter,
         }
     }
 

@@ -56,7 +56,11 @@ fn exact(expression: &str, expected: f64) {
 #[track_caller]
 fn refused(text: &str, alarm: &str, quote: &str) {
     let fault = statement(text.as_bytes(), &mut memory()).expect_err(text);
-    assert_eq!((fault.alarm(), &text[fault.at.clone()]), (alarm, quote), "{text}: {fault:?}");
+    assert_eq!(
+        (fault.kind.message().alarm().unwrap_or_default(), &text[fault.at.clone()]),
+        (alarm, quote),
+        "{text}: {fault:?}"
+    );
 }
 
 fn act(text: &str) -> Result<Action, FaultKind> {
@@ -447,7 +451,7 @@ fn variables_exist_by_number() {
         [("#0=1", "PS0116", 0..2), ("#3=#34", "PS0115", 3..6), ("#200=1", "PS0115", 0..4)]
     {
         let fault = statement(text.as_bytes(), &mut variables).unwrap_err();
-        assert_eq!((fault.alarm(), fault.at), (alarm, at));
+        assert_eq!((fault.kind.message().alarm().unwrap_or_default(), fault.at), (alarm, at));
     }
 }
 
@@ -513,7 +517,7 @@ fn i_j_and_k_may_come_in_sets() {
     let ten = "I1 J1 K1 ".repeat(10);
     assert_eq!(handed_over(&ten).unwrap().len(), 30);
     let eleven = handed_over(&(ten + "I1")).unwrap_err();
-    assert_eq!((eleven.index, eleven.kind.alarm()), (30, "PS0129"));
+    assert_eq!((eleven.index, eleven.kind.message().alarm().unwrap_or_default()), (30, "PS0129"));
     // The later of two words for one variable holds.
     assert_eq!(handed_over("I1 I2 D3").unwrap(), [(4, 1.0), (7, 3.0)]);
     assert_eq!(handed_over("D3 I1 I2").unwrap(), [(4, 1.0), (7, 2.0)]);

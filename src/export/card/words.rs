@@ -1,7 +1,7 @@
 //! The words of the program card in every language. A card without a translation does not compile.
 
 use crate::control::codes::Function;
-use crate::diagnostics::messages::Language;
+use crate::sentences::Language;
 use crate::setup::{Side, ToolKind};
 
 /// What is printed on a card.

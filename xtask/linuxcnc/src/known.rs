@@ -1,7 +1,7 @@
 //! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is told from
 //! a fault. Whatever is not here is a fault of one of the two.
 
-use gcode_playground::diagnostics::Message;
+use gcode_playground::message::Message;
 
 use crate::contour::{Corner, InContour};
 use crate::motion::Refusal;

@@ -91,7 +91,7 @@ pub struct Refusal {
     /// Stable name of the fault.
     pub slug: &'static str,
     /// What is wrong, with its numbers.
-    pub message: gcode_playground::diagnostics::Message,
+    pub message: gcode_playground::message::Message,
 }
 
 /// Runs a program in the playground.

@@ -1,0 +1,184 @@
+//! How grave the messages of a rule are told, where a setup says something else than the rule itself.
+//!
+//! In: names of rules or of groups of them, each with a level. Out: messages with the level that is asked for; those that are
+//! off are dropped. It changes what is said, never what the control does.
+
+use std::collections::BTreeMap;
+
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+
+use super::diagnostic::Diagnostic;
+use super::rule::{Group, Severity};
+use super::variants::RULES;
+
+/// The levels that are asked for, by the name of a rule or a group.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Levels(BTreeMap<&'static str, Severity>);
+
+impl Levels {
+    /// Sets a rule or a group; small and capital letters are the same. False: there is none of that name.
+    pub fn set(&mut self, name: &str, level: Severity) -> bool {
+        known(name).map(|name| self.0.insert(name, level)).is_some()
+    }
+
+    /// What is asked for by exactly this name.
+    pub fn get(&self, name: &str) -> Option<Severity> {
+        self.0.get(name).copied()
+    }
+
+    /// The level of a rule. What is said of the rule goes before what is said of its group.
+    pub fn of(&self, slug: &str) -> Option<Severity> {
+        let group = || RULES.iter().find(|rule| rule.slug == slug)?.group;
+        self.get(slug).or_else(|| self.get(group()?.name()))
+    }
+
+    /// A message as it is to be told; nothing where its rule is off.
+    pub fn graded(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
+        if !self.0.is_empty()
+            && let Some(level) = self.of(diagnostic.message.slug())
+        {
+            diagnostic.severity = level;
+        }
+        (diagnostic.severity > Severity::Off).then_some(diagnostic)
+    }
+
+    /// These levels with others that go before them; a group that is set there goes before rules that are set here.
+    pub fn with(mut self, others: &Self) -> Self {
+        for rule in &RULES {
+            if rule.group.is_some_and(|group| others.get(group.name()).is_some()) {
+                self.0.remove(rule.slug);
+            }
+        }
+        self.0.extend(&others.0);
+        self
+    }
+
+    /// These levels without those of groups.
+    pub fn without_groups(mut self) -> Self {
+        self.0.retain(|name, _| Group::ALL.iter().all(|group| group.name() != *name));
+        self
+    }
+
+    /// Whether nothing is asked for.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Name and level of each, in the order of the names.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, Severity)> {
+        self.0.iter().map(|(name, level)| (*name, *level))
+    }
+}
+
+/// Names that can be set: rules and groups.
+fn names() -> impl Iterator<Item = &'static str> {
+    RULES.iter().map(|rule| rule.slug).chain(Group::ALL.map(Group::name))
+}
+
+/// The rule or group of a name, written in any case.
+pub fn known(name: &str) -> Option<&'static str> {
+    names().find(|known| known.eq_ignore_ascii_case(name))
+}
+
+/// The rule or group whose name is most like this one; nothing where none is much like it.
+pub fn nearest(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_lowercase();
+    // Nobody misspells a slug by more than this, and the work stays small.
+    const LONGEST: usize = 60;
+    if name.len() > LONGEST {
+        return None;
+    }
+    let near = names().map(|known| (distance(name.as_bytes(), known.as_bytes()), known)).min()?;
+    (near.0 <= name.len().div_ceil(2)).then_some(near.1)
+}
+
+/// How many letters must be put in, taken out or changed to make one word of another.
+fn distance(a: &[u8], b: &[u8]) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.iter().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, other) in b.iter().enumerate() {
+            let changed = corner + usize::from(letter != other);
+            corner = row[j + 1];
+            row[j + 1] = changed.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+impl<'de> Deserialize<'de> for Levels {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Rules)
+    }
+}
+
+/// Reads `{"slug": "level"}`.
+struct Rules;
+
+impl<'de> Visitor<'de> for Rules {
+    type Value = Levels;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("an object of rules, each with its level")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Levels, A::Error> {
+        let mut levels = Levels::default();
+        while let Some((name, level)) = map.next_entry::<String, String>()? {
+            let Some(level) = Severity::named(&level) else {
+                let levels = "it can be off, info, warning or error";
+                return Err(Error::custom(format_args!("`{level}` is no level of a rule; {levels}")));
+            };
+            if !levels.set(&name, level) {
+                let near =
+                    nearest(&name).map_or_else(String::new, |near| format!("; the nearest is `{near}`"));
+                return Err(Error::custom(format_args!("there is no rule `{name}`{near}")));
+            }
+        }
+        Ok(levels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Severity::{Error, Info, Off, Warning};
+
+    fn levels(list: &[(&str, Severity)]) -> Levels {
+        let mut levels = Levels::default();
+        for (name, level) in list {
+            assert!(levels.set(name, *level), "{name}");
+        }
+        levels
+    }
+
+    #[test]
+    fn a_rule_goes_before_its_group_and_a_later_group_before_an_earlier_rule() {
+        let rule_first = levels(&[("coolant-off", Error), ("CLASSROOM", Info)]);
+        let group_first = levels(&[("classroom", Info), ("Coolant-Off", Error)]);
+        assert_eq!(rule_first, group_first);
+        let classroom = RULES.iter().filter(|rule| rule.group == Some(Group::Classroom));
+        assert_eq!(classroom.clone().count(), 5);
+        for slug in classroom.map(|rule| rule.slug) {
+            let level = if slug == "coolant-off" { Error } else { Info };
+            assert_eq!((rule_first.of(slug), Levels::default().of(slug)), (Some(level), None), "{slug}");
+        }
+        let over = rule_first.clone().with(&levels(&[("classroom", Off), ("no-program-end", Warning)]));
+        assert_eq!(over.of("coolant-off"), Some(Off));
+        assert_eq!(over.of("no-program-end"), Some(Warning));
+        let under = levels(&[("classroom", Off)]).with(&rule_first);
+        assert_eq!((under.of("coolant-off"), under.of("tool-not-named")), (Some(Error), Some(Info)));
+        assert_eq!(rule_first.without_groups(), levels(&[("coolant-off", Error)]));
+    }
+
+    #[test]
+    fn the_nearest_name_is_found() {
+        assert_eq!(nearest("no-program-ends"), Some("no-program-end"));
+        assert_eq!(nearest("NO-PROGRAM"), Some("no-program-end"));
+        assert_eq!(nearest("clasroom"), Some("classroom"));
+        assert_eq!(nearest("xyz"), None);
+        assert_eq!(nearest(&"no-program-end".repeat(100)), None);
+        assert_eq!((distance(b"", b"abc"), distance(b"kitten", b"sitting")), (3, 3));
+    }
+}

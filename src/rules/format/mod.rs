@@ -1,0 +1,210 @@
+//! A rule as it is written: `src/rules/<slug>.md`.
+//!
+//! In: the text of the file. Out: its parts, or every mistake in it with its line. `src/rules/README.md` describes the format.
+//! Shared by the build script, the rule pages and their tests, so it uses nothing but the standard library and must not
+//! know what a program does or what the parts are used for.
+
+pub mod message;
+pub mod page;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use message::{Message, Type};
+use page::Page;
+
+/// The languages of all texts, in this order.
+pub const LANGUAGES: [&str; 3] = ["en", "zh", "ru"];
+
+/// Severities and kinds, as they are written in a rule file and in Rust.
+pub const SEVERITIES: [(&str, &str); 4] =
+    [("off", "Off"), ("info", "Info"), ("warning", "Warning"), ("error", "Error")];
+/// See [`SEVERITIES`].
+pub const KINDS: [(&str, &str); 3] =
+    [("wrong", "Wrong"), ("unsupported", "Unsupported"), ("machine", "Machine")];
+/// Groups of rules that one name of the setup switches, in the same form.
+pub const GROUPS: [(&str, &str); 1] = [("classroom", "Classroom")];
+
+/// Everything a rule is.
+#[derive(Clone, Debug, Default)]
+pub struct RuleFile {
+    /// Stable name of the fault.
+    pub slug: String,
+    /// The stable code of its messages; none: the code is the alarm.
+    pub code: Option<String>,
+    /// The alarms a control raises. Several: each message has an argument of the type `alarm`.
+    pub alarms: Vec<String>,
+    /// How severe it usually is, as in Rust.
+    pub severity: &'static str,
+    /// Its category, as in Rust.
+    pub kind: &'static str,
+    /// The group of rules it belongs to, as in Rust.
+    pub group: Option<&'static str>,
+    /// Its messages.
+    pub messages: Vec<Message>,
+    /// Its page: texts and examples.
+    pub page: Page,
+}
+
+/// A mistake in a rule file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub what: String,
+}
+
+impl std::fmt::Display for Mistake {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "line {}: {}", self.line, self.what)
+    }
+}
+
+/// The mistakes found so far, and the line that is read.
+#[derive(Default)]
+struct Mistakes {
+    line: usize,
+    found: Vec<Mistake>,
+}
+
+impl Mistakes {
+    fn add(&mut self, what: impl Into<String>) {
+        self.add_at(self.line, what);
+    }
+
+    fn add_at(&mut self, line: usize, what: impl Into<String>) {
+        self.found.push(Mistake { line, what: what.into() });
+    }
+}
+
+/// A section of a rule file.
+#[derive(Clone, Copy)]
+enum Section {
+    Head,
+    Message,
+    Page,
+}
+
+impl RuleFile {
+    /// Reads a rule file, or says everything that is wrong with it.
+    pub fn read(text: &str) -> Result<Self, Vec<Mistake>> {
+        let mut rule = Self::default();
+        let mut mistakes = Mistakes::default();
+        let mut page = page::Reader::default();
+        let mut section = Section::Head;
+        for (index, line) in text.lines().enumerate() {
+            mistakes.line = index + 1;
+            if let Some(name) = line.strip_prefix("## message ") {
+                section = Section::Message;
+                rule.messages.push(Message::new(name.trim(), index + 1, &mut mistakes));
+            } else if line.starts_with("## ") && !page.is_in_program() {
+                section = Section::Page;
+                page.heading(line, &mut rule.page, &mut mistakes);
+            } else {
+                match (section, rule.messages.last_mut()) {
+                    (Section::Message, Some(message)) => message.read_line(line, &mut mistakes),
+                    (Section::Page, _) => page.read_line(line, &mut rule.page, &mut mistakes),
+                    _ => rule.read_head(line, &mut mistakes),
+                }
+            }
+        }
+        mistakes.line = 1;
+        rule.check(&mut mistakes);
+        page::check(&mut rule.page, &mut mistakes);
+        mistakes.found.sort_by_key(|mistake| mistake.line);
+        if mistakes.found.is_empty() { Ok(rule) } else { Err(mistakes.found) }
+    }
+
+    fn read_head(&mut self, line: &str, mistakes: &mut Mistakes) {
+        if line.trim().is_empty() {
+            return;
+        }
+        if let Some(slug) = line.strip_prefix("# ") {
+            slug.trim().clone_into(&mut self.slug);
+            let is_slug =
+                |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-';
+            if !self.slug.chars().all(is_slug) {
+                mistakes.add(format!("`{}` is not a slug: small letters, digits and hyphens", self.slug));
+            }
+            return;
+        }
+        let (key, value) = line.split_once(':').unwrap_or((line, ""));
+        let value = value.trim();
+        let mut named = |names: &[(&str, &'static str)]| {
+            let found = names.iter().find(|name| name.0 == value).map(|name| name.1);
+            if found.is_none() {
+                let known: Vec<_> = names.iter().map(|name| name.0).collect();
+                mistakes.add(format!("`{key}` is one of {}", known.join(", ")));
+            }
+            found
+        };
+        match key {
+            "severity" => self.severity = named(&SEVERITIES).unwrap_or_default(),
+            "kind" => self.kind = named(&KINDS).unwrap_or_default(),
+            "group" => self.group = named(&GROUPS),
+            "code" => self.code = Some(value.to_owned()),
+            "alarm" => self.alarms = value.split(',').map(|alarm| alarm.trim().to_owned()).collect(),
+            _ => mistakes.add(format!("not understood: {line}")),
+        }
+    }
+
+    /// Checks what a rule needs and what its parts need of each other.
+    fn check(&self, mistakes: &mut Mistakes) {
+        for (name, value) in [("# slug", &*self.slug), ("severity", self.severity), ("kind", self.kind)] {
+            if value.is_empty() {
+                mistakes.add(format!("no `{name}`"));
+            }
+        }
+        if self.code.is_none() && self.alarms.is_empty() {
+            mistakes.add("neither `code` nor `alarm`");
+        }
+        if self.severity == "Off" && self.group.is_none() {
+            mistakes.add("a rule that is off by default needs a `group`, or nobody finds it");
+        }
+        if self.messages.is_empty() {
+            mistakes.add("no `## message Name`");
+        }
+        for message in &self.messages {
+            message.check(mistakes);
+            let tells_alarm = message.arguments.iter().any(|argument| argument.kind == Type::Alarm);
+            if tells_alarm != (self.alarms.len() > 1) {
+                let what = "an argument of the type `alarm` belongs to a rule with several alarms";
+                mistakes.add_at(message.line, format!("{}: {what}", message.name));
+            }
+        }
+    }
+}
+
+/// The folder of the rule files.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/rules")
+}
+
+/// Every rule file by its name, sorted; or what is wrong with it.
+pub fn all() -> Vec<(String, Result<RuleFile, Vec<Mistake>>)> {
+    let folder = folder();
+    let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let paths = entries.map(|entry| entry.unwrap_or_else(|error| panic!("{error}")).path());
+    let mut paths: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|extension| extension == "md")).collect();
+    paths.sort();
+    let name = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    paths.retain(|path| name(path) != "README");
+    paths
+        .iter()
+        .map(|path| {
+            let name = name(path);
+            let text =
+                fs::read_to_string(path).map_err(|error| vec![Mistake { line: 1, what: error.to_string() }]);
+            let rule = text.and_then(|text| RuleFile::read(&text)).and_then(|rule| match rule.slug == name {
+                true => Ok(rule),
+                false => Err(vec![Mistake {
+                    line: 1,
+                    what: format!("the heading is `{}`, the file `{name}`", rule.slug),
+                }]),
+            });
+            (name, rule)
+        })
+        .collect()
+}

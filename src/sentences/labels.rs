@@ -1,0 +1,198 @@
+//! Words that stand beside something: how grave a message is and whose matter; the setup form: what each field is
+//! called, and what is wrong with what was entered.
+//!
+//! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
+
+use super::language::Language;
+use crate::message::{Kind, Severity};
+use crate::setup::ToolKind;
+use crate::setup::draft::Slip;
+use crate::setup::faults::Need;
+use crate::setup::fields::{Name, Unit, Unread};
+use crate::units::{self, number};
+
+impl Language {
+    /// The one of three texts that is in this language.
+    fn among(self, [english, chinese, russian]: [&'static str; 3]) -> &'static str {
+        match self {
+            Self::English => english,
+            Self::Chinese => chinese,
+            Self::Russian => russian,
+        }
+    }
+}
+
+/// How grave a message is.
+pub fn severity(severity: Severity, language: Language) -> &'static str {
+    language.among(match severity {
+        Severity::Off => ["Off", "关闭", "Выключено"],
+        Severity::Info => ["Note", "提示", "Примечание"],
+        Severity::Warning => ["Warning", "警告", "Предупреждение"],
+        Severity::Error => ["Error", "错误", "Ошибка"],
+    })
+}
+
+/// Whose matter a message is.
+pub fn matter(kind: Kind, language: Language) -> &'static str {
+    language.among(match kind {
+        Kind::Wrong => ["fault in the program", "程序有误", "ошибка в программе"],
+        Kind::Unsupported => ["not supported here", "此处不支持", "здесь не поддерживается"],
+        Kind::Machine => ["depends on the machine", "取决于机床", "зависит от станка"],
+    })
+}
+
+/// That a stock is assumed, and what was not checked because of it; `note` is the comment that names this stock.
+pub fn stock_assumed(note: &str, language: Language) -> String {
+    let said = language.among([
+        "stock assumed, collisions not checked. This stock in the program:",
+        "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",
+        "заготовка принята, столкновения не проверялись. Эта заготовка в программе:",
+    ]);
+    format!("{said} {note}")
+}
+
+/// What a field is called.
+pub fn field(name: Name, language: Language) -> &'static str {
+    language.among(match name {
+        Name::StockDiameter => ["Diameter", "直径", "Диаметр"],
+        Name::Bore => ["Bore diameter", "内孔直径", "Диаметр отверстия"],
+        Name::Length => ["Length", "长度", "Длина"],
+        Name::Face => ["Z of the front face", "前端面 Z", "Z переднего торца"],
+        Name::Grip => ["Held by the jaws", "卡爪夹持长度", "Зажато в кулачках"],
+        Name::Kind => ["Kind", "类型", "Вид"],
+        Name::Side => ["Side of the work", "加工部位", "Сторона детали"],
+        Name::Insert => ["Insert (ISO)", "刀片（ISO）", "Пластина (ISO)"],
+        Name::NoseRadius => ["Nose radius", "刀尖圆弧半径", "Радиус вершины"],
+        Name::Tip => ["Tip number", "刀尖方位号", "Номер вершины"],
+        Name::EnteringAngle => ["Entering angle κr", "主偏角 κr", "Главный угол в плане κr"],
+        Name::PointAngle => ["Point angle", "刀尖角", "Угол при вершине"],
+        Name::EdgeLength => ["Edge length", "切削刃长度", "Длина кромки"],
+        Name::Width => ["Width", "刀宽", "Ширина"],
+        Name::ToolDiameter => ["Diameter", "直径", "Диаметр"],
+        Name::Reach => ["Reach", "伸出长度", "Вылет"],
+        Name::Shank => ["Bar diameter", "刀杆直径", "Диаметр державки"],
+        Name::Angle => ["Angle of the point", "尖角", "Угол острия"],
+        Name::ToolRadius => ["Cutter radius", "铣刀半径", "Радиус фрезы"],
+        Name::GeometryR => ["Offset R", "刀补 R", "Корректор R"],
+        Name::StartX => ["X (diameter)", "X（直径）", "X (диаметр)"],
+        Name::StartZ => ["Z", "Z", "Z"],
+        Name::CenterZ => ["Z of the centre's point", "顶尖 Z", "Z острия центра"],
+        Name::QuillDiameter => ["Quill diameter", "套筒直径", "Диаметр пиноли"],
+        Name::RapidX => ["Rapid along X", "X 快移速度", "Ускоренный ход X"],
+        Name::RapidZ => ["Rapid along Z", "Z 快移速度", "Ускоренный ход Z"],
+        Name::MaxSpeed => ["Highest spindle speed", "主轴最高转速", "Наибольшие обороты"],
+        Name::LeastX => ["Least X (diameter)", "X 最小（直径）", "Наименьший X (диаметр)"],
+        Name::GreatestX => ["Greatest X (diameter)", "X 最大（直径）", "Наибольший X (диаметр)"],
+        Name::LeastZ => ["Least Z", "Z 最小", "Наименьший Z"],
+        Name::GreatestZ => ["Greatest Z", "Z 最大", "Наибольший Z"],
+        Name::Turret => ["Turret", "刀架", "Револьверная головка"],
+        Name::Decimal => ["Number without a point", "无小数点的数", "Число без точки"],
+        Name::Classroom => ["Classroom checklist", "课堂检查清单", "Учебный контрольный список"],
+    })
+}
+
+/// What a group of fields is called.
+pub fn group(group: &str, language: Language) -> &'static str {
+    language.among(match group {
+        "stock" => ["Stock", "毛坯", "Заготовка"],
+        "start" => ["Start of the tool tip", "刀尖起点", "Начальная точка вершины"],
+        "machine" => ["Machine", "机床", "Станок"],
+        "control" => ["Control", "数控系统", "Стойка"],
+        "rules" => ["Rules", "规则", "Правила"],
+        "tailstock" => ["Tailstock", "尾座", "Задняя бабка"],
+        _ => ["Tool", "刀具", "Инструмент"],
+    })
+}
+
+/// What a tool is called.
+pub fn tool(name: &str, language: Language) -> String {
+    match name {
+        "T0000" => {
+            language.among(["Tool before any T word", "无 T 指令时的刀具", "Инструмент без слова T"]).into()
+        }
+        name => format!("{} {name}", group("tool", language)),
+    }
+}
+
+/// What a unit is written as.
+pub fn unit(unit: Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        Unit::Millimetre => ["mm", "mm", "мм"],
+        Unit::Degree => ["°", "°", "°"],
+        Unit::MillimetrePerMinute => ["mm/min", "mm/min", "мм/мин"],
+        Unit::TurnsPerMinute => ["1/min", "r/min", "об/мин"],
+    })
+}
+
+/// What a unit of length is written as behind a number.
+pub fn length(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["in", "in", "дюйма"],
+    })
+}
+
+/// What a kind of tool is called.
+pub fn kind(kind: ToolKind, language: Language) -> &'static str {
+    language.among(match kind {
+        ToolKind::Turning => ["turning", "车刀", "проходной"],
+        ToolKind::Boring => ["boring", "镗刀", "расточной"],
+        ToolKind::Grooving => ["grooving", "切槽刀", "канавочный"],
+        ToolKind::Threading => ["threading", "螺纹刀", "резьбовой"],
+        ToolKind::Drill => ["drill", "钻头", "сверло"],
+        ToolKind::Tap => ["tap", "丝锥", "метчик"],
+        ToolKind::Endmill => ["live end mill", "动力铣刀", "приводная фреза"],
+    })
+}
+
+/// What a choice of another field is called; the choice itself, where it has no other name.
+pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static str {
+    match (name, choice) {
+        (Name::Side, "outside") => language.among(["outside", "外圆", "снаружи"]),
+        (Name::Side, "inside") => language.among(["bore", "内孔", "отверстие"]),
+        (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
+        (Name::Turret, "rear") => language.among(["behind the spindle", "后置", "за шпинделем"]),
+        (Name::Turret, "front") => language.among(["in front of it", "前置", "перед шпинделем"]),
+        (Name::Decimal, "auto") => language.among(["as the program shows", "按程序判断", "по программе"]),
+        (Name::Decimal, "calculator") => {
+            language.among(["counts mm or inches", "按 mm 或英寸计", "в мм или дюймах"])
+        }
+        (Name::Decimal, "leastIncrement") => language.among([
+            "counts 0.001 mm or 0.0001 in",
+            "按 0.001 mm 或 0.0001 in 计",
+            "в 0,001 мм или 0,0001 дюйма",
+        ]),
+        (Name::Classroom, level) => Severity::named(level).map_or(choice, |level| severity(level, language)),
+        _ => ToolKind::ALL
+            .into_iter()
+            .find(|kind| kind.name() == choice)
+            .map_or(choice, |own| kind(own, language)),
+    }
+}
+
+/// What is wrong with an entry.
+pub fn slip(slip: Slip, language: Language) -> String {
+    let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
+    match slip {
+        Slip::Unread(Unread::NotANumber) => {
+            language.among(["Not a number", "不是数字", "Это не число"]).into()
+        }
+        Slip::Unread(Unread::NotWhole) => {
+            language.among(["Must be a whole number", "必须是整数", "Нужно целое число"]).into()
+        }
+        Slip::Unread(Unread::NotKnown) => {
+            language.among(["Not known here", "无法识别", "Здесь такого нет"]).into()
+        }
+        Slip::Missing => language.among(["Needed", "必填", "Нужно указать"]).into(),
+        Slip::Need(Need::Positive) => {
+            language.among(["Must be greater than zero", "必须大于零", "Должно быть больше нуля"]).into()
+        }
+        Slip::Need(Need::NotNegative) => {
+            language.among(["Cannot be negative", "不能为负", "Не может быть отрицательным"]).into()
+        }
+        Slip::Need(Need::Below(most)) => {
+            with(["Must be less than {most}", "必须小于 {most}", "Должно быть меньше {most}"], most)
+        }
+        Slip::Need(Need::AtMost(most)) => with(["{most} at most", "最大 {most}", "Не больше {most}"], most),
+    }
+}

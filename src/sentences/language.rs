@@ -1,0 +1,35 @@
+//! The languages of all texts.
+
+/// A language the messages exist in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English.
+    #[default]
+    English,
+    /// Chinese, simplified.
+    Chinese,
+    /// Russian.
+    Russian,
+}
+
+impl Language {
+    /// All languages, in the order they are offered.
+    pub const ALL: [Language; 3] = [Self::English, Self::Chinese, Self::Russian];
+
+    /// Its tag: `en`, `zh`, `ru`.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Chinese => "zh",
+            Self::Russian => "ru",
+        }
+    }
+
+    /// The language of a tag such as `zh` or `zh-CN`; English for one that is not spoken here.
+    pub fn from_tag(tag: &str) -> Self {
+        Self::ALL
+            .into_iter()
+            .find(|language| tag.to_ascii_lowercase().starts_with(language.tag()))
+            .unwrap_or_default()
+    }
+}

@@ -1,0 +1,13 @@
+//! What is said, in all languages: the sentences of the messages, and the words that are shown beside them.
+
+pub mod codes;
+pub mod labels;
+mod language;
+mod phrases;
+mod template;
+#[cfg(test)]
+mod tests;
+
+pub use language::Language;
+pub use phrases::{describe_motion, describe_rewrite};
+pub use template::Sentence;

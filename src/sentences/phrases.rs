@@ -1,0 +1,155 @@
+//! What a stroke of the picture is, and the titles of repairs and rewritings, as templates of every language.
+
+mod en;
+mod ru;
+mod zh;
+
+use super::language::Language;
+use super::template::fill;
+use crate::geometry::virtual_plane::Surface;
+use crate::message::{Arguments, Repair, Value};
+use crate::motion::{CycleStep, Motion, MotionKind, Step};
+
+/// Lists the phrases once, for the enum and for the tests of all of them.
+macro_rules! phrases {
+    ($($name:ident),* $(,)?) => {
+        /// A part of a sentence, or a short one, in any language.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(super) enum Phrase { $($name),* }
+
+        #[cfg(test)]
+        impl Phrase {
+            /// Every phrase.
+            pub(super) const ALL: &[Self] = &[$(Self::$name),*];
+        }
+    };
+}
+
+phrases! {
+    // Titles of repairs
+    CloseComment, DecimalPoint, LetterO, Minus, Write, Delete, Insert,
+    // Moves that are a cycle
+    AsCycle, AsCyclePasses,
+    // Motions
+    Rapid, Feed, ArcClockwise, ArcCounterclockwise, Thread, Dwell, DwellFor,
+    // Motions of cycles, and their parts
+    OfCycle, CutOfCycle, Pass, PassOf,
+    Infeed, Cut, PullOut, Retract, Return, Approach, Escape, Contour, Relief, Stepover,
+    AtRapid, WithSpindle, AtFeed,
+}
+
+impl Language {
+    pub(super) fn phrase(self, phrase: Phrase) -> &'static str {
+        match self {
+            Self::English => en::phrase(phrase),
+            Self::Chinese => zh::phrase(phrase),
+            Self::Russian => ru::phrase(phrase),
+        }
+    }
+}
+
+impl Repair {
+    /// What it does, in a language: the title of a button.
+    pub fn words(&self, language: Language) -> String {
+        let (phrase, text) = match self {
+            Self::CloseComment => (Phrase::CloseComment, ""),
+            Self::DecimalPoint => (Phrase::DecimalPoint, ""),
+            Self::LetterO => (Phrase::LetterO, ""),
+            Self::Minus => (Phrase::Minus, ""),
+            Self::Write { text } => (Phrase::Write, text.as_str()),
+            Self::Delete { text } => (Phrase::Delete, text.as_str()),
+            Self::Insert { text } => (Phrase::Insert, text.as_str()),
+        };
+        fill(language.phrase(phrase), &vec![("text", Value::Text(text))])
+    }
+}
+
+/// What writing the moves of so many passes as the cycle of a code does.
+pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String {
+    let phrase = if passes == 1 { Phrase::AsCycle } else { Phrase::AsCyclePasses };
+    let arguments: Arguments =
+        vec![("cycle", Value::Text(code)), ("passes", Value::Count(passes.try_into().unwrap_or(i64::MAX)))];
+    fill(language.phrase(phrase), &arguments)
+}
+
+/// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.
+pub fn describe_motion(motion: &Motion, passes: Option<u32>, language: Language) -> String {
+    let to = end_of(motion);
+    let mut arguments: Arguments = vec![("to", Value::Text(&to))];
+    if let Some(seconds) = motion.seconds {
+        arguments.push(("seconds", Value::Number(seconds)));
+        return fill(language.phrase(Phrase::DwellFor), &arguments);
+    }
+    let Some(cycle) = motion.cycle else {
+        return fill(language.phrase(kind(motion.kind)), &arguments);
+    };
+    let pass = describe_pass(cycle, passes, language);
+    arguments.push(("cycle", Value::Text(cycle.cycle.code())));
+    arguments.push(("pass", Value::Text(&pass)));
+    arguments.push(("step", Value::Text(language.phrase(step(cycle.step)))));
+    arguments.push(("manner", Value::Text(language.phrase(manner(motion.kind)))));
+    let whole = match cycle.step {
+        Step::Cut | Step::PullOut => Phrase::CutOfCycle,
+        _ => Phrase::OfCycle,
+    };
+    fill(language.phrase(whole), &arguments)
+}
+
+/// Which pass it is, and of how many; nothing for what belongs to none.
+fn describe_pass(cycle: CycleStep, passes: Option<u32>, language: Language) -> String {
+    if cycle.pass == 0 {
+        return String::new();
+    }
+    let template = language.phrase(if passes.is_some() { Phrase::PassOf } else { Phrase::Pass });
+    let count = |count: u32| Value::Count(i64::from(count));
+    fill(template, &vec![("pass", count(cycle.pass)), ("passes", count(passes.unwrap_or_default()))])
+}
+
+fn kind(kind: MotionKind) -> Phrase {
+    match kind {
+        MotionKind::Rapid => Phrase::Rapid,
+        MotionKind::Feed => Phrase::Feed,
+        MotionKind::ArcClockwise => Phrase::ArcClockwise,
+        MotionKind::ArcCounterclockwise => Phrase::ArcCounterclockwise,
+        MotionKind::Thread => Phrase::Thread,
+        MotionKind::Dwell => Phrase::Dwell,
+    }
+}
+
+fn manner(kind: MotionKind) -> Phrase {
+    match kind {
+        MotionKind::Rapid => Phrase::AtRapid,
+        MotionKind::Thread => Phrase::WithSpindle,
+        _ => Phrase::AtFeed,
+    }
+}
+
+fn step(step: Step) -> Phrase {
+    match step {
+        Step::Infeed => Phrase::Infeed,
+        Step::Cut => Phrase::Cut,
+        Step::PullOut => Phrase::PullOut,
+        Step::Retract => Phrase::Retract,
+        Step::Return => Phrase::Return,
+        Step::Approach => Phrase::Approach,
+        Step::Escape => Phrase::Escape,
+        Step::Contour => Phrase::Contour,
+        Step::Relief => Phrase::Relief,
+        Step::Stepover => Phrase::Stepover,
+    }
+}
+
+/// Where a motion ends, in the words of a block; behind an arrow the place of the machine, where the program counts
+/// in a virtual plane.
+fn end_of(motion: &Motion) -> String {
+    let place = |template: &str, numbers: &[(&'static str, f64)]| {
+        fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())
+    };
+    let (x, z) = (("x", 2.0 * motion.to.x), ("z", motion.to.z));
+    let Some(rotary) = motion.rotary else { return place("X{x} Z{z}", &[x, z]) };
+    let c = ("c", rotary.to);
+    let own = rotary.virtual_move.filter(|own| own.surface == Surface::Face);
+    let Some(end) = own.map(|own| own.way.at(1.0)) else { return place("X{x} Z{z} C{c}°", &[x, z, c]) };
+    let (right, up) = (("right", 2.0 * end.z), ("up", end.x));
+    place("X{right} C{up} Z{z} → X{x} C{c}°", &[x, z, c, right, up])
+}

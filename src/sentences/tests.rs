@@ -1,0 +1,93 @@
+//! The sentences of all messages, filled from the samples of the rule files.
+
+use std::collections::BTreeSet;
+
+use super::phrases::Phrase;
+use super::{Language, Sentence, labels};
+use crate::message::{Message, Value};
+use crate::units::{Unit, number};
+
+include!(concat!(env!("OUT_DIR"), "/samples.rs"));
+
+/// The build finds a name that is no argument; this, what is left of a template.
+#[test]
+fn every_message_is_said_in_every_language_and_unit() {
+    for message in samples() {
+        for language in Language::ALL {
+            for unit in [Unit::Millimetre, Unit::Inch] {
+                let Sentence { message: said, help } = message.sentence_in(language, unit);
+                let help = help.unwrap_or_default();
+                assert!(
+                    !said.is_empty() && !format!("{said}{help}").contains(['{', '}', '\n']),
+                    "{said}\n{help}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn languages_quote_the_same_in_phrases() {
+    let sorted = |template: &'static str| {
+        let mut names: Vec<&str> = template
+            .split('{')
+            .skip(1)
+            .map(|part| part.split_once('}').expect("a closed placeholder").0)
+            .collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    };
+    for &phrase in Phrase::ALL {
+        let [english, others @ ..] = Language::ALL.map(|language| sorted(language.phrase(phrase)));
+        for other in others {
+            assert_eq!(english, other, "{phrase:?}");
+        }
+    }
+}
+
+#[test]
+fn what_a_message_quotes_is_not_a_template() {
+    let text = "{text} {0}".to_owned();
+    let message = Message::PlainText { text }.sentence(Language::English).message;
+    assert_eq!(message, "`{text} {0}` is plain text, not a block.");
+}
+
+/// What the page fills is all that is needed to say what is said here: names, types and templates.
+#[test]
+fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
+    let files = [
+        include_str!(concat!(env!("OUT_DIR"), "/messages.en.json")),
+        include_str!(concat!(env!("OUT_DIR"), "/messages.zh.json")),
+        include_str!(concat!(env!("OUT_DIR"), "/messages.ru.json")),
+    ];
+    for (language, file) in Language::ALL.into_iter().zip(files) {
+        let file: serde_json::Value = serde_json::from_str(file).expect("JSON");
+        let own: BTreeSet<&str> = file.as_object().expect("an object").keys().map(String::as_str).collect();
+        assert_eq!(own, samples().iter().map(Message::name).collect());
+        for message in samples() {
+            let own = &file[message.name()];
+            assert_eq!(own["rule"], message.slug());
+            let filled = |template: &str| {
+                let unit = labels::length(Unit::Inch, language);
+                let mut text = template.replace("{mm}", unit);
+                for (name, value) in message.arguments() {
+                    let shown = match (own["arguments"][name].as_str().expect(name), value) {
+                        ("text" | "word", Value::Text(text)) => text.to_owned(),
+                        ("letter", Value::Letter(letter)) => letter.to_string(),
+                        ("count" | "index" | "integer", Value::Count(count)) => count.to_string(),
+                        ("program", Value::Program(program)) => format!("{program:04}"),
+                        ("number", Value::Number(value)) => number(value),
+                        ("length", Value::Length(length)) => number(length / 25.4),
+                        (kind, value) => panic!("{value:?} is no {kind}"),
+                    };
+                    text = text.replace(&format!("{{{name}}}"), &shown);
+                }
+                text
+            };
+            let said = message.sentence_in(language, Unit::Inch);
+            assert_eq!(filled(own["message"].as_str().expect("a template")), said.message);
+            assert_eq!(own["help"].as_str().map(filled), said.help);
+        }
+    }
+}
