@@ -206,6 +206,16 @@ fn commands() -> BTreeSet<(&'static str, String)> {
     found
 }
 
+/// Whether the words of a call of Playwright name an engine and a file of browser tests, which `cargo xtask test` runs.
+fn names_browser_tests(words: &[&str]) -> bool {
+    let config = source("www/playwright.config.ts");
+    let is_engine = |word: &&str| {
+        word.strip_prefix("--project=").is_some_and(|name| config.contains(&format!("name: '{name}'")))
+    };
+    let is_file = |word: &&str| root().join(format!("tests/browser/{word}.spec.ts")).is_file();
+    words.iter().any(is_engine) && words.iter().any(is_file)
+}
+
 #[test]
 fn every_command_is_held_by_something() {
     let mut unknown = Vec::new();
@@ -214,6 +224,7 @@ fn every_command_is_held_by_something() {
         let held = match words.as_slice() {
             ["gcode-playground", ..] | ["cargo", "xtask", ..] => true,
             ["cargo", "test", "--test", name, ..] => root().join(format!("tests/{name}.rs")).is_file(),
+            ["npx", "playwright", "test", rest @ ..] => names_browser_tests(rest),
             _ => not_run(&command),
         };
         if !held {

@@ -142,6 +142,16 @@ pub const FIGURES: &[Figure] = &[
         "Level □ runs as fast as 3 there and is a fifth smaller",
         Held::NotRun("measured with modules that are no longer built; `benches/README.md` has the table"),
     ),
+    figure(
+        "tests/browser/README.md",
+        "stays at version 24,",
+        Held::Stated("www/package.json", "\"puppeteer-core\": \"24."),
+    ),
+    figure(
+        "tests/browser/README.md",
+        "the last that runs on Node 20",
+        Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;"),
+    ),
 ];
 
 /// The figures of the line of a table of `benches/README.md` that begins with these words.
