@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::seen::{LOOKED_AT, Seen, Use};
 use super::stations::{Places, Stations};
-use super::surface::{Facing, Surface, Track};
+use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
 use super::sweep::way_of;
 use super::tool::takes;
 use crate::geometry::SAME;
@@ -70,7 +70,8 @@ pub(super) fn decide(
         let found = found
             .or_else(|| inserts.iter().find(|tool| led.does(index, own, tool)))
             .or_else(|| blades.iter().find(|tool| led.does(index, own, tool)))
-            .or_else(|| blades.iter().find(|tool| words.kind == tool.kind && led.grooves(index, own, tool)));
+            .or_else(|| blades.iter().find(|tool| words.kind == tool.kind && led.grooves(index, own, tool)))
+            .or_else(|| inserts.iter().find(|tool| led.follows(index, own, tool, WIDEST_SHIFT)));
         match found {
             Some(tool) => **first = tool.clone(),
             // Of a tool some of whose cuts are left out the others say too little.
@@ -234,24 +235,32 @@ impl Led {
     /// Whether a blade roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
     /// the surface that all tools leave.
     fn grooves(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
-        let surface = if own.is_inside() { &self.inside } else { &self.outside };
+        let surface = self.side(own).1;
         let track = &self.tracks[index];
         let steps = track.without_grooves(surface);
         let few = FEW * (track.plunges.len() - steps.plunges.len()) <= track.plunges.len();
-        few && (tool.tip.is_some() || !surface.is_gouged(&takes(tool), &steps))
+        few && (tool.tip.is_some() || !surface.is_gouged(&takes(tool), &steps, SHIFT))
+    }
+
+    fn side(&self, own: &Seen) -> (Facing, &Surface) {
+        match own.is_inside() {
+            true => (Facing::Inwards, &self.inside),
+            false => (Facing::Outwards, &self.outside),
+        }
+    }
+
+    /// Whether an insert led as a use is leaves the surface whole, walls apart that it shifts by no more than `shift`, mm.
+    fn follows(&self, index: usize, own: &Seen, tool: &Tool, shift: f64) -> bool {
+        !self.side(own).1.is_gouged(&takes(tool), &self.tracks[index], shift)
     }
 
     /// Whether a tool can do what was seen of a use.
     fn does(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
-        let track = &self.tracks[index];
-        let (facing, surface) = match own.is_inside() {
-            true => (Facing::Inwards, &self.inside),
-            false => (Facing::Outwards, &self.outside),
-        };
-        let outline = takes(tool);
         if tool.kind != Some(ToolKind::Grooving) {
-            return !surface.is_gouged(&outline, track);
+            return self.follows(index, own, tool, SHIFT);
         }
+        let track = &self.tracks[index];
+        let (facing, surface) = self.side(own);
         if !track.plunges.iter().any(|(z, _)| *z < self.front - SAME) {
             return false;
         }
@@ -267,6 +276,6 @@ impl Led {
         let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.stations);
         let own_surface = Surface::of_one(track, (facing, self.stations.clone()));
         let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };
-        is_groove || !own_surface.is_gouged(&outline, &track.without_parting(parting))
+        is_groove || !own_surface.is_gouged(&takes(tool), &track.without_parting(parting), SHIFT)
     }
 }

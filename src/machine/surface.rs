@@ -18,7 +18,10 @@ const BESIDE: f64 = 0.3;
 pub const GOUGE: f64 = 0.05;
 
 /// How far along Z a guessed tool may shift a wall, mm.
-const SHIFT: f64 = 0.08;
+pub const SHIFT: f64 = 0.05;
+
+/// The same for a tool that is taken where no other one will do, mm.
+pub const WIDEST_SHIFT: f64 = 0.08;
 
 /// A roughing pass ends no further in front of the last step of a contour than this, mm.
 const ALLOWANCE: f64 = 1.0;
@@ -104,7 +107,7 @@ impl Track {
     /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An arc that is not quite
     /// tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
     pub fn is_valley(&self, stations: &Stations) -> bool {
-        let heights = without_narrow_peaks(stations, &self.along, SHIFT);
+        let heights = without_narrow_peaks(stations, &self.along, WIDEST_SHIFT);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
         heights.iter().all(|&height| {
             if height.is_infinite() {
@@ -165,7 +168,7 @@ impl Surface {
                 *height = f64::NEG_INFINITY;
             }
         }
-        let heights = without_narrow_peaks(&stations, &heights, SHIFT);
+        let heights = without_narrow_peaks(&stations, &heights, WIDEST_SHIFT);
         Self { facing, stations, heights }
     }
 
@@ -173,7 +176,7 @@ impl Surface {
     pub fn of_one(track: &Track, (facing, stations): (Facing, Stations)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
         let heights: Vec<f64> = track.along.iter().map(stays).collect();
-        let heights = without_narrow_peaks(&stations, &heights, SHIFT);
+        let heights = without_narrow_peaks(&stations, &heights, WIDEST_SHIFT);
         Self { facing, stations, heights }
     }
 
@@ -189,13 +192,13 @@ impl Surface {
         self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
-    /// Whether an outline led along a track takes off any of it.
+    /// Whether an outline led along a track takes off any of it, walls apart that it shifts by no more than `shift`, mm.
     ///
     /// Track, surface and edge are straight between their points. So the outline is deepest in the surface where two of three meet:
     /// a point of the track, a point of the surface, a corner of the edge.
-    pub fn is_gouged(&self, outline: &Outline, track: &Track) -> bool {
-        // A wall may be shifted a little, and stations do not show exactly where it is.
-        let edge = Edge::of(outline, self.facing).narrowed(SHIFT.max(self.stations.exact_to()));
+    pub fn is_gouged(&self, outline: &Outline, track: &Track, shift: f64) -> bool {
+        // Stations do not show exactly where a wall is.
+        let edge = Edge::of(outline, self.facing).narrowed(shift.max(self.stations.exact_to()));
         let led = self.stations.all().iter().copied().zip(track.along.iter().copied());
         let led: Vec<(f64, f64)> = led.filter(|(_, height)| height.is_finite()).collect();
         let mut plunges = track.plunges.clone();
@@ -300,7 +303,7 @@ mod tests {
         let (track, stations) = led(points);
         let surface = Surface::of([&track].into_iter(), (Facing::Outwards, stations), 30.0, (-40.0, 0.0));
         let shape = Shape::of(&serde_json::from_str(tool).expect("a tool"));
-        surface.is_gouged(&shape.edge, &track)
+        surface.is_gouged(&shape.edge, &track, SHIFT)
     }
 
     #[test]
