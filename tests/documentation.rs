@@ -170,14 +170,24 @@ fn every_document_is_in_the_list() {
     assert_eq!(found, DOCUMENTS.into_iter().collect());
 }
 
+/// Tables and details are in the reference; README says where.
+#[test]
+fn readme_is_a_front_page() {
+    let readme = source("README.md");
+    let lines = readme.lines().count();
+    assert!(lines <= 150, "README.md has {lines} lines; details belong into www/docs");
+    for document in DOCUMENTS.iter().filter(|name| name.starts_with("www/docs/")) {
+        let linked = document.ends_with("README.md") || readme.contains(&format!("]({document})"));
+        assert!(linked, "README.md has no link to {document}");
+    }
+}
+
 #[test]
 fn a_missing_file_would_be_found() {
     let files = files();
     assert!(is_path("element.js") && !is_there("element.js", &files));
     assert!(is_path("sentences/labels.ts") && !is_there("sentences/labels.ts", &files));
-    assert!(
-        is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
-    );
+    assert!(is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files));
 }
 
 // ---- commands -------------------------------------------------------------------------------------
