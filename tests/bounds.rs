@@ -95,12 +95,12 @@ fn limits_are_set_by_name_and_within_reason() {
 }
 
 #[test]
-fn the_readme_lists_every_limit() {
-    let readme = include_str!("../README.md");
+fn the_reference_lists_every_limit() {
+    let page = include_str!("../www/docs/limits.md");
     for (name, usual, most) in Limits::default().settings() {
         let most = if most == 1_000_000_000 { "10⁹".into() } else { most.to_string() };
         let row = format!("| `{name}` | {usual} | {most} | ");
-        assert!(readme.contains(&row), "{row}");
+        assert!(page.contains(&row), "{row}");
     }
 }
 

@@ -1,5 +1,5 @@
-//! The table of supported codes: the one in README is the registry's, every row has its words in every language, and
-//! the interpreter recognises what stands in it and nothing else. `UPDATE=1 cargo test --test codes` writes README.
+//! The table of supported codes: the one in the reference is the registry's, every row has its words in every language, and
+//! the interpreter recognises what stands in it and nothing else. `UPDATE=1 cargo test --test codes` writes it.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::HashSet;
@@ -54,16 +54,19 @@ fn table() -> String {
 }
 
 #[test]
-fn readme_shows_the_registry() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
-    let readme = std::fs::read_to_string(path).expect("README.md");
-    let begin = readme.find(BEGIN).expect("the table's begin") + BEGIN.len();
-    let end = readme.find(END).expect("the table's end");
-    let wanted = format!("{}{}{}", &readme[..begin], table(), &readme[end..]);
+fn the_reference_shows_the_registry() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/docs/codes.md");
+    let page = std::fs::read_to_string(path).expect("codes.md");
+    let begin = page.find(BEGIN).expect("the table's begin") + BEGIN.len();
+    let end = page.find(END).expect("the table's end");
+    let wanted = format!("{}{}{}", &page[..begin], table(), &page[end..]);
     if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(path, wanted).expect("README.md");
+        std::fs::write(path, wanted).expect("codes.md");
     } else {
-        assert!(readme == wanted, "README has an older table: run `UPDATE=1 cargo test --test codes`");
+        assert!(
+            page == wanted,
+            "www/docs/codes.md has an older table: run `UPDATE=1 cargo test --test codes`"
+        );
     }
 }
 

@@ -25,7 +25,7 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
 /// documents.
-const NOT_RUN: [(&str, &str); 8] = [
+const NOT_RUN: [(&str, &str); 9] = [
     (
         "cargo install --path .",
         "an optimised build of minutes; that the program builds is shown by every test of it",
@@ -38,6 +38,10 @@ const NOT_RUN: [(&str, &str); 8] = [
     (
         "cargo rustc --crate-type cdylib",
         "part of every `cargo xtask test`, which builds the module of the page",
+    ),
+    (
+        "npx playwright test",
+        "it needs the built page and a browser; `cargo xtask test` calls it with all tests",
     ),
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
     ("# rapid-through-stock", "a sketch of a rule file; the build reads all of them"),
@@ -158,10 +162,24 @@ fn every_file_that_is_named_exists() {
 #[test]
 fn every_document_is_in_the_list() {
     let files = files();
-    let is_document =
-        |file: &&String| file.ends_with(".md") && (!file.contains('/') || file.ends_with("/README.md"));
+    let is_document = |file: &&String| {
+        let reference = file.starts_with("www/docs/");
+        file.ends_with(".md") && (!file.contains('/') || file.ends_with("/README.md") || reference)
+    };
     let found: BTreeSet<&str> = files.iter().filter(is_document).map(String::as_str).collect();
     assert_eq!(found, DOCUMENTS.into_iter().collect());
+}
+
+/// Tables and details are in the reference; README says where.
+#[test]
+fn readme_is_a_front_page() {
+    let readme = source("README.md");
+    let lines = readme.lines().count();
+    assert!(lines <= 150, "README.md has {lines} lines; details belong into www/docs");
+    for document in DOCUMENTS.iter().filter(|name| name.starts_with("www/docs/")) {
+        let linked = document.ends_with("README.md") || readme.contains(&format!("]({document})"));
+        assert!(linked, "README.md has no link to {document}");
+    }
 }
 
 #[test]
@@ -169,9 +187,7 @@ fn a_missing_file_would_be_found() {
     let files = files();
     assert!(is_path("element.js") && !is_there("element.js", &files));
     assert!(is_path("sentences/labels.ts") && !is_there("sentences/labels.ts", &files));
-    assert!(
-        is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files)
-    );
+    assert!(is_there("sentences/codes", &files) && is_there("tests/programs/<id>/motions.jsonl", &files));
 }
 
 // ---- commands -------------------------------------------------------------------------------------
@@ -305,11 +321,12 @@ fn every_call_of_the_command_line_works() {
 }
 
 #[test]
-fn readme_lists_every_option_of_the_command_line() {
+fn the_reference_lists_every_option_of_the_command_line() {
     let lines: Vec<String> = commands()
         .into_iter()
         .filter_map(|(document, line)| {
-            (document == "README.md").then(|| line.strip_prefix("gcode-playground ").map(str::to_owned))?
+            (document == "www/docs/command-line.md")
+                .then(|| line.strip_prefix("gcode-playground ").map(str::to_owned))?
         })
         .collect();
     let help = |words: &[&str]| {
@@ -331,7 +348,7 @@ fn readme_lists_every_option_of_the_command_line() {
     for name in all.iter().filter(|name| *name != "help") {
         let told = help(&[name]);
         let usage: String = lines.iter().filter(|line| line.starts_with(name.as_str())).cloned().collect();
-        assert!(!usage.is_empty(), "README does not show `{name}`");
+        assert!(!usage.is_empty(), "the reference does not show `{name}`");
         let options = told.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
         for option in options.filter(|line| !line.starts_with("-h")) {
             // `-o, --output <FILE>`: one of its names is enough.
@@ -342,7 +359,7 @@ fn readme_lists_every_option_of_the_command_line() {
             }
         }
     }
-    assert!(lacking.is_empty(), "options that README does not show:\n{}", lacking.join("\n"));
+    assert!(lacking.is_empty(), "options that the reference does not show:\n{}", lacking.join("\n"));
 }
 
 // ---- snippets -------------------------------------------------------------------------------------
@@ -395,15 +412,15 @@ fn first_cells(document: &str, head: &str) -> Vec<Vec<String>> {
 }
 
 #[test]
-fn readme_lists_the_attributes_of_the_element() {
+fn the_reference_lists_the_attributes_of_the_element() {
     let listed: BTreeSet<String> =
-        first_cells("README.md", "| attribute |").iter().map(|cells| cells[1].clone()).collect();
+        first_cells("www/docs/element.md", "| attribute |").iter().map(|cells| cells[1].clone()).collect();
     assert_eq!(listed, observed().into_iter().collect());
 }
 
 #[test]
 fn every_value_of_every_switch_is_taken() {
-    let rows = first_cells("README.md", "| switch |");
+    let rows = first_cells("www/docs/setup.md", "| switch |");
     assert!(rows.len() > 10);
     for row in rows {
         let (name, values) = (&row[1], &row[2]);

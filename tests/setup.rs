@@ -1,4 +1,4 @@
-//! Setups: what is written as comments is read again, whatever is given leaves a picture, README says what can be said.
+//! Setups: what is written as comments is read again, whatever is given leaves a picture, the reference lists every field.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
@@ -168,14 +168,14 @@ fn bad_setups_are_told_by_name() {
     refused(r#"{"rules": ["no-program-end"]}"#, &["an object of rules"]);
 }
 
-/// A row of README's table.
+/// The beginning of each row of the reference's table.
 fn rows<T>(json: &str, note: &str, fields: &[Field<T>]) -> Vec<String> {
     let rows = fields.iter().map(|field| {
         let unit = match field.entry {
             Entry::Number(Unit::Millimetre) => "mm".into(),
             Entry::Number(Unit::Degree) => "degrees".into(),
             Entry::Number(Unit::MillimetrePerMinute) => "mm/min".into(),
-            Entry::Number(Unit::TurnsPerMinute) => "1/min".into(),
+            Entry::Number(Unit::TurnsPerMinute) => "rpm".into(),
             Entry::Whole => "whole number".into(),
             Entry::Text => "letters and digits".into(),
             Entry::Choice(choices) => {
@@ -188,9 +188,9 @@ fn rows<T>(json: &str, note: &str, fields: &[Field<T>]) -> Vec<String> {
 }
 
 #[test]
-fn readme_lists_all_that_can_be_said() {
-    let readme = include_str!("../README.md");
-    let table = readme.split("<!-- setup -->").nth(1).and_then(|rest| rest.split("<!-- /setup -->").next());
+fn the_reference_lists_every_field_of_a_setup() {
+    let page = include_str!("../www/docs/setup.md");
+    let table = page.split("<!-- setup -->").nth(1).and_then(|rest| rest.split("<!-- /setup -->").next());
     let found: Vec<&str> = table.expect("a table").lines().filter(|line| line.starts_with("| `")).collect();
     let wanted = [
         rows("stock.", "STOCK", fields::STOCK),
@@ -202,11 +202,11 @@ fn readme_lists_all_that_can_be_said() {
         rows("rules.", "RULES", fields::RULES),
     ]
     .concat();
-    assert_eq!(found.len(), wanted.len(), "README should have\n{}", wanted.join("\n"));
+    assert_eq!(found.len(), wanted.len(), "setup.md should have\n{}", wanted.join("\n"));
     for (row, wanted) in found.iter().zip(&wanted) {
-        assert!(row.starts_with(wanted), "README has\n{row}\ninstead of\n{wanted}");
+        assert!(row.starts_with(wanted), "setup.md has\n{row}\ninstead of\n{wanted}");
     }
-    let example = readme.split("```text\n").find(|part| part.starts_with("(STOCK")).expect("an example");
+    let example = page.split("```text\n").find(|part| part.starts_with("(STOCK")).expect("an example");
     let notes = Notes::read(example.split("```").next().unwrap_or_default().as_bytes());
     assert_eq!(notes.faults, []);
     assert!(notes.stock.is_some() && notes.tools.len() >= 2 && notes.machine.is_some());

@@ -3,7 +3,7 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log tells of the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 7] = [
+pub const DOCUMENTS: [&str; 15] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
@@ -11,4 +11,12 @@ pub const DOCUMENTS: [&str; 7] = [
     "tests/browser/README.md",
     "tests/programs/README.md",
     "src/rules/README.md",
+    "www/docs/README.md",
+    "www/docs/codes.md",
+    "www/docs/command-line.md",
+    "www/docs/element.md",
+    "www/docs/glossary.md",
+    "www/docs/limits.md",
+    "www/docs/rules.md",
+    "www/docs/setup.md",
 ];

@@ -1,10 +1,10 @@
-// The popover with keys and gestures, and the ways to the table of codes and to the pages of the rules.
+// The popover with keys and gestures, and the ways to the table of codes, to the pages of the rules and to the reference.
 //
 // In: the language's strings. Out: an element with `toggle`; `codesWanted`. Must not know: who answers to the keys.
 
 import { make, name } from './dom';
 import type { Strings } from './i18n';
-import { allRulesLink } from './rule-link';
+import { allRulesLink, referenceLink } from './rule-link';
 
 export class Help {
   readonly button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
@@ -37,7 +37,7 @@ export class Help {
       this.button.focus();
       this.#codesWanted();
     });
-    this.element.replaceChildren(make('h2', {}, strings.helpTitle), close, make('div', { className: 'further' }, codes, allRulesLink(strings.rules)), keys);
+    this.element.replaceChildren(make('h2', {}, strings.helpTitle), close, make('div', { className: 'further' }, codes, allRulesLink(strings.rules), referenceLink(strings.rules)), keys);
   }
 
   toggle(): void {

@@ -8,10 +8,12 @@ export interface RuleStrings {
   readonly more: string;
   readonly moreAbout: (message: string) => string;
   readonly all: string;
+  /** The reference, which is in English. */
+  readonly reference: string;
 }
 
 export const ruleStrings: Readonly<Record<Language, RuleStrings>> = {
-  en: { language: 'en', more: 'More', moreAbout: (message) => `More: ${message}`, all: 'All rules' },
-  zh: { language: 'zh', more: '详情', moreAbout: (message) => `详情：${message}`, all: '全部规则' },
-  ru: { language: 'ru', more: 'Подробнее', moreAbout: (message) => `Подробнее: ${message}`, all: 'Все правила' },
+  en: { language: 'en', more: 'More', moreAbout: (message) => `More: ${message}`, all: 'All rules', reference: 'Documentation' },
+  zh: { language: 'zh', more: '详情', moreAbout: (message) => `详情：${message}`, all: '全部规则', reference: '文档（英文）' },
+  ru: { language: 'ru', more: 'Подробнее', moreAbout: (message) => `Подробнее: ${message}`, all: 'Все правила', reference: 'Документация (на английском)' },
 };

@@ -1,4 +1,4 @@
-// Links to the pages of the rules, which are built beside the page.
+// Links to the pages of the rules and to the reference, which are built beside the page.
 //
 // In: a diagnostic. Out: a link to the page of its rule, in the reader's language. Also on another site the pages are
 // where this module came from. Must not know: what a rule is about.
@@ -20,7 +20,15 @@ export function allRulesLink(strings: RuleStrings): HTMLAnchorElement {
   return linkTo('index', strings.all, strings);
 }
 
+export function referenceLink(strings: RuleStrings): HTMLAnchorElement {
+  return link('docs/index.html', strings.reference, 'en');
+}
+
 function linkTo(page: string, text: string, { language }: RuleStrings): HTMLAnchorElement {
-  const href = new URL(`rules/${language}/${encodeURIComponent(page)}.html`, HOME).href;
-  return make('a', { className: 'rule-link', href, target: '_blank', rel: 'noopener' }, text);
+  return link(`rules/${language}/${encodeURIComponent(page)}.html`, text, language);
+}
+
+function link(path: string, text: string, hreflang: string): HTMLAnchorElement {
+  const href = new URL(path, HOME).href;
+  return make('a', { className: 'rule-link', href, hreflang, target: '_blank', rel: 'noopener' }, text);
 }

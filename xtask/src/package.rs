@@ -141,12 +141,15 @@ fn told_size(table: &str) -> Option<u64> {
     table.lines().find(|line| line.starts_with("| shipped: "))?.split('|').nth(2)?.trim().parse().ok()
 }
 
-/// Builds the page into www/dist, and the pages of the rules beside it.
+/// Builds the page into www/dist, and next to it the rule pages and the reference.
 pub fn page(setup: &Setup) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
     let mut rules = run::command("cargo");
     rules.args(["run", "--quiet", "--example", "rule-pages", "--"]).arg(run::www().join("dist/rules"));
-    Ok(page + run::step("writing the pages of the rules", &mut rules)?)
+    let rules = run::step("writing the pages of the rules", &mut rules)?;
+    let mut docs = run::command("cargo");
+    docs.args(["run", "--quiet", "--example", "docs", "--"]).arg(run::www().join("dist/docs"));
+    Ok(page + rules + run::step("writing the reference", &mut docs)?)
 }
 
 /// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed or is not what the

@@ -1,0 +1,42 @@
+// The reference: from the help of the page to a document, and between the documents.
+import { chromiumTest as test, expect } from './engines';
+import { open } from './page';
+
+for (const [language, help, link] of [
+  ['en', 'Help (?)', 'Documentation'],
+  ['zh', '帮助 (?)', '文档（英文）'],
+  ['ru', 'Справка (?)', 'Документация (на английском)'],
+] as const) {
+  test(`the help leads to the reference: ${language}`, async ({ page }) => {
+    await open(page);
+    await page.locator('#language').selectOption(language);
+    await page.getByRole('button', { name: help }).click();
+    const [reference] = await Promise.all([page.waitForEvent('popup'), page.getByRole('link', { name: link }).click()]);
+    await reference.waitForLoadState();
+    expect(reference.url()).toMatch(/\/docs\/index\.html$/);
+    await expect(reference.getByRole('heading', { level: 1 })).toHaveText('Reference');
+  });
+}
+
+test('links lead from one document to another, to a part of it, and back to the playground', async ({ page }) => {
+  await page.goto('./docs/index.html');
+  await page.getByRole('main').getByRole('link', { name: 'Supported codes' }).click();
+  await expect(page).toHaveURL(/docs\/codes\.html$/);
+  await expect(page.getByRole('cell', { name: 'turning cycle, straight or taper', exact: true })).toBeVisible();
+  await page.getByRole('link', { name: 'encodings' }).click();
+  await expect(page).toHaveURL(/docs\/command-line\.html#encodings$/);
+  await expect(page.getByRole('heading', { name: 'Encodings' })).toBeVisible();
+  await page.getByRole('navigation', { name: 'Reference' }).getByRole('link', { name: 'Glossary' }).click();
+  await expect(page.getByRole('cell', { name: '刀尖方位号', exact: true })).toBeVisible();
+  await page.getByRole('link', { name: 'G-code playground' }).click();
+  await expect(page.locator('gcode-playground')).toBeVisible();
+});
+
+test('a narrow window shows the whole of a wide table by scrolling the table, not the page', async ({ page }) => {
+  await page.setViewportSize({ width: 400, height: 800 });
+  await page.goto('./docs/setup.html');
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  expect(wide).toBeLessThanOrEqual(0);
+  const scrolls = await page.evaluate(() => [...document.querySelectorAll('.table')].some((table) => table.scrollWidth > table.clientWidth));
+  expect(scrolls).toBe(true);
+});

@@ -1,0 +1,136 @@
+//! The glossary: `www/docs/glossary.md` is complete, and the words that it lists as "not" to be used are looked for in all
+//! texts: documents, rule files, messages, strings and comments.
+//!
+//! `tests/glossary/left.tsv` states how often each of these words may still be found. The test fails when there are more,
+//! and when there are fewer until the number is lowered: `UPDATE=1 cargo test --test glossary` lowers it, and raises none.
+//! Without the file `UPDATE=1` writes it with the counts of today. `SHOW=word cargo test --test glossary -- --nocapture` lists the places of a word.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "glossary/phrase.rs"]
+mod phrase;
+#[path = "glossary/texts.rs"]
+mod texts;
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::{env, fs};
+
+use phrase::{Language, Phrase};
+use texts::Text;
+
+const LEFT: &str = "tests/glossary/left.tsv";
+
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// The rows of the tables of terms, by cells.
+fn rows() -> Vec<Vec<String>> {
+    let text = fs::read_to_string(path("www/docs/glossary.md")).expect("the glossary");
+    let rows = text.lines().filter(|line| line.starts_with("| ") && line.matches('|').count() == 8);
+    let cells = |row: &str| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
+    rows.map(cells).filter(|row: &Vec<String>| row[0] != "en").collect()
+}
+
+/// The words not to be used.
+fn forbidden() -> Vec<Phrase> {
+    let mut found = Vec::new();
+    for row in rows() {
+        for (column, language) in [(4, Language::English), (5, Language::Chinese), (6, Language::Russian)] {
+            let phrases = row[column].split(';').map(str::trim).filter(|phrase| !phrase.is_empty());
+            found.extend(phrases.map(|phrase| Phrase::new(language, phrase)));
+        }
+    }
+    found
+}
+
+/// Where a phrase is found: `file:line: the line`.
+fn places(phrase: &Phrase, texts: &[Text]) -> Vec<String> {
+    let mut places = Vec::new();
+    for text in texts {
+        let lines = phrase.find(&text.searched).into_iter().map(|at| text.line_at(at));
+        places.extend(lines.map(|(number, line)| format!("{}:{number}: {line}", text.file)));
+    }
+    places
+}
+
+/// How many of each phrase may be left.
+fn permitted(list: &str) -> BTreeMap<(String, String), usize> {
+    let row = |line: &str| {
+        let mut cells = line.split('\t');
+        let (language, phrase, count) = (cells.next()?, cells.next()?, cells.next()?);
+        Some(((language.to_owned(), phrase.to_owned()), count.parse().ok()?))
+    };
+    list.lines().map(|line| row(line).unwrap_or_else(|| panic!("{LEFT}: {line}"))).collect()
+}
+
+#[test]
+fn words_that_are_not_used_are_not_in_the_texts() {
+    let (phrases, texts, left) = (forbidden(), texts::all(), fs::read_to_string(path(LEFT)));
+    let mut permitted = left.as_deref().map(permitted).unwrap_or_default();
+    let (mut more, mut fewer, mut list, mut total) = (String::new(), String::new(), String::new(), 0);
+    let show = env::var("SHOW").unwrap_or_default();
+    for phrase in &phrases {
+        let places = places(phrase, &texts);
+        let (language, words, count) = (phrase.language.tag(), &phrase.words, places.len());
+        let most = permitted.remove(&(language.to_owned(), words.clone())).unwrap_or_default();
+        total += count;
+        if count < most {
+            let _ = writeln!(fewer, "{language} `{words}`: {count}, not {most}");
+        }
+        if *words == show {
+            println!("{}", places.join("\n"));
+        }
+        if count > most {
+            let _ = writeln!(more, "{language} `{words}`: {count}, at most {most}");
+            places.iter().take(5).for_each(|place| more.extend(["    ", place, "\n"]));
+        }
+        let kept = if left.is_ok() { count.min(most) } else { count };
+        if kept > 0 {
+            let _ = writeln!(list, "{language}\t{words}\t{kept}");
+        }
+    }
+    for (language, words) in permitted.keys() {
+        let _ = writeln!(fewer, "{language} `{words}` is no longer in the glossary");
+    }
+    println!("{total} words left to replace, in {} texts", texts.len());
+    if env::var_os("UPDATE").is_some() {
+        fs::write(path(LEFT), list).expect(LEFT);
+        if left.is_err() {
+            return;
+        }
+    } else {
+        assert!(fewer.is_empty(), "lower {LEFT} (`UPDATE=1 cargo test --test glossary`):\n{fewer}");
+    }
+    assert!(more.is_empty(), "the glossary has another word for these:\n{more}");
+}
+
+#[test]
+fn the_glossary_has_every_language_for_every_term() {
+    let rows = rows();
+    assert!(rows.len() > 60, "{}", rows.len());
+    let mut terms = BTreeMap::new();
+    for row in &rows {
+        assert_eq!(row.len(), 7, "{row:?}");
+        assert!(row[..3].iter().all(|cell| !cell.is_empty()), "a language is missing: {row:?}");
+        assert!(terms.insert(&row[0], row).is_none(), "`{}` appears twice", row[0]);
+    }
+    let phrases = forbidden();
+    assert!(phrases.len() > 50, "{}", phrases.len());
+    for (at, phrase) in phrases.iter().enumerate() {
+        let first = phrases.iter().position(|other| other == phrase);
+        assert_eq!(first, Some(at), "`{}` is listed twice", phrase.words);
+    }
+}
+
+#[test]
+fn no_term_contains_a_word_that_is_not_used() {
+    let phrases = forbidden();
+    for row in rows() {
+        for cell in &row[..3] {
+            let bad = phrases.iter().find(|phrase| !phrase.find(&cell.to_lowercase()).is_empty());
+            assert!(bad.is_none(), "`{cell}` contains {bad:?}");
+        }
+    }
+}

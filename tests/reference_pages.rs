@@ -1,0 +1,42 @@
+//! The pages of the reference: every document of `www/docs` becomes one, and all links between them lead somewhere.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "../www/docs/html/site.rs"]
+mod site;
+
+use std::fs;
+
+#[test]
+fn every_document_becomes_a_page_that_all_pages_list() {
+    let files = site::files().unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/www/docs");
+    let names = fs::read_dir(folder).expect("www/docs").flatten().map(|entry| entry.file_name());
+    let documents: Vec<_> =
+        names.filter_map(|name| name.to_string_lossy().strip_suffix(".md").map(str::to_owned)).collect();
+    assert!(documents.len() >= 8, "{documents:?}");
+    assert_eq!(files.len(), documents.len() + 1, "a page for each document, and the style sheet");
+    let pages = files.iter().filter(|(name, _)| name.ends_with(".html"));
+    for (name, page) in pages {
+        for document in &documents {
+            let file = if document == "README" { "index" } else { document };
+            assert!(page.contains(&format!("<a href=\"{file}.html\"")), "{name} does not list {file}.html");
+        }
+        assert!(!page.contains(".md\"") && !page.contains(".md#"), "{name} links to a document");
+    }
+}
+
+#[test]
+fn every_row_of_every_table_is_on_its_page() {
+    let files = site::files().unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let mut rows = 0;
+    for (name, page) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
+        let document = name.replace("index.html", "README.html").replace(".html", ".md");
+        let path = format!("{}/www/docs/{document}", env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(path).expect("a document");
+        let written = text.lines().filter(|line| line.starts_with('|') && !line.starts_with("|--")).count();
+        assert_eq!(page.matches("<tr>").count(), written, "{name}");
+        rows += written;
+    }
+    assert!(rows > 200, "{rows}");
+    assert!(files["command-line.html"].contains("<pre tabindex=\"0\"><code>cargo install --path ."));
+}
