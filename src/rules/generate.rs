@@ -170,7 +170,7 @@ fn sentences(rules: &[RuleFile]) -> String {
         for (_, message) in messages(rules) {
             let said = &message.sentences[index];
             let help = said.help.iter().map(|help| format!("\n{help}")).collect::<String>();
-            put(&mut out, format_args!("        {},", quote(&format!("{}{help}", said.message))));
+            put(&mut out, format_args!("        {},", quote(format!("{}{help}", said.message))));
         }
         put(&mut out, "    ],");
     }
@@ -188,8 +188,8 @@ fn samples(rules: &[RuleFile]) -> String {
     put(&mut out, "pub fn samples() -> Vec<Message> {\n    vec![");
     for (rule, message) in messages(rules) {
         let has_alarm = message.arguments.iter().any(|argument| argument.kind == Type::Alarm);
-        let alarms = if has_alarm { &rule.alarms[..] } else { &rule.alarms[..0] };
-        for choice in 0..alarms.len().max(1) {
+        let without = [String::new()];
+        for alarm in if has_alarm { &rule.alarms[..] } else { &without[..] } {
             let fields: Vec<String> = message
                 .arguments
                 .iter()
@@ -202,7 +202,7 @@ fn samples(rules: &[RuleFile]) -> String {
                         Type::Number | Type::Length => {
                             format!("{:?}", sample.parse::<f64>().unwrap_or_default())
                         }
-                        Type::Alarm => quote(&alarms[choice]),
+                        Type::Alarm => quote(alarm),
                     };
                     format!("{name}: {value}")
                 })
