@@ -20,8 +20,8 @@ import { fileOf, fileOfText, origin, programText, renamed, textWithLineEnds, typ
 import { Follower } from './follow';
 import { editorPhrases } from './phrases';
 import { editorTheme } from './theme';
-import { strings } from '../dom/i18n';
 import type { Language } from '../dom/language';
+import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
 import { Unsent } from './unsent';
 
@@ -176,7 +176,7 @@ export class Editor {
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, strings(this.#shownLanguage), this.length);
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length);
     let any = shown.length > 0;
     if (!any) forEachDiagnostic(this.#view.state, () => (any = true));
     if (any) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
@@ -239,16 +239,8 @@ export class Editor {
     this.#view.focus();
   }
 
-  get hasFocus(): boolean {
-    return this.#view.hasFocus;
-  }
-
-  dispose(): void {
-    this.#view.destroy();
-  }
-
   #languageExtension(language: Language): Extension {
-    const attributes = { 'aria-label': strings(language).program, lang: 'en', autocapitalize: 'characters' };
+    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters' };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 

@@ -7,8 +7,9 @@ import { isolateHistory } from '@codemirror/commands';
 import type { Diagnostic as LintDiagnostic } from '@codemirror/lint';
 import type { EditorView } from '@codemirror/view';
 import { make, prose } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
 import type { Diagnostic, Fix } from '../protocol/protocol';
+import { PROBLEM_WORDS } from './problem-words';
 import { ruleLink } from './rule-link';
 
 /** More squiggles than this tell nothing and cost time on every key. */
@@ -16,7 +17,7 @@ const SHOWN = 1000;
 
 export function lintDiagnostics(
   diagnostics: readonly Diagnostic[],
-  strings: Strings,
+  language: Language,
   length: number,
 ): LintDiagnostic[] {
   return diagnostics
@@ -28,7 +29,7 @@ export function lintDiagnostics(
       severity: diagnostic.severity,
       message: diagnostic.message,
       markClass: `cm-problem-${diagnostic.kind}`,
-      renderMessage: () => explain(diagnostic, strings),
+      renderMessage: () => explain(diagnostic, language),
       actions: diagnostic.fixes.map((fix) => ({
         name: fix.title.replaceAll('`', ''),
         apply: (view: EditorView) => applyFix(view, fix.edits),
@@ -48,12 +49,13 @@ export function applyFix(view: EditorView, edits: Fix['edits']): void {
   });
 }
 
-function explain(diagnostic: Diagnostic, strings: Strings): HTMLElement {
-  const facts = [strings.severity[diagnostic.severity], strings.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
-  if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
+function explain(diagnostic: Diagnostic, language: Language): HTMLElement {
+  const words = PROBLEM_WORDS[language];
+  const facts = [words.severity[diagnostic.severity], words.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
+  if (diagnostic.alarm !== undefined) facts.push(words.alarm(diagnostic.alarm));
   const explanation = make('div', { className: 'explanation' }, make('p', { className: 'message' }, ...prose(diagnostic.message)));
   if (diagnostic.help !== undefined) explanation.append(make('p', { className: 'help-text' }, ...prose(diagnostic.help)));
   const known = facts.filter((fact) => fact !== '').join(' · ');
-  explanation.append(make('p', { className: 'facts' }, `${known} · `, ruleLink(diagnostic, strings.rules)));
+  explanation.append(make('p', { className: 'facts' }, `${known} · `, ruleLink(diagnostic, language)));
   return explanation;
 }

@@ -4,27 +4,35 @@
 // where this module came from. Must not know: what a rule is about.
 
 import { make } from '../dom/dom';
-import type { RuleStrings } from '../dom/i18n-rules';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
 
 /** The folder of the playground: modules stand in it, or in its `assets` (built) or `src` (not built). */
 const HOME = import.meta.url.replace(/((assets|src(\/[^/]+)?)\/)?[^/]*$/, '');
 
-export function ruleLink(diagnostic: Diagnostic, strings: RuleStrings): HTMLAnchorElement {
-  const link = linkTo(diagnostic.slug, strings.more, strings);
-  link.setAttribute('aria-label', strings.moreAbout(diagnostic.message.replaceAll('`', '')));
+const WORDS = words({
+  en: { more: 'More', moreAbout: (message: string) => `More: ${message}`, all: 'All rules', reference: 'Documentation' },
+  zh: { more: '详情', moreAbout: (message) => `详情：${message}`, all: '全部规则', reference: '文档（英文）' },
+  ru: { more: 'Подробнее', moreAbout: (message) => `Подробнее: ${message}`, all: 'Все правила', reference: 'Документация (на английском)' },
+});
+
+export function ruleLink(diagnostic: Diagnostic, language: Language): HTMLAnchorElement {
+  const link = linkTo(diagnostic.slug, WORDS[language].more, language);
+  link.setAttribute('aria-label', WORDS[language].moreAbout(diagnostic.message.replaceAll('`', '')));
   return link;
 }
 
-export function allRulesLink(strings: RuleStrings): HTMLAnchorElement {
-  return linkTo('index', strings.all, strings);
+export function allRulesLink(language: Language): HTMLAnchorElement {
+  return linkTo('index', WORDS[language].all, language);
 }
 
-export function referenceLink(strings: RuleStrings): HTMLAnchorElement {
-  return link('docs/index.html', strings.reference, 'en');
+/** The reference is in English. */
+export function referenceLink(language: Language): HTMLAnchorElement {
+  return link('docs/index.html', WORDS[language].reference, 'en');
 }
 
-function linkTo(page: string, text: string, { language }: RuleStrings): HTMLAnchorElement {
+function linkTo(page: string, text: string, language: Language): HTMLAnchorElement {
   return link(`rules/${language}/${encodeURIComponent(page)}.html`, text, language);
 }
 

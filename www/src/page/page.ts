@@ -11,8 +11,8 @@ import type { GcodePlayground } from '../shell/element';
 import type { ProgramFile } from '../editor/file';
 import { exampleOf, examples, type Example } from './gallery';
 import { linkedProgram, type LinkedProgram } from './linked';
-import { strings } from '../dom/i18n';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
+import { PAGE_WORDS } from './words';
 import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
 
 const FIRST_EXAMPLE = 's000-o0002';
@@ -53,7 +53,7 @@ start();
 function start(): void {
   const theme = THEMES.find((known) => known === choices().theme) ?? 'auto';
   for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
-  for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, strings(tag).languageName));
+  for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   for (const value of THEMES) themeSelect.append(make('option', { value }));
   showTheme(theme);
   showLanguage();
@@ -213,21 +213,21 @@ function keepNow(): void {
 
 function showAbove(what: Above): void {
   above = what;
-  const texts = strings(language);
+  const texts = PAGE_WORDS[language];
   const lines: HTMLElement[] = [];
   const own = playground.file !== undefined;
   if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
   }
-  if (playground.length > KEPT_LENGTH) lines.push(make('p', { className: 'kept' }, texts.page.tooLongToKeep));
+  if (playground.length > KEPT_LENGTH) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
   if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
-    lines.push(offer(texts.page.restored, texts.page.startAfresh, () => {
+    lines.push(offer(texts.restored, texts.startAfresh, () => {
       forgetProgram();
       load(example ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
     }));
   }
-  if (what.kind === 'kept') lines.push(offer(texts.page.kept, texts.page.bringBack, () => restore(what.program)));
+  if (what.kind === 'kept') lines.push(offer(texts.kept, texts.bringBack, () => restore(what.program)));
   intro.replaceChildren(...lines);
   intro.hidden = lines.length === 0;
 }
@@ -239,7 +239,7 @@ function offer(news: string, action: string, accepted: () => void): HTMLElement 
 }
 
 function showLanguage(): void {
-  const texts = strings(language).page;
+  const texts = PAGE_WORDS[language];
   document.documentElement.lang = language;
   document.title = texts.title;
   find('title').textContent = texts.title;
@@ -258,7 +258,7 @@ function showLanguage(): void {
 }
 
 function showExamples(): void {
-  const own = make('option', { value: '', hidden: true }, strings(language).page.ownProgram);
+  const own = make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram);
   exampleSelect.replaceChildren(
     ...(example === undefined ? [own] : []),
     ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),

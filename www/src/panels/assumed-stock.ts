@@ -4,7 +4,6 @@
 // know: how a stock is assumed, or what a setup holds beyond the group of the stock.
 
 import { make } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
 import type { Fitted, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';
 import type { SetupEntries } from './setup-form';
 
@@ -23,15 +22,14 @@ export class AssumedStock {
   );
   readonly #events: AssumedStockEvents;
 
-  constructor(strings: Strings, events: AssumedStockEvents) {
+  constructor(events: AssumedStockEvents) {
     this.#events = events;
     this.#use.addEventListener('click', () => void this.#take());
-    this.strings = strings;
   }
 
-  set strings({ setup }: Strings) {
-    this.#text.textContent = setup.stockAssumed;
-    this.#use.textContent = setup.useStock;
+  speak(assumed: string, use: string): void {
+    this.#text.textContent = assumed;
+    this.#use.textContent = use;
   }
 
   set fitted(fitted: Fitted) {

@@ -1,11 +1,14 @@
 // The dialog with the table of supported codes, the chosen control's first, and a field to find one.
 //
-// In: the rows, as the interpreter answers them. Out: nothing. Must not know: what a code means.
+// In: the rows, as the interpreter answers them. Must not know: what a code means.
 
 import { Dialog } from '../dom/dialog';
 import { make, prose } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
 import type { CodeRow, Codes } from '../protocol/protocol';
+import type { Panel, PanelKind, Services, Shell } from './panel';
 
 /** A row that is shown, and what is looked through for it, in small letters. */
 interface Shown {
@@ -15,47 +18,50 @@ interface Shown {
   readonly words: string;
 }
 
-export class CodesDialog {
+export const codes: PanelKind = { make: (shell) => new CodesPanel(shell) };
+
+class CodesPanel implements Panel {
+  readonly #shell: Shell;
   readonly #caption = make('span');
   readonly #filter = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
   readonly #found = make('span', { className: 'found', role: 'log' });
   readonly #table = make('table', { 'aria-labelledby': 'codes-title' });
   readonly #text = make('div', { className: 'text', tabIndex: 0, role: 'region', 'aria-labelledby': 'codes-title' }, this.#table);
-  readonly #dialog: Dialog;
-  #strings: Strings;
+  readonly #dialog = new Dialog('codes', [make('label', { className: 'find' }, this.#caption, this.#filter, this.#found), this.#text]);
   #rows: readonly Shown[] = [];
+  readonly places = { dialogs: [this.#dialog.element] };
+  readonly services: Partial<Services> = { openCodes: () => void this.#open() };
 
-  constructor(strings: Strings) {
-    this.#strings = strings;
-    const find = make('label', { className: 'find' }, this.#caption, this.#filter, this.#found);
-    this.#dialog = new Dialog('codes', [find, this.#text]);
+  constructor(shell: Shell) {
+    this.#shell = shell;
     this.#filter.addEventListener('input', () => this.#find());
-    this.strings = strings;
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    this.#dialog.name(strings.codes, strings.close);
-    this.#caption.textContent = strings.codesFilter;
-    this.#filter.placeholder = strings.codesFilterHint;
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#dialog.name(texts.codes, COMMON[language].close);
+    this.#caption.textContent = texts.codesFilter;
+    this.#filter.placeholder = texts.codesFilterHint;
+    if (this.#dialog.open) void this.#open();
   }
 
-  get element(): HTMLElement {
-    return this.#dialog.element;
-  }
-
-  get open(): boolean {
+  get takesKeys(): boolean {
     return this.#dialog.open;
   }
 
-  show({ columns, rows }: Codes): void {
+  async #open(): Promise<void> {
+    const codes = await this.#shell.ask('codes', undefined);
+    if (codes !== undefined) this.#show(codes);
+  }
+
+  #show({ columns, rows }: Codes): void {
     const [first, ...others] = columns;
     if (first === undefined) return;
-    this.#dialog.about = this.#strings.codesAbout(first.name);
+    this.#dialog.about = WORDS[this.#shell.language].codesAbout(first.name);
     const heading = (text: string, className = ''): HTMLElement => make('th', { scope: 'col', className }, text);
     const head = make(
-      'tr', {}, heading(first.name), heading(this.#strings.codesWhat),
-      ...others.map(({ name }) => heading(name, 'other')), heading(this.#strings.codesGroup, 'group'),
+      'tr', {}, heading(first.name), heading(WORDS[this.#shell.language].codesWhat),
+      ...others.map(({ name }) => heading(name, 'other')), heading(WORDS[this.#shell.language].codesGroup, 'group'),
     );
     const bodies = new Map<string, HTMLElement>();
     this.#rows = rows.map((row) => {
@@ -104,7 +110,7 @@ export class CodesDialog {
     for (const row of this.#rows) row.element.hidden = !found.has(row);
     const bodies = new Set([...found].map(({ body }) => body));
     for (const { body } of this.#rows) body.hidden = !bodies.has(body);
-    this.#found.textContent = asked === '' ? '' : this.#strings.codesFound(found.size);
+    this.#found.textContent = asked === '' ? '' : WORDS[this.#shell.language].codesFound(found.size);
   }
 }
 
@@ -121,3 +127,33 @@ function written(codes: string): (Node | string)[] {
 function groupOf({ group }: CodeRow): string {
   return group === undefined ? '' : String(group).padStart(2, '0');
 }
+
+const WORDS = words({
+  en: {
+    codes: 'Supported codes',
+    codesAbout: (control: string) => `As ${control} writes them, then the other controls. – : this control has no such code.`,
+    codesFilter: 'Filter',
+    codesFilterHint: 'G92, thread …',
+    codesFound: counter('en', { one: 'row', other: 'rows' }),
+    codesWhat: 'What it does',
+    codesGroup: 'Group',
+  },
+  zh: {
+    codes: '支持的代码',
+    codesAbout: (control) => `先列 ${control} 的写法，再列其他数控系统。– 表示该系统没有此代码。`,
+    codesFilter: '筛选',
+    codesFilterHint: 'G92、螺纹……',
+    codesFound: counter('zh', { other: '行' }),
+    codesWhat: '功能',
+    codesGroup: '组',
+  },
+  ru: {
+    codes: 'Поддерживаемые коды',
+    codesAbout: (control) => `Сначала запись для ${control}, затем для других систем. – : такого кода в системе нет.`,
+    codesFilter: 'Поиск',
+    codesFilterHint: 'G92, резьба …',
+    codesFound: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
+    codesWhat: 'Что делает',
+    codesGroup: 'Группа',
+  },
+});

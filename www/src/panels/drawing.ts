@@ -5,7 +5,8 @@
 // Must not know: how a stroke is found, or what it means.
 
 import { icon, make, name, perFrame, unbroken } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
 import type { Palette, Size, Stroke, Summary } from '../protocol/protocol';
 
 /** A pointer that moved less than this, in CSS pixels, has clicked. */
@@ -46,7 +47,8 @@ export class Drawing {
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
   readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
   readonly #shown = this.#canvas.getContext('bitmaprenderer');
-  #strings: Strings;
+  #language: Language;
+  #label: (motions: number) => string = () => '';
   #summary: Summary | undefined;
   #stroke: Stroke | undefined;
   #edge: string | undefined;
@@ -56,16 +58,9 @@ export class Drawing {
   /** The pointer is over the picture, and nothing is dragged. */
   #pointing = false;
 
-  readonly #label: (strings: Strings, motions: number) => string;
-
-  constructor(
-    strings: Strings,
-    events: DrawingEvents,
-    label = (texts: Strings, motions: number): string => texts.drawing(motions),
-  ) {
-    this.#strings = strings;
+  constructor(language: Language, events: DrawingEvents) {
+    this.#language = language;
     this.#events = events;
-    this.#label = label;
     this.element = make(
       'section',
       { className: 'drawing', part: 'drawing' },
@@ -84,15 +79,17 @@ export class Drawing {
     this.#holder.append(this.#canvas);
     this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);
-    this.strings = strings;
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    name(this.#fit, strings.fit);
-    name(this.#zoomIn, strings.zoomIn);
-    name(this.#zoomOut, strings.zoomOut);
-    this.#empty.textContent = strings.nothingToDraw;
+  /** `label` is what it is for a reader who does not see it. */
+  speak(language: Language, label: (motions: number) => string): void {
+    const texts = WORDS[language];
+    this.#language = language;
+    this.#label = label;
+    name(this.#fit, texts.fit);
+    name(this.#zoomIn, texts.zoomIn);
+    name(this.#zoomOut, texts.zoomOut);
+    this.#empty.textContent = texts.nothingToDraw;
     this.#showSummary();
   }
 
@@ -155,7 +152,7 @@ export class Drawing {
       { className: 'stroke' },
       make('span', { className: `swatch ${swatch(stroke.kind)}` }),
       make('span', { className: 'what' }, ...unbroken(stroke.text)),
-      make('span', { className: 'facts' }, this.#strings.line(stroke.line)),
+      make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
     )];
     const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
     this.#tip.replaceChildren(...ofStroke, ...ofEdge);
@@ -172,22 +169,14 @@ export class Drawing {
     this.#point();
   }
 
-  focus(): void {
-    this.#canvas.focus();
-  }
-
-  dispose(): void {
-    this.#sizes.disconnect();
-  }
-
   #showSummary(): void {
     const summary = this.#summary;
-    this.#canvas.setAttribute('aria-label', this.#label(this.#strings, summary?.motions ?? 0));
+    this.#canvas.setAttribute('aria-label', this.#label(summary?.motions ?? 0));
     this.#empty.hidden = summary === undefined || summary.motions > 0;
     const kinds: [boolean, string, string][] = [
-      [(summary?.rapids ?? 0) > 0, 'rapid', this.#strings.rapid],
-      [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', this.#strings.feed],
-      [(summary?.threads ?? 0) > 0, 'thread', this.#strings.thread],
+      [(summary?.rapids ?? 0) > 0, 'rapid', COMMON[this.#language].rapid],
+      [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
+      [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
     ];
     this.legend.replaceChildren(
       ...kinds
@@ -310,3 +299,30 @@ export class Drawing {
 function swatch(kind: Stroke['kind']): string {
   return kind === 'rapid' || kind === 'thread' ? kind : 'feed';
 }
+
+const WORDS = words({
+  en: {
+    nothingToDraw: 'No motion yet. Write a move in the program, or choose an example.',
+    fit: 'Show all (F)',
+    zoomIn: 'Zoom in (+)',
+    zoomOut: 'Zoom out (−)',
+    feed: 'cutting',
+    thread: 'thread',
+  },
+  zh: {
+    nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
+    fit: '显示全图 (F)',
+    zoomIn: '放大 (+)',
+    zoomOut: '缩小 (−)',
+    feed: '切削进给',
+    thread: '螺纹切削',
+  },
+  ru: {
+    nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
+    fit: 'Показать всё (F)',
+    zoomIn: 'Крупнее (+)',
+    zoomOut: 'Мельче (−)',
+    feed: 'рабочий ход',
+    thread: 'резьба',
+  },
+});

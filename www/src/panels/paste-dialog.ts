@@ -6,7 +6,9 @@
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
 import type { FoundPiece, FoundProgram, FoundPrograms } from '../protocol/protocol';
 
 export interface PasteDialogEvents {
@@ -24,7 +26,7 @@ export class PasteDialog {
   readonly #allMinus = make('button', { type: 'button', className: 'framed' });
   readonly #take = make('button', { type: 'button', className: 'framed take' });
   readonly #dialog: Dialog;
-  #strings: Strings;
+  #language: Language;
   #found: FoundPrograms | undefined;
   #how: 'arrived' | 'asked' = 'asked';
   #program = 0;
@@ -32,8 +34,8 @@ export class PasteDialog {
   /** For each piece that asks, which of its choices is taken. */
   readonly #answers = new Map<number, number>();
 
-  constructor(strings: Strings, events: PasteDialogEvents) {
-    this.#strings = strings;
+  constructor(language: Language, events: PasteDialogEvents) {
+    this.#language = language;
     this.#events = events;
     this.#dialog = new Dialog('paste', [this.#list, this.#shown, this.#details], [this.#take, this.#allMinus]);
     this.#take.addEventListener('click', () => {
@@ -47,12 +49,12 @@ export class PasteDialog {
       this.#pieces = [];
       this.#shown.replaceChildren();
     });
-    this.strings = strings;
+    this.language = language;
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    const texts = strings.paste;
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
     this.#take.textContent = texts.take;
     this.#allMinus.textContent = texts.allMinus;
     this.#summary.textContent = texts.what;
@@ -102,19 +104,19 @@ export class PasteDialog {
   }
 
   #showName(): void {
-    const { paste, close } = this.#strings;
-    this.#dialog.name(paste.title, this.#how === 'arrived' ? paste.asItIs : close);
+    const { title, asItIs } = WORDS[this.#language];
+    this.#dialog.name(title, this.#how === 'arrived' ? asItIs : COMMON[this.#language].close);
   }
 
   #showList(found: FoundPrograms): void {
-    const texts = this.#strings.paste;
+    const texts = WORDS[this.#language];
     const about = texts.about(found.programs.length);
     this.#dialog.about = found.more > 0 ? `${about} ${texts.more(found.more)}` : about;
     this.#list.replaceChildren(...found.programs.map((program, at) => this.#row(program, at)));
   }
 
   #row(program: FoundProgram, at: number): HTMLElement {
-    const texts = this.#strings.paste;
+    const texts = WORDS[this.#language];
     const lines = texts.lines(program.firstLine, program.lastLine);
     const input = make('input', { type: 'radio', name: 'found', checked: at === this.#program });
     input.addEventListener('change', () => {
@@ -145,7 +147,7 @@ export class PasteDialog {
     const rows = choices.map((choice, number) => {
       const input = make('input', { type: 'radio', name: `question-${at}`, value: String(number), checked: number === 0 });
       input.addEventListener('change', () => this.#answers.set(at, number));
-      return make('label', {}, input, number === 0 ? this.#strings.paste.asPrinted(choice) : choice);
+      return make('label', {}, input, number === 0 ? WORDS[this.#language].asPrinted(choice) : choice);
     });
     return make('span', { className: 'question', role: 'radiogroup', 'aria-label': reason, title: reason }, ...rows);
   }
@@ -170,3 +172,72 @@ export class PasteDialog {
     return this.#pieces.map(({ now, choices }, at) => choices[this.#answers.get(at) ?? 0] ?? now).join('');
   }
 }
+
+const numbers = {
+  en: {
+    programs: counter('en', { one: 'program', other: 'programs' }),
+    changes: counter('en', { one: 'change', other: 'changes' }),
+    questions: counter('en', { one: 'question', other: 'questions' }),
+  },
+  zh: {
+    programs: counter('zh', { other: '个程序' }),
+    changes: counter('zh', { other: '处修改' }),
+    questions: counter('zh', { other: '个问题' }),
+  },
+  ru: {
+    programs: counter('ru', { one: 'программа', few: 'программы', many: 'программ', other: 'программы' }),
+    changes: counter('ru', { one: 'исправление', few: 'исправления', many: 'исправлений', other: 'исправления' }),
+    questions: counter('ru', { one: 'вопрос', few: 'вопроса', many: 'вопросов', other: 'вопроса' }),
+  },
+};
+
+const WORDS = words({
+  en: {
+    title: 'Programs in this text',
+    about: (n: number) => `${numbers.en.programs(n)} found. The text is in the editor as it was; undo brings it back after a program is taken.`,
+    more: (n: number) => `${numbers.en.programs(n)} more not listed: paste a shorter text.`,
+    list: 'Programs found',
+    lines: (first: number, last: number) => (first === last ? `line ${first}` : `lines ${first}–${last}`),
+    changes: numbers.en.changes,
+    questions: numbers.en.questions,
+    unchanged: 'as it was',
+    cleaned: 'The program, cleaned',
+    what: 'What was changed',
+    asPrinted: (text: string) => `${text} as printed`,
+    allMinus: 'All of these negative',
+    take: 'Take this program',
+    asItIs: 'Paste as it is',
+  },
+  zh: {
+    title: '文本中的程序',
+    about: (n) => `找到 ${numbers.zh.programs(n)}。文本已原样放入编辑器；采用程序后可撤销恢复。`,
+    more: (n) => `还有 ${numbers.zh.programs(n)}未列出：请粘贴较短的文本。`,
+    list: '找到的程序',
+    lines: (first, last) => (first === last ? `第 ${first} 行` : `第 ${first}–${last} 行`),
+    changes: numbers.zh.changes,
+    questions: numbers.zh.questions,
+    unchanged: '未修改',
+    cleaned: '清理后的程序',
+    what: '修改内容',
+    asPrinted: (text) => `${text}（按原文）`,
+    allMinus: '全部取负值',
+    take: '采用此程序',
+    asItIs: '原样粘贴',
+  },
+  ru: {
+    title: 'Программы в этом тексте',
+    about: (n) => `Найдено: ${numbers.ru.programs(n)}. Текст вставлен в редактор без изменений; когда программа принята, отмена вернёт его.`,
+    more: (n) => `Не показано ещё: ${numbers.ru.programs(n)}. Вставьте текст короче.`,
+    list: 'Найденные программы',
+    lines: (first, last) => (first === last ? `строка ${first}` : `строки ${first}–${last}`),
+    changes: numbers.ru.changes,
+    questions: numbers.ru.questions,
+    unchanged: 'без изменений',
+    cleaned: 'Очищенная программа',
+    what: 'Что изменено',
+    asPrinted: (text) => `${text}, как напечатано`,
+    allMinus: 'Все со знаком минус',
+    take: 'Принять эту программу',
+    asItIs: 'Вставить как есть',
+  },
+});

@@ -1,50 +1,61 @@
 // The list of problems under the editor.
 //
-// In: the diagnostics of the newest run. Out: `chosen` (the reader wants to see the place) and `fixed`
-// (the reader wants a repair applied, or all safe ones at once). Must not know: the editor, or what a diagnostic is about.
+// In: the diagnostics of the newest run. Out: the place the reader wants to see, the repairs the reader wants made: one, or all
+// safe ones at once. Must not know: what a diagnostic is about.
 
 import { icon, make, prose } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
-import type { Diagnostic, Fix } from '../protocol/protocol';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { PROBLEM_WORDS } from '../editor/problem-words';
 import { ruleLink } from '../editor/rule-link';
+import type { Diagnostic, Fix } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Key, Panel, PanelKind, Shell } from './panel';
 import { countSafe, safeEdits } from './safe-fixes';
 
 /** A program can have any number of problems; nobody reads more than these. */
 const SHOWN = 200;
 
-export interface ProblemsEvents {
-  chosen(diagnostic: Diagnostic): void;
-  fixed(edits: Fix['edits']): void;
-}
+export const problems: PanelKind = { make: (shell) => new Problems(shell) };
 
-export class Problems {
-  readonly element: HTMLElement;
-  readonly #events: ProblemsEvents;
+class Problems implements Panel {
+  readonly #shell: Shell;
   readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
   readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
-  #strings: Strings;
+  readonly #element = make(
+    'section', { className: 'problems', part: 'problems' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#list,
+  );
   #diagnostics: readonly Diagnostic[] = [];
+  readonly places = { problems: [this.#element] };
 
-  constructor(strings: Strings, events: ProblemsEvents) {
-    this.#strings = strings;
-    this.#events = events;
+  constructor(shell: Shell) {
+    this.#shell = shell;
     this.#toggle.setAttribute('aria-controls', this.#list.id);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#list.hidden === true));
-    this.#fixSafe.addEventListener('click', () => this.#events.fixed(safeEdits(this.#diagnostics)));
-    const head = make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe);
-    this.element = make('section', { className: 'problems', part: 'problems' }, head, this.#list);
+    this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
+  }
+
+  set language(_: Language) {
     this.#render();
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    this.#diagnostics = event.report.diagnostics;
     this.#render();
   }
 
-  set diagnostics(diagnostics: readonly Diagnostic[]) {
-    this.#diagnostics = diagnostics;
-    this.#render();
+  pressed({ event }: Key): 'own' | 'not-own' {
+    if (event.key !== 'F8') return 'not-own';
+    this.#shell.editor.nextProblem(event.shiftKey ? 'previous' : 'next');
+    return 'own';
+  }
+
+  #fix(edits: Fix['edits']): void {
+    this.#shell.editor.apply(edits);
+    // The button that was pressed goes with its problem.
+    this.#shell.editor.focus();
   }
 
   #setOpen(open: boolean): void {
@@ -53,10 +64,10 @@ export class Problems {
   }
 
   #render(): void {
-    const strings = this.#strings;
+    const strings = WORDS[this.#shell.language];
     const count = this.#diagnostics.length;
-    this.element.hidden = count === 0;
-    this.element.setAttribute('aria-label', strings.problems);
+    this.#element.hidden = count === 0;
+    this.#element.setAttribute('aria-label', strings.problems);
     this.#toggle.replaceChildren(
       icon('chevron'),
       make('span', {}, strings.problems),
@@ -72,11 +83,12 @@ export class Problems {
   }
 
   #item(diagnostic: Diagnostic): HTMLLIElement {
-    const strings = this.#strings;
-    const title = strings.severity[diagnostic.severity];
+    const { language } = this.#shell;
+    const [strings, said] = [WORDS[language], PROBLEM_WORDS[language]];
+    const title = said.severity[diagnostic.severity];
     const mark = icon(diagnostic.severity);
-    const facts = [strings.place(diagnostic.line, diagnostic.column), strings.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
-    if (diagnostic.alarm !== undefined) facts.push(strings.alarm(diagnostic.alarm));
+    const facts = [strings.place(diagnostic.line, diagnostic.column), said.kind[diagnostic.kind], diagnostic.alarm === diagnostic.code ? '' : diagnostic.code];
+    if (diagnostic.alarm !== undefined) facts.push(said.alarm(diagnostic.alarm));
     const button = make(
       'button',
       { type: 'button', className: `problem ${diagnostic.severity}` },
@@ -90,14 +102,42 @@ export class Problems {
         make('span', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')),
       ),
     );
-    button.addEventListener('click', () => this.#events.chosen(diagnostic));
+    button.addEventListener('click', () => this.#shell.editor.show(diagnostic));
     const fixes = diagnostic.fixes.map((fix) => {
       const repair = make('button', { type: 'button', className: 'fix' }, ...prose(strings.fix(fix.title)));
-      repair.addEventListener('click', () => this.#events.fixed(fix.edits));
+      repair.addEventListener('click', () => this.#fix(fix.edits));
       return repair;
     });
-    const item = make('li', {}, button, ruleLink(diagnostic, strings.rules));
+    const item = make('li', {}, button, ruleLink(diagnostic, language));
     if (fixes.length > 0) item.append(make('div', { className: 'fixes' }, ...fixes));
     return item;
   }
 }
+
+const WORDS = words({
+  en: {
+    problems: 'Problems',
+    moreProblems: (n: number) => `… and ${n} more`,
+    fix: (title: string) => `Fix: ${title}`,
+    /** All repairs that need no asking. */
+    fixSafe: (n: number) => (n === 1 ? 'Fix 1 safe one' : `Fix ${n} safe ones`),
+    fixSafeHelp: 'Repairs that cannot change the meaning for the worse. Ctrl Z takes them back.',
+    place: (line: number, column: number) => `line ${line}, column ${column}`,
+  },
+  zh: {
+    problems: '问题',
+    moreProblems: (n) => `……还有 ${n} 个`,
+    fix: (title) => `修正：${title}`,
+    fixSafe: (n) => `一次修正 ${n} 处（安全）`,
+    fixSafeHelp: '不会改坏程序含义的修正。按 Ctrl Z 可撤销。',
+    place: (line, column) => `第 ${line} 行第 ${column} 列`,
+  },
+  ru: {
+    problems: 'Замечания',
+    moreProblems: (n) => `… и ещё ${n}`,
+    fix: (title) => `Исправить: ${title}`,
+    fixSafe: (n) => `Исправить безопасные: ${n}`,
+    fixSafeHelp: 'Исправления, которые не могут исказить смысл программы. Ctrl Z отменяет их.',
+    place: (line, column) => `строка ${line}, столбец ${column}`,
+  },
+});

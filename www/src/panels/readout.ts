@@ -3,7 +3,9 @@
 // In: what the interpreter reads off where the tool is. Out: an element. Must not know: how the numbers come about.
 
 import { make } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
 import type { Readout } from '../protocol/protocol';
 
 const NOTHING = '–';
@@ -42,28 +44,28 @@ export class ReadoutBoard {
   readonly #surface = new Cell('surface');
   readonly #time = new Cell('time');
   readonly #tool = new Cell('tool');
-  #strings: Strings;
+  #language: Language;
   #shown: Readout | undefined;
 
-  constructor(strings: Strings) {
-    this.#strings = strings;
+  constructor(language: Language) {
+    this.#language = language;
     const cells = [this.#x, this.#z, this.#c, this.#spindle, this.#surface, this.#feed, this.#time, this.#tool];
     this.element.append(...cells.map((cell) => cell.element));
-    this.strings = strings;
+    this.language = language;
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    const words = strings.playing;
-    this.element.setAttribute('aria-label', words.readout);
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.element.setAttribute('aria-label', texts.readout);
     this.#x.name = 'X ⌀';
     this.#z.name = 'Z';
     this.#c.name = 'C';
-    this.#feed.name = words.feed;
-    this.#spindle.name = words.spindle;
-    this.#surface.name = words.surfaceSpeed;
-    this.#time.name = words.time;
-    this.#tool.name = words.tool;
+    this.#feed.name = texts.feed;
+    this.#spindle.name = texts.spindle;
+    this.#surface.name = texts.surfaceSpeed;
+    this.#time.name = texts.time;
+    this.#tool.name = texts.tool;
     this.shown = this.#shown;
   }
 
@@ -75,10 +77,10 @@ export class ReadoutBoard {
     this.#z.value = readout === undefined ? NOTHING : millimetres(readout.stroke.atZ);
     this.#c.value = readout?.c === undefined ? NOTHING : `${signed(readout.c, 2)}°`;
     this.#feed.value = this.#feedText(readout);
-    this.#spindle.value = this.#with(readout?.rpm, 0, this.#strings.playing.turns);
-    this.#surface.value = this.#with(readout?.surfaceSpeed, 0, this.#strings.playing.metres);
+    this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
+    this.#surface.value = this.#with(readout?.surfaceSpeed, 0, WORDS[this.#language].metres);
     this.#time.value = this.#timeText(readout);
-    this.#time.hint = this.#strings.playing.unknownTime(readout?.total.unknownRapids ?? 0, readout?.total.unknownCuts ?? 0);
+    this.#time.hint = WORDS[this.#language].unknownTime(readout?.total.unknownRapids ?? 0, readout?.total.unknownCuts ?? 0);
     this.#tool.value = this.#toolText(readout);
   }
 
@@ -88,35 +90,35 @@ export class ReadoutBoard {
 
   /** As it is programmed, then what comes of it. */
   #feedText(readout: Readout | undefined): string {
-    const words = this.#strings.playing;
-    if (readout?.stroke.kind === 'rapid') return this.#strings.rapid;
-    const texts = [
-      readout?.feedPerTurn === undefined ? '' : `${trimmed(readout.feedPerTurn, 4)} ${words.perTurn}`,
-      readout?.feed === undefined ? '' : `${readout.feed < 10 ? trimmed(readout.feed, 2) : readout.feed.toFixed(0)} ${words.perMinute}`,
+    const texts = WORDS[this.#language];
+    if (readout?.stroke.kind === 'rapid') return COMMON[this.#language].rapid;
+    const parts = [
+      readout?.feedPerTurn === undefined ? '' : `${trimmed(readout.feedPerTurn, 4)} ${texts.perTurn}`,
+      readout?.feed === undefined ? '' : `${readout.feed < 10 ? trimmed(readout.feed, 2) : readout.feed.toFixed(0)} ${texts.perMinute}`,
     ].filter((text) => text !== '');
-    return texts.join(' · ') || NOTHING;
+    return parts.join(' · ') || NOTHING;
   }
 
   /** "0:12 / 1:38 + 102 rapids": what is not known is counted, never guessed. */
   #timeText(readout: Readout | undefined): string {
     if (readout === undefined) return NOTHING;
     const { elapsed, total } = readout;
-    const words = this.#strings.playing;
-    if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return words.notKnown;
+    const texts = WORDS[this.#language];
+    if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return texts.notKnown;
     const unknown = [
-      total.unknownRapids > 0 ? ` + ${words.rapids(total.unknownRapids)}` : '',
-      total.unknownCuts > 0 ? ` + ${words.cuts(total.unknownCuts)}` : '',
+      total.unknownRapids > 0 ? ` + ${texts.rapids(total.unknownRapids)}` : '',
+      total.unknownCuts > 0 ? ` + ${texts.cuts(total.unknownCuts)}` : '',
     ];
     return `${clock(elapsed.seconds)} / ${clock(total.seconds)}${unknown.join('')}`;
   }
 
   #toolText(readout: Readout | undefined): string {
     const { tool, toolKind, toolGuessed } = readout ?? {};
-    const words = this.#strings.playing;
-    const kind = toolKind === undefined ? '' : words.kinds[toolKind];
+    const texts = WORDS[this.#language];
+    const kind = toolKind === undefined ? '' : texts.kinds[toolKind];
     const said = [tool, kind].filter((text) => text !== undefined && text !== '').join(' ');
     if (said === '') return NOTHING;
-    return toolGuessed === true ? words.assumed(said) : said;
+    return toolGuessed === true ? texts.assumed(said) : said;
   }
 }
 
@@ -140,3 +142,81 @@ function signed(value: number, digits: number): string {
 export function millimetres(value: number): string {
   return signed(value, 3);
 }
+
+const WORDS = words({
+  en: {
+    readout: 'Where the tool is',
+    feed: 'Feed',
+    spindle: 'Spindle',
+    surfaceSpeed: 'Cutting speed',
+    time: 'Time',
+    tool: 'Tool',
+    perMinute: 'mm/min',
+    perTurn: 'mm/rev',
+    turns: 'rpm',
+    metres: 'm/min',
+    rapids: counter('en', { one: 'rapid', other: 'rapids' }),
+    cuts: counter('en', { one: 'cut', other: 'cuts' }),
+    notKnown: 'not known',
+    unknownTime: (rapids: number, cuts: number) =>
+      [
+        rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid rate.' : '',
+        cuts > 0 ? 'How long some cuts take is not known: they lack a feed or a turning spindle.' : '',
+      ].join(' ').trim(),
+    kinds: {
+      turning: 'turning tool', boring: 'boring bar', grooving: 'grooving tool', threading: 'threading tool',
+      drill: 'drill', tap: 'tap', endmill: 'live end mill',
+    },
+    assumed: (tool: string) => `${tool}, assumed`,
+  },
+  zh: {
+    readout: '刀具状态',
+    feed: '进给',
+    spindle: '主轴',
+    surfaceSpeed: '切削速度',
+    time: '时间',
+    tool: '刀具',
+    perMinute: 'mm/min',
+    perTurn: 'mm/r',
+    turns: 'r/min',
+    metres: 'm/min',
+    rapids: (n) => `${n} 段快移`,
+    cuts: (n) => `${n} 段切削`,
+    notKnown: '未知',
+    unknownTime: (rapids, cuts) =>
+      [
+        rapids > 0 ? '快速移动所需时间未知：设置中没有给出快移速度。' : '',
+        cuts > 0 ? '部分切削所需时间未知：没有进给量，或主轴未转动。' : '',
+      ].join(''),
+    kinds: {
+      turning: '车刀', boring: '镗刀', grooving: '切槽刀', threading: '螺纹刀',
+      drill: '钻头', tap: '丝锥', endmill: '动力铣刀',
+    },
+    assumed: (tool) => `${tool}（推测）`,
+  },
+  ru: {
+    readout: 'Где инструмент',
+    feed: 'Подача',
+    spindle: 'Шпиндель',
+    surfaceSpeed: 'Скорость рез.',
+    time: 'Время',
+    tool: 'Инструмент',
+    perMinute: 'мм/мин',
+    perTurn: 'мм/об',
+    turns: 'об/мин',
+    metres: 'м/мин',
+    rapids: counter('ru', { one: 'ускоренный ход', few: 'ускоренных хода', many: 'ускоренных ходов', other: 'ускоренного хода' }),
+    cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
+    notKnown: 'неизвестно',
+    unknownTime: (rapids, cuts) =>
+      [
+        rapids > 0 ? 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.' : '',
+        cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
+      ].join(' ').trim(),
+    kinds: {
+      turning: 'проходной резец', boring: 'расточной резец', grooving: 'канавочный резец', threading: 'резьбовой резец',
+      drill: 'сверло', tap: 'метчик', endmill: 'приводная фреза',
+    },
+    assumed: (tool) => `${tool}, предположительно`,
+  },
+});

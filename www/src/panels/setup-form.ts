@@ -6,7 +6,8 @@
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
 import type { SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
 import { SetupInput } from './setup-input';
 
@@ -40,7 +41,7 @@ export class SetupDialog {
   readonly #add = make('button', { type: 'button', className: 'framed' });
   readonly #noTool = make('p', { className: 'slip', id: 'another-tool-slip', hidden: true });
   readonly #dialog: Dialog;
-  #strings: Strings;
+  #language: Language;
   #inputs: SetupInput[] = [];
   /** The first field of each group. */
   readonly #first = new Map<SetupGroup['group'] | undefined, SetupInput>();
@@ -49,8 +50,8 @@ export class SetupDialog {
   #asking: ReturnType<typeof setTimeout> | undefined;
   #asked = 0;
 
-  constructor(strings: Strings, events: SetupFormEvents) {
-    this.#strings = strings;
+  constructor(language: Language, events: SetupFormEvents) {
+    this.#language = language;
     this.#events = events;
     this.#apply.setAttribute('form', 'setup-form');
     this.#form.append(this.#groups);
@@ -65,17 +66,18 @@ export class SetupDialog {
       event.preventDefault();
       void this.#another();
     });
-    this.strings = strings;
+    this.language = language;
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    this.#dialog.name(strings.setup.setup, strings.close);
-    this.#dialog.about = strings.setup.about;
-    this.#apply.textContent = strings.setup.apply;
-    this.#add.textContent = strings.setup.add;
-    this.#word.placeholder = strings.setup.anotherHint;
-    this.#noTool.textContent = strings.setup.noTool;
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.about = texts.about;
+    this.#apply.textContent = texts.apply;
+    this.#add.textContent = texts.add;
+    this.#word.placeholder = texts.anotherHint;
+    this.#noTool.textContent = texts.noTool;
   }
 
   get element(): HTMLElement {
@@ -93,7 +95,7 @@ export class SetupDialog {
     this.#first.clear();
     this.#word.value = '';
     this.#noTool.hidden = true;
-    const texts = this.#strings.setup;
+    const texts = WORDS[this.#language];
     const another = make(
       'div', { className: 'another' },
       make('label', { htmlFor: 'another-tool' }, texts.another), this.#word, this.#add, this.#noTool,
@@ -114,8 +116,8 @@ export class SetupDialog {
   // ---- building -----------------------------------------------------------------------------------
 
   #group({ group, title, source, fields }: SetupGroup, opened?: SetupGroup['group']): HTMLElement {
-    const texts = this.#strings.setup;
-    const inputs = fields.map((field) => new SetupInput(field, texts, () => this.#changed()));
+    const texts = WORDS[this.#language];
+    const inputs = fields.map((field) => new SetupInput(field, this.#language, () => this.#changed()));
     this.#inputs.push(...inputs);
     if (inputs[0] !== undefined) this.#first.set(group, inputs[0]);
     const clear = make('button', { type: 'button', className: 'quiet clear', 'aria-label': texts.clear(title) }, texts.clearShort);
@@ -136,7 +138,7 @@ export class SetupDialog {
   }
 
   #showPlace(): void {
-    const texts = this.#strings.setup;
+    const texts = WORDS[this.#language];
     const choice = (place: SetupPlace, text: string): HTMLElement => {
       const radio = make('input', { type: 'radio', name: 'place', value: place, checked: this.#keep === place });
       radio.addEventListener('change', () => {
@@ -155,7 +157,7 @@ export class SetupDialog {
   }
 
   #showMoves(): void {
-    const texts = this.#strings.setup;
+    const texts = WORDS[this.#language];
     this.#moves.textContent = this.#wasIn === 'program' && this.#keep === 'page' ? texts.willMove : texts.programFirst;
   }
 
@@ -179,7 +181,7 @@ export class SetupDialog {
     const states = new Map(answer.fields.map((state) => [state.key, state]));
     for (const input of this.#inputs) input.state = states.get(input.key);
     const wrong = answer.fields.filter(({ slip }) => slip !== undefined).length;
-    const news = wrong === 0 ? '' : this.#strings.setup.slips(wrong);
+    const news = wrong === 0 ? '' : WORDS[this.#language].slips(wrong);
     if (this.#news.textContent !== news) this.#news.textContent = news;
     return answer;
   }
@@ -211,3 +213,60 @@ export class SetupDialog {
     void this.#ask();
   }
 }
+
+const WORDS = words({
+  en: {
+    title: 'Setup',
+    about: 'Stock, tools and machine. What is left empty is assumed, as the grey values say.',
+    source: { program: 'in the program', page: 'on this page', nobody: 'assumed' },
+    keep: 'Keep the setup',
+    keepInProgram: 'in the program, as comments',
+    keepOnPage: 'on this page',
+    programFirst: 'Comments of the program go before the setup of the page.',
+    willMove: 'The comments are taken out of the program.',
+    apply: 'Apply',
+    clear: (group: string) => `Clear: ${group}`,
+    clearShort: 'Clear',
+    another: 'Another tool',
+    anotherHint: 'T0202',
+    add: 'Add',
+    noTool: 'Write T and up to four digits',
+    slips: (n: number) => (n === 1 ? 'One value cannot be' : `${n} values cannot be`),
+  },
+  zh: {
+    title: '毛坯与刀具',
+    about: '毛坯、刀具和机床。留空的项目按灰色的值假定。',
+    source: { program: '写在程序中', page: '保存在本页', nobody: '假定' },
+    keep: '保存位置',
+    keepInProgram: '写入程序注释',
+    keepOnPage: '保存在本页',
+    programFirst: '程序注释优先于本页的设置。',
+    willMove: '程序中的这些注释将被删除。',
+    apply: '应用',
+    clear: (group) => `清除：${group}`,
+    clearShort: '清除',
+    another: '添加刀具',
+    anotherHint: 'T0202',
+    add: '添加',
+    noTool: '请输入 T 和最多四位数字',
+    slips: (n) => `有 ${n} 个值不正确`,
+  },
+  ru: {
+    title: 'Наладка',
+    about: 'Заготовка, инструменты и станок. Что не указано, принимается: это серые значения.',
+    source: { program: 'в программе', page: 'на этой странице', nobody: 'принято' },
+    keep: 'Хранить наладку',
+    keepInProgram: 'в программе, в комментариях',
+    keepOnPage: 'на этой странице',
+    programFirst: 'Комментарии программы важнее наладки страницы.',
+    willMove: 'Комментарии будут убраны из программы.',
+    apply: 'Применить',
+    clear: (group) => `Очистить: ${group}`,
+    clearShort: 'Очистить',
+    another: 'Ещё инструмент',
+    anotherHint: 'T0202',
+    add: 'Добавить',
+    noTool: 'Напишите T и до четырёх цифр',
+    slips: (n) => `Неверных значений: ${n}`,
+  },
+});

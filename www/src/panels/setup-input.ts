@@ -3,25 +3,26 @@
 // In: the field and how it stands. Out: `changed`. Must not know: what it is for.
 
 import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
 import type { SetupField, SetupState } from '../protocol/protocol';
-import type { SetupTexts } from '../dom/setup-texts';
 
 export class SetupInput {
   readonly key: string;
   readonly element: HTMLElement;
-  readonly #texts: SetupTexts;
+  readonly #language: Language;
   readonly #input: HTMLInputElement | HTMLSelectElement;
   /** The option of a choice that says nothing. */
   readonly #none: HTMLOptionElement | undefined;
   readonly #slip: HTMLElement;
 
-  constructor(field: SetupField, texts: SetupTexts, changed: () => void) {
+  constructor(field: SetupField, language: Language, changed: () => void) {
     const { key, label, unit, entry, choices, value } = field;
     this.key = key;
-    this.#texts = texts;
+    this.#language = language;
     const id = `setup-${key}`;
     if (entry === 'choice') {
-      this.#none = make('option', { value: '' }, texts.nothing);
+      this.#none = make('option', { value: '' }, WORDS[language].nothing);
       this.#input = make('select', { id }, this.#none, ...choices.map((own) => make('option', { value: own.value }, own.text)));
     } else {
       const mode = entry === 'number' ? 'decimal' : 'text';
@@ -51,8 +52,8 @@ export class SetupInput {
   set state(state: SetupState | undefined) {
     if (state === undefined) return;
     const { assumed, slip, shown } = state;
-    const said = assumed === '' ? '' : this.#texts.placeholder(assumed);
-    if (this.#none !== undefined) this.#none.textContent = said === '' ? this.#texts.nothing : said;
+    const said = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
+    if (this.#none !== undefined) this.#none.textContent = said === '' ? WORDS[this.#language].nothing : said;
     else (this.#input as HTMLInputElement).placeholder = said;
     this.#input.classList.toggle('unsaid', this.text === '');
     this.element.hidden = shown === 'hidden';
@@ -67,3 +68,19 @@ export class SetupInput {
     this.#input.focus();
   }
 }
+
+const WORDS = words({
+  en: {
+    /** In a field that is empty: what counts there. */
+    placeholder: (value: string) => `${value} (assumed)`,
+    nothing: '—',
+  },
+  zh: {
+    placeholder: (value) => `${value}（假定）`,
+    nothing: '—',
+  },
+  ru: {
+    placeholder: (value) => `${value} (принято)`,
+    nothing: '—',
+  },
+});

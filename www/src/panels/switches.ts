@@ -1,28 +1,20 @@
 // The switches of the operator's panel that the text has a use for: levels of block skip, and which program is run.
 //
-// In: what is in the text, and how the switches stand. Out: `skipped` and `chosen` when the reader turns one.
+// In: what is in the text, and how the switches stand. Out: the switch that the reader turns.
 // Must not know: what a skipped block is, or how a program is found.
 
 import { make } from '../dom/dom';
-import type { Strings } from '../dom/i18n';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
 import type { SwitchesInText } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell, SwitchesSet } from './panel';
 
-/** How the switches stand. */
-export interface SwitchesSet {
-  /** Levels that are on. */
-  readonly blockSkip: readonly number[];
-  /** The program to run; the first of the text when undefined. */
-  readonly program: number | undefined;
-}
+export const switches: PanelKind = { make: (shell) => new Switches(shell) };
 
-export interface SwitchesEvents {
-  skipped(levels: readonly number[]): void;
-  chosen(program: number): void;
-}
-
-export class Switches {
-  readonly element = make('div', { className: 'switches', part: 'switches', hidden: true });
-  readonly #events: SwitchesEvents;
+class Switches implements Panel {
+  readonly #shell: Shell;
+  readonly #element = make('div', { className: 'switches', part: 'switches', hidden: true });
   readonly #skipText = make('span');
   readonly #levels = make('span', { className: 'levels' });
   readonly #skip = make('div', { className: 'skip', role: 'group' }, this.#skipText, this.#levels);
@@ -30,53 +22,52 @@ export class Switches {
   readonly #program = make('select', { className: 'small' });
   readonly #choice = make('label', {}, this.#programText, this.#program);
   readonly #buttons = new Map<number, HTMLButtonElement>();
-  #strings: Strings;
   #inText: SwitchesInText = { blockSkip: [], programs: [] };
   #set: SwitchesSet = { blockSkip: [], program: undefined };
   /** The options as they stand, so that an open list is not built anew under the reader's hand. */
   #options = '';
 
-  constructor(strings: Strings, events: SwitchesEvents) {
-    this.#strings = strings;
-    this.#events = events;
-    this.element.append(this.#choice, this.#skip);
-    this.#program.addEventListener('change', () => this.#events.chosen(Number(this.#program.value)));
-    this.strings = strings;
+  readonly places = { bar: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#element.append(this.#choice, this.#skip);
+    this.#program.addEventListener('change', () => shell.turn({ program: this.#program.value }));
   }
 
-  set strings(strings: Strings) {
-    this.#strings = strings;
-    this.#skipText.textContent = strings.blockSkip;
-    this.#skip.setAttribute('aria-label', strings.blockSkip);
-    this.#skip.title = strings.blockSkipHint;
-    this.#programText.textContent = strings.program;
-    this.#program.setAttribute('aria-label', strings.programToRun);
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#skipText.textContent = texts.blockSkip;
+    this.#skip.setAttribute('aria-label', texts.blockSkip);
+    this.#skip.title = texts.blockSkipHint;
+    this.#programText.textContent = COMMON[language].program;
+    this.#program.setAttribute('aria-label', texts.programToRun);
     this.#render();
   }
 
-  /** What the newest text has a use for. */
-  set inText(inText: SwitchesInText) {
+  heard(event: Heard): void {
+    const inText = event.kind === 'switches' ? event.inText : event.kind === 'report' ? event.report.switches : undefined;
+    if (inText === undefined) return;
     this.#inText = inText;
     this.#render();
   }
 
-  /** How the switches stand. */
-  set state(state: SwitchesSet) {
-    this.#set = state;
+  switched(set: SwitchesSet): void {
+    this.#set = set;
     this.#render();
   }
 
   #render(): void {
     this.#renderLevels();
     this.#renderPrograms();
-    this.element.hidden = this.#skip.hidden && this.#choice.hidden;
+    this.#element.hidden = this.#skip.hidden && this.#choice.hidden;
   }
 
   #renderLevels(): void {
     const { blockSkip } = this.#inText;
     for (const level of blockSkip) if (!this.#buttons.has(level)) this.#buttons.set(level, this.#button(level));
     for (const [level, button] of this.#buttons) {
-      button.setAttribute('aria-label', this.#strings.blockSkipLevel(mark(level)));
+      button.setAttribute('aria-label', WORDS[this.#shell.language].blockSkipLevel(mark(level)));
       button.setAttribute('aria-checked', String(this.#set.blockSkip.includes(level)));
       button.hidden = !blockSkip.includes(level);
     }
@@ -90,7 +81,8 @@ export class Switches {
     button.addEventListener('click', () => {
       const { blockSkip } = this.#set;
       const others = blockSkip.filter((one) => one !== level);
-      this.#events.skipped(others.length < blockSkip.length ? others : [...others, level].sort((a, b) => a - b));
+      const levels = others.length < blockSkip.length ? others : [...others, level].sort((a, b) => a - b);
+      this.#shell.turn({ blockSkip: levels.join(',') });
     });
     return button;
   }
@@ -117,3 +109,25 @@ export class Switches {
 function mark(level: number): string {
   return level === 1 ? '/' : `/${level}`;
 }
+
+const WORDS = words({
+  en: {
+    blockSkip: 'Block skip',
+    blockSkipHint: 'When on, blocks marked with this slash are left out',
+    /** `mark` as it is written in a program: `/2`. */
+    blockSkipLevel: (mark: string) => `Block skip ${mark}`,
+    programToRun: 'Program to run',
+  },
+  zh: {
+    blockSkip: '程序段跳过',
+    blockSkipHint: '打开后，跳过带此斜杠的程序段',
+    blockSkipLevel: (mark) => `程序段跳过 ${mark}`,
+    programToRun: '要运行的程序',
+  },
+  ru: {
+    blockSkip: 'Пропуск кадров',
+    blockSkipHint: 'Если включено, кадры с этой косой чертой пропускаются',
+    blockSkipLevel: (mark) => `Пропуск кадров ${mark}`,
+    programToRun: 'Выполняемая программа',
+  },
+});

@@ -7,11 +7,11 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Comparison, Diagnostic, Dimension, Fitted, FoundPiece, FoundPrograms, Palette, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Comparison, Diagnostic, Dimension, Fitted, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, Palette, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
+export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
 export type { Fitted, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
@@ -25,7 +25,7 @@ export interface Size {
 /** On which side of the spindle the turret is drawn. */
 export type TurretSide = 'front' | 'rear';
 
-/** What happens to a canvas; pan in CSS pixels. */
+/** What happens to a picture; lengths and places in CSS pixels. */
 export type CanvasCommand =
   /** Pictures of this size are wanted from now on. */
   | { readonly kind: 'canvas'; readonly size: Size }
@@ -34,19 +34,9 @@ export type CanvasCommand =
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
 
-export type ViewCommand =
-  | { readonly kind: 'on-face'; readonly what: CanvasCommand }
-  | { readonly kind: 'turret'; readonly side: TurretSide }
-  /** Keeps the part, to lay later ones over it. */
-  | { readonly kind: 'keep' }
-  | { readonly kind: 'end-comparison' }
-  /** The pointer has left the edge that is marked. */
-  | { readonly kind: 'leave-edge' };
-
 export type Command =
-  /** Pictures of this size are wanted from now on. */
-  | { readonly kind: 'canvas'; readonly size: Size; readonly palette: Palette }
-  | { readonly kind: 'resize'; readonly size: Size }
+  /** What happens to one of the pictures. */
+  | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: string }
   | BeginRun
@@ -56,11 +46,12 @@ export type Command =
   | { readonly kind: 'stop' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
-  | ViewCommand
-  | { readonly kind: 'fit' }
-  /** CSS pixels. */
-  | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
-  | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
+  | { readonly kind: 'turret'; readonly side: TurretSide }
+  /** Keeps the part, to lay later ones over it. */
+  | { readonly kind: 'keep' }
+  | { readonly kind: 'end-comparison' }
+  /** The pointer has left the edge that is marked. */
+  | { readonly kind: 'leave-edge' };
 
 /** How a change came: of what was put in at once the interpreter concludes anew how its numbers are meant. */
 export type Came = 'typed' | 'at-once';
@@ -107,19 +98,14 @@ export interface WrittenOut {
 export const FILE_FORMATS = ['card', 'svg', 'png', 'csv', 'dxf', 'stl', 'program'] as const;
 export type FileFormat = (typeof FILE_FORMATS)[number];
 
-export interface ViewQuestions {
-  pickOnFace: { ask: { readonly x: number; readonly y: number }; answer: Stroke | undefined };
-  dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
-  /** X a diameter, C in mm; CSS pixels from the top left corner of the face's canvas. */
-  locateOnFace: { ask: { readonly x: number; readonly c: number }; answer: { readonly x: number; readonly y: number } };
-}
-
 /** Every question with what it asks and what it is answered. */
-export interface Questions extends ViewQuestions {
+export interface Questions {
   ping: { ask: undefined; answer: true };
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
-  pick: { ask: { readonly x: number; readonly y: number }; answer: Stroke | undefined };
+  pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
+  /** The edge of the part in the section. */
+  dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
   /** The tool goes on for so many seconds, or to a stop. */
   play: {
     ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly stops: StopSwitch };
@@ -130,8 +116,11 @@ export interface Questions extends ViewQuestions {
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
   /** Where the tool is, in the language of now. */
   readout: { ask: undefined; answer: Readout | undefined };
-  /** `x` a diameter, both mm; the answer is CSS pixels from the canvas's top left corner. */
-  locate: { ask: { readonly x: number; readonly z: number }; answer: { readonly x: number; readonly y: number } };
+  /** `x` a diameter; `other` is Z in the section, C on the face; all mm. The answer is CSS pixels from the picture's top left corner. */
+  locate: {
+    ask: { readonly picture: PictureName; readonly x: number; readonly other: number };
+    answer: { readonly x: number; readonly y: number };
+  };
   expand: { ask: undefined; answer: WrittenOut };
   /** What can be written as a cycle; offsets of the reader's selection. */
   rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
@@ -161,8 +150,8 @@ export type QuestionKind = keyof Questions;
 /** Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The others' hold as they are. */
 export const OF_THE_RUN = {
   tokens: true, pick: true, play: true, seek: true, step: true, readout: true, expand: true, rewritings: true, section: true,
-  pickOnFace: true, dimension: true, 'read-setup': true,
-  ping: false, locate: false, locateOnFace: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
+  dimension: true, 'read-setup': true,
+  ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
 
@@ -218,10 +207,7 @@ export interface Report {
 }
 
 /** What was painted; a picture that has not changed is left out. */
-export interface Pictures {
-  readonly section: ImageBitmap | undefined;
-  readonly face: ImageBitmap | undefined;
-}
+export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 
 /** What is told of the worker itself. */
 export type LifeEvent =

@@ -3,7 +3,7 @@
 // In: the element, its attributes. Out: the program's text; the setup as one JSON text.
 // Must not know: what a setup may hold beyond the keys that are attributes too.
 
-import type { SwitchesSet } from '../panels/switches';
+import type { SwitchesSet } from '../panels/panel';
 
 /** The element's own text, without slotted children, without the blank first and last line and the common indent. */
 export function initialProgram(element: HTMLElement): string {

@@ -167,9 +167,8 @@ export class CoreClient {
   }
 }
 
-function close({ section, face }: Pictures): void {
-  section?.close();
-  face?.close();
+function close(pictures: Pictures): void {
+  for (const image of Object.values(pictures)) image.close();
 }
 
 /**

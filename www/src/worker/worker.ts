@@ -7,15 +7,13 @@
 // Must not know: the page, the editor, or anything of what the program means.
 
 import init, { Drawn, Playground } from '../../pkg/gcode_playground.js';
+import { ANSWERS, type AnswerRow } from './answers';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
-import { fileOf } from './exports';
 import {
-  counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Questions, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
-  type Work, type WrittenOut, type ViewCommand } from '../protocol/protocol';
+  counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
+  type Work } from '../protocol/protocol';
 import { handIn } from './text-in';
-import { piecesOf, programsIn } from './paste';
-import { answerView, doView, drawAll, takePictures, viewsState } from './pictures';
-import { toolAnswers } from './tool';
+import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
@@ -24,8 +22,6 @@ const RUN_LIMIT_MS = 60_000;
 const LINES_PER_LOOK = 20_000;
 /** Longer changes are not looked at for switches: all of the text is. */
 const LOOK_LIMIT = 100_000;
-/** Longer texts are written out without colours. */
-const COLOUR_LIMIT = 200_000;
 /** Motions whose material is taken off in one go, and how long a report waits for the part. */
 const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
@@ -33,8 +29,6 @@ const WAIT_FOR_PART_MS = 8;
 const SHOW_PATH_AFTER_MS = 300;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
-
-const MOVES: ReadonlySet<Command['kind']> = new Set(['canvas', 'resize', 'palette', 'fit', 'pan', 'zoom', 'on-face', 'turret']);
 
 /** How long something has been going on, and when that was told last. */
 interface Going {
@@ -104,75 +98,78 @@ async function load(): Promise<void> {
 function receive(message: Command | Question): void {
   if (core === undefined) return;
   if (counts(message)) heard++;
-  switch (message.kind) {
-    case 'question':
-      ask(core, message);
-      return;
-    case 'shown':
-      onTheWay = false;
-      present(core);
-      return;
-    case 'canvas':
-      core.attachCanvas(new OffscreenCanvas(1, 1));
-      core.setPalette(message.palette);
-      core.resize(message.size.width, message.size.height, message.size.pixelRatio);
-      break;
-    case 'resize':
-      core.resize(message.size.width, message.size.height, message.size.pixelRatio);
-      break;
-    case 'palette':
-      core.setPalette(message.palette);
-      break;
-    case 'language':
-      core.setLanguage(message.tag);
-      if (isTold()) report(core, 'again');
-      break;
-    case 'run':
-      begin(core, message);
-      return;
-    case 'stop':
-      stop(core);
-      break;
-    case 'cursor':
-      core.setCursor(message.offset);
-      break;
-    case 'hover':
-      core.setHover(message.motion);
-      break;
-    case 'keep':
-      whenWhole(() => core !== undefined && view(core, message));
-      break;
-    case 'on-face':
-    case 'turret':
-    case 'end-comparison':
-    case 'leave-edge':
-      view(core, message);
-      break;
-    case 'fit':
-      core.fit();
-      break;
-    case 'pan':
-      core.pan(message.dx, message.dy);
-      break;
-    case 'zoom':
-      core.zoom(message.factor, message.x, message.y);
-      break;
+  if (message.kind === 'question') {
+    ask(core, message);
+    return;
   }
-  // What was there stays until the run is whole, unless the reader moves it.
-  wantDraw(MOVES.has(message.kind) ? 'now' : 'when-whole');
+  const row = COMMANDS[message.kind] as CommandRow<Command['kind']>;
+  row.act(core, message);
+  if (row.draws !== 'no') wantDraw(row.draws);
 }
 
-function view(playground: Playground, command: ViewCommand): void {
-  if (doView(playground, command) && stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
+interface CommandRow<K extends Command['kind']> {
+  /** What was there stays until the run is whole, unless the reader moves it. */
+  readonly draws: Wanted;
+  act(playground: Playground, command: Extract<Command, { readonly kind: K }>): void;
 }
 
-type Answer = Questions[QuestionKind]['answer'];
+const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
+  picture: { draws: 'now', act: (playground, { picture, what }) => changePicture(playground, picture, what) },
+  palette: { draws: 'now', act: (playground, { palette }) => playground.setPalette(palette) },
+  language: {
+    draws: 'when-whole',
+    act(playground, { tag }) {
+      playground.setLanguage(tag);
+      if (isTold()) report(playground, 'again');
+    },
+  },
+  run: { draws: 'no', act: begin },
+  shown: {
+    draws: 'no',
+    act(playground) {
+      onTheWay = false;
+      present(playground);
+    },
+  },
+  stop: { draws: 'when-whole', act: stop },
+  cursor: { draws: 'when-whole', act: (playground, { offset }) => playground.setCursor(offset) },
+  hover: { draws: 'when-whole', act: (playground, { motion }) => playground.setHover(motion) },
+  turret: {
+    draws: 'now',
+    act(playground, { side }) {
+      playground.setTurret(side);
+      tellViews(playground);
+    },
+  },
+  keep: {
+    draws: 'when-whole',
+    act: (playground) =>
+      whenWhole(() => {
+        if (core === undefined) return;
+        playground.keep();
+        tellViews(playground);
+      }),
+  },
+  'end-comparison': {
+    draws: 'when-whole',
+    act(playground) {
+      playground.endComparison();
+      tellViews(playground);
+    },
+  },
+  'leave-edge': { draws: 'when-whole', act: (playground) => playground.leaveEdge() },
+};
+
+function tellViews(playground: Playground): void {
+  if (stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
+}
 
 function ask(playground: Playground, question: Question): void {
-  const now = (): void => void reply(question.id, answer(playground, question));
-  // A file of a part of a program would pass for all of it.
-  if (question.about === 'export') whenWhole(now);
-  else now();
+  const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
+  const now = (): void => void reply(question.id, row.answer(playground, question.ask));
+  if (row.draws !== undefined) wantDraw(row.draws);
+  if (row.waits === undefined) now();
+  else whenWhole(now);
 }
 
 function whenWhole(act: () => void): void {
@@ -181,71 +178,9 @@ function whenWhole(act: () => void): void {
 }
 
 /** What is there at once is sent at once: answers keep the order of their questions. */
-function reply(id: number, answer: Answer | Promise<Answer>): void | Promise<void> {
+function reply(id: number, answer: unknown): void | Promise<void> {
   if (!(answer instanceof Promise)) return tell({ kind: 'answer', id, answer });
-  return answer.then((late) => tell({ kind: 'answer', id, answer: late }));
-}
-
-function answer(playground: Playground, question: Question): Answer | Promise<Answer> {
-  switch (question.about) {
-    case 'ping':
-      return true;
-    case 'tokens': {
-      const { firstLine, endLine } = question.ask as Questions['tokens']['ask'];
-      return playground.tokens(firstLine, endLine);
-    }
-    case 'pick': {
-      const { x, y } = question.ask as Questions['pick']['ask'];
-      return playground.pick(x, y);
-    }
-    case 'readout':
-      return toolAnswers.readout(playground, undefined);
-    case 'play':
-      wantDraw('now');
-      return toolAnswers.play(playground, question.ask as Questions['play']['ask']);
-    case 'seek':
-      wantDraw('now');
-      return toolAnswers.seek(playground, question.ask as Questions['seek']['ask']);
-    case 'step':
-      wantDraw('now');
-      return toolAnswers.step(playground, question.ask as Questions['step']['ask']);
-    case 'locate': {
-      const { x, z } = question.ask as Questions['locate']['ask'];
-      const [px = 0, py = 0] = playground.screenOf(x, z);
-      return { x: px, y: py };
-    }
-    case 'pickOnFace':
-    case 'dimension':
-    case 'locateOnFace':
-      if (question.about === 'dimension') wantDraw('when-whole');
-      return answerView(playground, question.about, question.ask as Questions[typeof question.about]['ask']);
-    case 'expand':
-      return writtenOut(playground);
-    case 'rewritings': {
-      const { from, to } = question.ask as Questions['rewritings']['ask'];
-      return playground.rewritings(from, to);
-    }
-    case 'codes':
-      return playground.codes();
-    case 'export':
-      return fileOf(playground, (question.ask as Questions['export']['ask']).format);
-    case 'section':
-      return playground.section();
-    case 'programs-in':
-      return programsIn((question.ask as Questions['programs-in']['ask']).text);
-    case 'pieces-of': {
-      const { program, language } = question.ask as Questions['pieces-of']['ask'];
-      return piecesOf(program, language);
-    }
-    case 'setup-form':
-      return playground.setupForm();
-    case 'another-tool':
-      return playground.anotherTool((question.ask as Questions['another-tool']['ask']).word);
-    case 'read-setup': {
-      const { keys, texts, keep, json } = question.ask as Questions['read-setup']['ask'];
-      return playground.readSetupForm([...keys], [...texts], keep, json);
-    }
-  }
+  return answer.then((late: unknown) => tell({ kind: 'answer', id, answer: late }));
 }
 
 // ---- from one run to the next ---------------------------------------------------------------------
@@ -254,10 +189,7 @@ function begin(playground: Playground, change: BeginRun): void {
   run = change.run;
   // A setup that is not taken leaves the run as it was, and so the tool in its place.
   playground.showWhole();
-  if (change.framing === 'fit') {
-    playground.fit();
-    playground.fitFace();
-  }
+  if (change.framing === 'fit') fitAll(playground);
   if (change.setup !== undefined) changeSetup(playground, change.setup);
   if (change.text !== undefined) changeText(playground, change.text, change.came);
   playground.setCursor(change.cursor);
@@ -411,21 +343,6 @@ function report(playground: Playground, told: Report['stage']): void {
   });
 }
 
-// ---- written out ----------------------------------------------------------------------------------
-
-function writtenOut(playground: Playground): WrittenOut {
-  const text = playground.expand();
-  if (text.length > COLOUR_LIMIT) return { text, tokens: new Uint32Array() };
-  // Colours belong to a text, so the new text needs an interpreter of its own for a moment.
-  const reader = new Playground();
-  try {
-    reader.setText(text);
-    return { text, tokens: reader.tokens(0, text.length + 1) };
-  } finally {
-    reader.free();
-  }
-}
-
 // ---- the rest -------------------------------------------------------------------------------------
 
 function wantDraw(how: Exclude<Wanted, 'no'>): void {
@@ -458,7 +375,7 @@ function present(playground: Playground): void {
   const pictures = takePictures(playground);
   if (pictures === undefined) return;
   onTheWay = true;
-  tell({ kind: 'pictures', pictures }, [pictures.section, pictures.face].filter((image) => image !== undefined));
+  tell({ kind: 'pictures', pictures }, Object.values(pictures));
 }
 
 /** Once nothing is left to do, and the page has shown all there is. */
