@@ -1,12 +1,13 @@
 //! The run that is current, with all that is known of it, and how it is looked at.
 //!
 //! In: the text, its edits and the setup; slices of time; where the reader looks and what the reader picks out. Out:
-//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: whatever is
-//! worked out of a run goes when the next one begins (`Current::begin` takes the value apart, so that a new field has to say
-//! what becomes of it), and nothing of the part is there before all its material is off ([`crate::machine::Machining`]). Must not
-//! know of canvases, nor of JavaScript.
+//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: all that is
+//! worked out of a run is one value, `Known`, which `Current::begin` replaces as a whole when the next run begins; and
+//! nothing of the part is there before all its material is off ([`crate::machine::Machining`]). Must not know of canvases, nor
+//! of JavaScript.
 
 mod machined;
+pub mod per_plane;
 mod picked;
 
 use std::cell::OnceCell;
@@ -23,6 +24,7 @@ use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
 use crate::scene::outline::Outline;
+use crate::scene::pick::pick;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
 use crate::scene::view::View;
@@ -30,20 +32,33 @@ use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
 use crate::source::LineIndex;
 use machined::{Kept, Machined};
+use per_plane::PerPlane;
 
 /// The current run and how it is looked at.
 pub struct Current {
     run: Run,
-    /// Made when first asked for.
+    /// The lines of its text; made when first asked for.
     lines: OnceCell<LineIndex>,
+    /// It keeps the boxes of the motions that an edit leaves, and finds out itself which those are.
     outline: Outline,
+    known: Known,
+    reader: Reader,
+}
+
+/// All that is worked out of a run as it is now: another run begins with none of it.
+#[derive(Default)]
+struct Known {
     /// The outline is of the motions as they are now.
     measured: bool,
     /// The clock of the motions as they are now; made when first asked for.
     clock: OnceCell<Clock>,
     material: Material,
-    view: View,
-    face_view: View,
+}
+
+/// What belongs to the reader, and stays from one run to the next.
+struct Reader {
+    /// How each picture is looked at. What is picked out and where the tool is stands in that of the section; the face follows.
+    views: PerPlane<View>,
     /// Place of the cursor, UTF-16 offset.
     cursor: Option<u32>,
     /// The side the reader has turned the turret to; that of the setup where nothing is chosen.
@@ -53,8 +68,10 @@ pub struct Current {
 }
 
 /// What has become of the blank.
+#[derive(Default)]
 enum Material {
     /// Nothing yet: the program has to run first.
+    #[default]
     Untouched,
     /// It is being taken off, which nobody sees.
     UnderWay(Box<Machining>),
@@ -66,25 +83,16 @@ impl Current {
     /// Begins a run; its picture is 300 × 150 CSS pixels large, as a canvas is.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
         let (run, outline) = (Run::new(text, setup), Outline::new());
-        let view =
-            View::new(&Scene::new(run.motions(), &outline, None), Size { width: 300.0, height: 150.0 });
-        let face_view = View::new(
-            &Scene::new(run.motions(), &outline, None).on(Plane::Face),
-            Size { width: 300.0, height: 300.0 },
-        );
-        Self {
-            run,
-            lines: OnceCell::new(),
-            outline,
-            measured: false,
-            clock: OnceCell::new(),
-            material: Material::Untouched,
-            view,
-            face_view,
-            cursor: None,
-            turret: None,
-            kept: None,
-        }
+        let scene = Scene::new(run.motions(), &outline, None);
+        let views = PerPlane::new(|plane| {
+            let height = match plane {
+                Plane::Section => 150.0,
+                Plane::Face => 300.0,
+            };
+            View::new(&scene.on(plane), Size { width: 300.0, height })
+        });
+        let reader = Reader { views, cursor: None, turret: None, kept: None };
+        Self { run, lines: OnceCell::new(), outline, known: Known::default(), reader }
     }
 
     // ---- from one run to the next ---------------------------------------------------------------------
@@ -123,20 +131,13 @@ impl Current {
         });
     }
 
-    /// The only way from one run to the next: what belongs to the run goes, what belongs to the reader stays.
+    /// The only way from one run to the next: what is known of the run goes, what belongs to the reader stays.
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
-        let Self { run, lines, outline, measured, clock, material, view, face_view, cursor, turret, kept } =
-            self;
-        change(run, lines);
-        *measured = false;
-        *clock = OnceCell::new();
-        *material = Material::Untouched;
+        change(&mut self.run, &mut self.lines);
+        self.known = Known::default();
         // Strokes are picked out by their numbers, which are those of other strokes now.
-        for view in [view, face_view] {
-            *view = view.bare(None);
-        }
-        // The outline keeps the boxes of the motions that stayed, and finds out itself which those are.
-        let _: (&Outline, &Option<u32>, &Option<Turret>, &Option<Kept>) = (outline, cursor, turret, kept);
+        let (section, face) = self.reader.views.both_mut();
+        (*section, *face) = (section.bare(None), face.bare(None));
     }
 
     /// Runs at most so many blocks; true when the run has ended.
@@ -156,8 +157,8 @@ impl Current {
 
     /// There are more motions than there were.
     fn grown(&mut self) {
-        self.measured = false;
-        self.clock = OnceCell::new();
+        self.known.measured = false;
+        self.known.clock = OnceCell::new();
     }
 
     // ---- the material ---------------------------------------------------------------------------------
@@ -167,29 +168,29 @@ impl Current {
         if !self.run.is_finished() {
             return false;
         }
-        match std::mem::replace(&mut self.material, Material::Untouched) {
-            Material::Off(machined) => self.material = Material::Off(machined),
+        match std::mem::replace(&mut self.known.material, Material::Untouched) {
+            Material::Off(machined) => self.known.material = Material::Off(machined),
             Material::Untouched => {
                 let machining = Machining::new(self.run.motions(), self.run.setup());
                 self.take_off(machining, motions);
             }
             Material::UnderWay(machining) => self.take_off(*machining, motions),
         }
-        matches!(self.material, Material::Off(_))
+        matches!(self.known.material, Material::Off(_))
     }
 
     fn take_off(&mut self, machining: Machining, motions: usize) {
         match machining.advance(self.run.motions(), motions) {
-            Advanced::UnderWay(machining) => self.material = Material::UnderWay(Box::new(machining)),
+            Advanced::UnderWay(machining) => self.known.material = Material::UnderWay(Box::new(machining)),
             Advanced::Done(shop) => self.machined(shop),
         }
     }
 
     /// Takes no more material off; a message says so.
     pub fn stop_machining(&mut self) {
-        match std::mem::replace(&mut self.material, Material::Untouched) {
+        match std::mem::replace(&mut self.known.material, Material::Untouched) {
             Material::UnderWay(machining) => self.machined(machining.stop()),
-            other => self.material = other,
+            other => self.known.material = other,
         }
     }
 
@@ -200,7 +201,7 @@ impl Current {
 
     /// Share of the material that has been taken off, 0 to 1.
     pub fn machining_progress(&self) -> f64 {
-        match &self.material {
+        match &self.known.material {
             Material::Untouched => 0.0,
             Material::UnderWay(machining) => machining.progress(),
             Material::Off(_) => 1.0,
@@ -211,12 +212,12 @@ impl Current {
         // The outline may still be that of the program before.
         self.measure();
         let mut machined = Machined::new(shop, self.run.motions());
-        machined.compare(&self.run, self.kept.as_ref());
-        self.material = Material::Off(Box::new(machined));
-        self.view.edge.clear();
+        machined.compare(&self.run, self.reader.kept.as_ref());
+        self.known.material = Material::Off(Box::new(machined));
+        self.section_mut().edge.clear();
         self.show();
         self.turn();
-        let (scene, view) = self.face_scene();
+        let (scene, view) = self.looked_at(Plane::Face);
         view.follow(&scene);
     }
 
@@ -239,7 +240,7 @@ impl Current {
 
     /// How far the run is.
     pub fn stage(&self) -> Stage {
-        match &self.material {
+        match &self.known.material {
             Material::Off(_) => Stage::Whole,
             Material::Untouched | Material::UnderWay(_) if self.run.is_finished() => Stage::Path,
             Material::Untouched | Material::UnderWay(_) => Stage::Running,
@@ -253,7 +254,7 @@ impl Current {
 
     /// Tools and blank, once the program has run and material is taken off.
     pub fn fitting(&self) -> Option<&Fitting> {
-        match &self.material {
+        match &self.known.material {
             Material::Untouched => None,
             Material::UnderWay(machining) => Some(machining.fitting()),
             Material::Off(machined) => Some(machined.shop().fitting()),
@@ -283,7 +284,7 @@ impl Current {
 
     /// The clock of the motions.
     pub fn clock(&self) -> &Clock {
-        self.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
+        self.known.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
     }
 
     /// Length of the whole path, mm.
@@ -293,7 +294,7 @@ impl Current {
     }
 
     fn machined_part(&self) -> Option<&Machined> {
-        match &self.material {
+        match &self.known.material {
             Material::Off(machined) => Some(machined),
             Material::Untouched | Material::UnderWay(_) => None,
         }
@@ -301,88 +302,94 @@ impl Current {
 
     // ---- how it is looked at --------------------------------------------------------------------------
 
-    /// How the section is looked at.
-    pub fn view(&self) -> &View {
-        &self.view
+    /// How a picture is looked at.
+    pub fn view(&self, plane: Plane) -> &View {
+        &self.reader.views[plane]
     }
 
-    /// How the end face is looked at.
-    pub fn face_view(&self) -> &View {
-        &self.face_view
-    }
-
-    /// Changes how the section is looked at.
-    pub fn look(&mut self, change: impl FnOnce(&mut View, &Scene)) {
+    /// Changes how a picture is looked at.
+    pub fn look(&mut self, plane: Plane, change: impl FnOnce(&mut View, &Scene)) {
         self.show();
-        let (scene, view) = self.section_scene();
+        let (scene, view) = self.looked_at(plane);
         change(view, &scene);
     }
 
-    /// Changes how the end face is looked at.
-    pub fn look_at_face(&mut self, change: impl FnOnce(&mut View, &Scene)) {
-        self.show();
-        let (scene, view) = self.face_scene();
-        change(view, &scene);
+    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool is there, told as
+    /// in the section.
+    pub fn pick(&mut self, plane: Plane, at: Pixel, reach: f64) -> Option<(usize, Point)> {
+        let Picture { scene, view, .. } = self.picture(plane)?;
+        let found = pick(&scene, view.camera(), at, reach, &view.highlight)?;
+        let motion = found.stroke.motion;
+        match plane {
+            Plane::Section => Some((motion, found.at)),
+            Plane::Face => {
+                let motion = self.face()?.motion(motion)?;
+                let z = self.motions().get(motion).to.z;
+                Some((motion, Point::new(found.at.x.hypot(found.at.z), z)))
+            }
+        }
     }
 
     /// Lights up the strokes of the block at an offset.
     pub fn set_cursor(&mut self, offset: Option<u32>) {
-        self.cursor = offset;
+        self.reader.cursor = offset;
         // Measuring does it too.
-        if self.measured {
+        if self.known.measured {
             self.light_up();
         }
     }
 
     /// Marks a stroke, that under the pointer.
     pub fn set_hover(&mut self, motion: Option<usize>) {
-        self.view.hover = motion.filter(|&index| index < self.run.motions().len());
+        let motion = motion.filter(|&index| index < self.run.motions().len());
+        self.section_mut().hover = motion;
         self.name_steps();
     }
 
     /// Puts the tool somewhere; nothing shows all strokes and no tool.
     pub fn put(&mut self, playhead: Option<Playhead>) {
-        self.view.playhead = playhead.filter(|_| !self.run.motions().is_empty());
+        let playhead = playhead.filter(|_| !self.run.motions().is_empty());
+        self.section_mut().playhead = playhead;
     }
 
     /// Where the tool is.
     pub fn place(&mut self) -> Option<(Playhead, Place)> {
         self.measure();
-        let playhead = self.view.playhead?;
+        let playhead = self.section().playhead?;
         Some((playhead, self.scene().place(playhead)?))
     }
 
     /// Puts the turret on a side; nothing leaves it where the setup has it.
     pub fn set_turret(&mut self, turret: Option<Turret>) {
-        self.turret = turret;
+        self.reader.turret = turret;
         self.turn();
     }
 
     /// The side the turret is drawn on.
     pub fn turret(&self) -> Turret {
-        self.turret.unwrap_or(self.run.setup().machine.turret)
+        self.reader.turret.unwrap_or(self.run.setup().machine.turret)
     }
 
     /// Keeps the part of this program, if there is one, to lay those of later runs over it.
     pub fn keep(&mut self) {
         if self.part().is_some() {
-            self.kept = Some(Kept::of(&self.run));
+            self.reader.kept = Some(Kept::of(&self.run));
             self.compare();
         }
     }
 
     /// Ends the comparison.
     pub fn end_comparison(&mut self) {
-        self.kept = None;
+        self.reader.kept = None;
         self.compare();
     }
 
     /// Marks the edge of the part within `reach` (mm) of a place of the section, and says what it is.
     pub fn mark_edge(&mut self, at: Pixel, reach: f64) -> Option<Feature> {
-        let camera = *self.view.camera();
+        let camera = *self.section().camera();
         let pointer = camera.to_world(at);
         let place = Point::new(pointer.x.abs(), pointer.z);
-        let feature = match (self.machined_part(), self.view.playhead) {
+        let feature = match (self.machined_part(), self.section().playhead) {
             (Some(machined), None) => {
                 let part = machined.part();
                 part.and_then(|part| feature::at(part, machined.threads(), place, reach / camera.scale()))
@@ -391,13 +398,13 @@ impl Current {
         };
         let side = if pointer.x < 0.0 { -1.0 } else { 1.0 };
         let corners = feature.iter().flat_map(|feature| &feature.corners);
-        self.view.edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
+        self.section_mut().edge = corners.map(|at| Point::new(side * at.x, at.z)).collect();
         feature
     }
 
     /// Marks no edge.
     pub fn leave_edge(&mut self) {
-        self.view.edge.clear();
+        self.section_mut().edge.clear();
     }
 
     // ---- the pictures ---------------------------------------------------------------------------------
@@ -407,20 +414,15 @@ impl Current {
         Scene::new(self.run.motions(), &self.outline, None)
     }
 
-    /// The section as it is to be painted.
-    pub fn picture(&mut self) -> Picture<'_> {
+    /// A picture as it is to be painted: the section always, the end face where anything moves on it.
+    pub fn picture(&mut self, plane: Plane) -> Option<Picture<'_>> {
         self.show();
+        match plane {
+            Plane::Section => {}
+            Plane::Face => drop(self.face()?),
+        }
         let source = self.source();
-        let (scene, view) = self.section_scene();
-        Picture { scene, view, source }
-    }
-
-    /// The end face as it is to be painted, where anything moves on it.
-    pub fn face_picture(&mut self) -> Option<Picture<'_>> {
-        self.show();
-        self.face()?;
-        let source = self.source();
-        let (scene, view) = self.face_scene();
+        let (scene, view) = self.looked_at(plane);
         Some(Picture { scene, view, source })
     }
 
@@ -428,58 +430,56 @@ impl Current {
         Source { run: self.run.id(), stage: self.stage() }
     }
 
-    fn section_scene(&mut self) -> (Scene<'_>, &mut View) {
-        let Self { run, outline, material, view, .. } = self;
-        let work = match material {
-            Material::Off(machined) => machined.work(),
-            Material::Untouched | Material::UnderWay(_) => None,
-        };
-        (Scene::new(run.motions(), outline, work), view)
+    /// How the section is looked at, which says too what is picked out and where the tool is.
+    fn section(&self) -> &View {
+        &self.reader.views[Plane::Section]
     }
 
-    fn face_scene(&mut self) -> (Scene<'_>, &mut View) {
-        let Self { run, outline, material, face_view, .. } = self;
-        let scene = match material {
-            Material::Off(machined) => machined.face_scene(),
+    fn section_mut(&mut self) -> &mut View {
+        &mut self.reader.views[Plane::Section]
+    }
+
+    /// What there is to see in a picture, and how it is looked at.
+    fn looked_at(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
+        let Self { run, outline, known, reader, .. } = self;
+        let machined = match &known.material {
+            Material::Off(machined) => Some(machined),
             Material::Untouched | Material::UnderWay(_) => None,
         };
-        // Where nothing moves on the face there is nothing to fit it to either.
-        let nothing = || Scene::new(run.motions(), outline, None).on(Plane::Face);
-        (scene.unwrap_or_else(nothing), face_view)
+        let work = machined.and_then(|machined| machined.work(plane));
+        let face = machined.and_then(|machined| machined.face());
+        let scene = match (plane, face) {
+            (Plane::Section, _) => Scene::new(run.motions(), outline, work),
+            (Plane::Face, Some(face)) => face.scene(work),
+            // Where nothing moves on the face there is nothing to fit it to either.
+            (Plane::Face, None) => Scene::new(run.motions(), outline, None).on(Plane::Face),
+        };
+        (scene, &mut reader.views[plane])
     }
 
     /// Brings everything that is shown to where the tool stands.
     fn show(&mut self) {
         self.measure();
-        let place = self.view.playhead.and_then(|playhead| self.scene().place(playhead));
-        let Self { run, material, view, face_view, .. } = self;
-        let Material::Off(machined) = material else { return };
+        let place = self.section().playhead.and_then(|playhead| self.scene().place(playhead));
+        let Self { run, known, reader, .. } = self;
+        let Material::Off(machined) = &mut known.material else { return };
         machined.show(run.motions(), place);
-        let Some(face) = machined.face() else { return };
-        face_view.palette = view.palette.clone();
-        face_view.playhead = place.map(|place| face.playhead(place));
-        face_view.hover = view.hover.and_then(|motion| face.own(motion));
-        face_view.highlight.clear();
-        for own in view.highlight.iter().flat_map(|range| range.clone().filter_map(|motion| face.own(motion)))
-        {
-            match face_view.highlight.last_mut() {
-                Some(last) if last.end == own => last.end += 1,
-                _ => face_view.highlight.push(own..own + 1),
-            }
+        if let Some(face) = machined.face() {
+            follow(&mut reader.views, face, place);
         }
     }
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
     fn measure(&mut self) {
-        if self.measured {
+        if self.known.measured {
             return;
         }
-        self.measured = true;
+        self.known.measured = true;
         self.outline.update(self.run.motions());
         // Until then the picture that is shown is of the last run, or moved by the reader.
         if self.run.is_finished() {
             self.outline.settle();
-            let (scene, view) = self.section_scene();
+            let (scene, view) = self.looked_at(Plane::Section);
             view.follow(&scene);
         }
         self.light_up();
@@ -489,27 +489,47 @@ impl Current {
         // The outline may still be that of the program before.
         self.outline.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
-        let (scene, view) = self.section_scene();
+        let (scene, view) = self.looked_at(Plane::Section);
         view.turn(&scene, x_plus);
     }
 
     fn compare(&mut self) {
-        let Self { run, material, kept, .. } = self;
-        if let Material::Off(machined) = material {
-            machined.compare(run, kept.as_ref());
+        let Self { run, known, reader, .. } = self;
+        if let Material::Off(machined) = &mut known.material {
+            machined.compare(run, reader.kept.as_ref());
         }
         self.show();
     }
 
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
-        let picked = self.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
-        (self.view.highlight, self.view.marks) = picked.unwrap_or_default();
+        let picked =
+            self.reader.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
+        let section = self.section_mut();
+        (section.highlight, section.marks) = picked.unwrap_or_default();
         self.name_steps();
     }
 
     /// Labels the steps of the pass that is picked out.
     fn name_steps(&mut self) {
-        self.view.steps = labels(self.run.motions(), &self.view.highlight, self.view.hover);
+        let Self { run, reader, .. } = self;
+        let section = &mut reader.views[Plane::Section];
+        section.steps = labels(run.motions(), &section.highlight, section.hover);
+    }
+}
+
+/// On the face the same is picked out as in the section, and the tool is where it is there.
+fn follow(views: &mut PerPlane<View>, face: &Face, place: Option<Place>) {
+    let (section, on_face) = views.both_mut();
+    on_face.palette = section.palette.clone();
+    on_face.playhead = place.map(|place| face.playhead(place));
+    on_face.hover = section.hover.and_then(|motion| face.own(motion));
+    on_face.highlight.clear();
+    for own in section.highlight.iter().flat_map(|range| range.clone().filter_map(|motion| face.own(motion)))
+    {
+        match on_face.highlight.last_mut() {
+            Some(last) if last.end == own => last.end += 1,
+            _ => on_face.highlight.push(own..own + 1),
+        }
     }
 }

@@ -6,34 +6,34 @@
 
 mod decimal;
 mod files;
+mod motions;
 mod paste;
+mod picture_name;
+mod pictures;
 mod playback;
 mod rewrite;
 mod setup;
-mod views;
 
-use js_sys::{Float64Array, Uint8Array, Uint32Array};
+pub use motions::{MotionChunk, MotionChunkView};
+pub use picture_name::PictureName;
+pub use pictures::Drawn;
+
+use js_sys::{Float64Array, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
-use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use crate::api::{self, Places, Summary};
 use crate::current::Current;
+use crate::current::per_plane::PerPlane;
 use crate::findings;
 use crate::geometry::Point;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
 use crate::playback::tally::tally;
-use crate::scene::camera::{Pixel, Size};
-use crate::scene::canvas::{Painter, Progress};
-use crate::scene::palette::Palette;
-use crate::scene::pick::pick;
+use crate::scene::canvas::Painter;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::text::highlight::highlight;
-
-/// How near a stroke the pointer must be, CSS pixels.
-const REACH: f64 = 8.0;
 
 /// A program, its run and its picture.
 #[wasm_bindgen]
@@ -41,8 +41,8 @@ pub struct Playground {
     setup: Setup,
     language: Language,
     current: Current,
-    painter: Option<Painter>,
-    face_painter: Option<Painter>,
+    /// What draws each picture, once it has a canvas.
+    painters: PerPlane<Option<Painter>>,
     /// A text that is being handed in.
     incoming: Vec<u8>,
 }
@@ -57,8 +57,7 @@ impl Playground {
             setup: Setup::default(),
             language: Language::default(),
             current: Current::new(Vec::new(), Setup::default()),
-            painter: None,
-            face_painter: None,
+            painters: PerPlane::default(),
             incoming: Vec::new(),
         }
     }
@@ -196,36 +195,6 @@ impl Playground {
         found.into_iter().flat_map(triple).collect()
     }
 
-    /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
-    #[wasm_bindgen(unchecked_return_type = "Motion[]")]
-    pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
-        let motions = self.current.motions();
-        let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
-        let rows = range.map(|index| {
-            api::motion(&motions.get(index), motions.line(index), &self.current.run().setup().machine)
-        });
-        to_js(&rows.collect::<Vec<_>>())
-    }
-
-    /// Number of chunks the motions are kept in.
-    #[wasm_bindgen(js_name = chunkCount)]
-    pub fn chunk_count(&self) -> usize {
-        self.current.motions().chunks().len()
-    }
-
-    /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
-    pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
-        self.current.motions().chunks().get(index).map(MotionChunk::new)
-    }
-
-    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of anything in this
-    /// module, which may move the motions or make the memory grow (a view is then empty): read them at once, or
-    /// `slice()` what is to be kept. [`Self::chunk`] does that for you.
-    #[wasm_bindgen(js_name = chunkView)]
-    pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
-        self.current.motions().chunks().get(index).map(view_of)
-    }
-
     /// The program with every cycle, corner and compensation written out as plain moves.
     pub fn expand(&self) -> String {
         crate::expand::expand(self.current.run().text(), &self.setup)
@@ -235,44 +204,6 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "Codes")]
     pub fn codes(&self) -> Result<JsValue, JsValue> {
         to_js(&api::codes(self.current.run().code_list(), self.language))
-    }
-
-    /// Draws on a canvas from now on.
-    #[wasm_bindgen(js_name = attachCanvas)]
-    pub fn attach_canvas(&mut self, canvas: OffscreenCanvas) -> Result<(), JsValue> {
-        self.painter = Some(Painter::new(canvas)?);
-        Ok(())
-    }
-
-    /// Size of the picture in CSS pixels, and device pixels a CSS pixel.
-    pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
-        self.current.look(|view, scene| view.resize(scene, Size { width, height }, pixel_ratio));
-    }
-
-    /// Colours of the picture.
-    #[wasm_bindgen(js_name = setPalette)]
-    pub fn set_palette(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
-    ) -> Result<(), JsValue> {
-        let palette = palette(&colours)?;
-        self.current.look(|view, _| view.palette = palette);
-        Ok(())
-    }
-
-    /// Shows everything worth looking at.
-    pub fn fit(&mut self) {
-        self.current.look(|view, scene| view.fit(scene));
-    }
-
-    /// Moves the picture, CSS pixels.
-    pub fn pan(&mut self, dx: f64, dy: f64) {
-        self.current.look(|view, _| view.pan(dx, dy));
-    }
-
-    /// Makes the picture `factor` times as large about a place, CSS pixels.
-    pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
-        self.current.look(|view, _| view.zoom(factor, Pixel::new(x, y)));
     }
 
     /// Lights up the strokes of the block at an offset.
@@ -293,24 +224,6 @@ impl Playground {
         self.current.path_length()
     }
 
-    /// The stroke at a place of the picture, CSS pixels.
-    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
-    pub fn pick(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let picture = self.current.picture();
-        let (camera, highlight) = (picture.view.camera(), &picture.view.highlight);
-        match pick(&picture.scene, camera, Pixel::new(x, y), REACH, highlight) {
-            Some(found) => self.stroke(found.stroke.motion, found.at),
-            None => Ok(JsValue::UNDEFINED),
-        }
-    }
-
-    /// Where a place is in the picture: X a diameter in mm, Z in mm; two CSS pixels from the top left corner.
-    #[wasm_bindgen(js_name = screenOf)]
-    pub fn screen_of(&mut self, x: f64, z: f64) -> Vec<f64> {
-        let pixel = self.current.picture().view.camera().to_screen(Point::new(x / 2.0, z));
-        vec![pixel.x, pixel.y]
-    }
-
     /// What is left of the blank, when all motions are done; nothing where there is no blank.
     #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
     pub fn part(&self) -> Result<JsValue, JsValue> {
@@ -325,21 +238,6 @@ impl Playground {
     pub fn totals(&self) -> Result<JsValue, JsValue> {
         let (tools, all) = tally(self.current.motions(), &self.current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
-    }
-
-    /// Paints what has changed, and says when to call again.
-    pub fn draw(&mut self) -> Result<Drawn, JsValue> {
-        let picture = self.current.picture();
-        match &mut self.painter {
-            Some(painter) => Ok(painter.draw(&picture)?.into()),
-            None => Ok(Drawn::All),
-        }
-    }
-
-    /// Takes what was painted since the last time off the canvas, as an image; nothing where nothing was.
-    #[wasm_bindgen(js_name = takeImage)]
-    pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
-        self.painter.as_mut().map_or(Ok(None), Painter::take_image)
     }
 }
 
@@ -361,39 +259,6 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     Ok(value.serialize(&serde_wasm_bindgen::Serializer::new())?)
 }
 
-/// How much of a picture has been painted.
-#[wasm_bindgen]
-#[derive(Clone, Copy, Debug)]
-pub enum Drawn {
-    /// All of it.
-    All,
-    /// There is more to do, which the next call goes on with.
-    Part,
-    /// The last one was moved along with the camera; call again in the next frame.
-    Moved,
-}
-
-impl From<Progress> for Drawn {
-    fn from(progress: Progress) -> Self {
-        match progress {
-            Progress::Done => Self::All,
-            Progress::UnderWay => Self::Part,
-            Progress::Waiting => Self::Moved,
-        }
-    }
-}
-
-/// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].
-#[wasm_bindgen(getter_with_clone)]
-pub struct MotionChunkView {
-    /// As in [`MotionChunk`].
-    pub kind: Uint8Array,
-    /// End points: radius, mm.
-    pub x: Float64Array,
-    /// End points: length, mm.
-    pub z: Float64Array,
-}
-
 /// JavaScript's view of bytes that it is to fill.
 #[allow(unsafe_code)]
 fn view_to_fill(bytes: &mut [u8]) -> Uint8Array {
@@ -412,58 +277,6 @@ fn view_of(chunk: &Chunk) -> MotionChunkView {
             kind: Uint8Array::view(chunk.kinds()),
             x: Float64Array::view(chunk.xs()),
             z: Float64Array::view(chunk.zs()),
-        }
-    }
-}
-
-/// The colours a page gives, each a text.
-fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
-    let colour = |key: &str| {
-        let missing = || JsValue::from_str(&format!("the palette has no `{key}`"));
-        js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string().ok_or_else(missing)
-    };
-    Ok(Palette {
-        background: colour("background")?,
-        grid: colour("grid")?,
-        axis: colour("axis")?,
-        text: colour("text")?,
-        stock: colour("stock")?,
-        stock_edge: colour("stockEdge")?,
-        part: colour("part")?,
-        part_edge: colour("partEdge")?,
-        danger: colour("danger")?,
-        only_first: colour("onlyFirst")?,
-        only_second: colour("onlySecond")?,
-        rapid: colour("rapid")?,
-        feed: colour("feed")?,
-        thread: colour("thread")?,
-        highlight: colour("highlight")?,
-        hover: colour("hover")?,
-        tool: colour("tool")?,
-        uncertain: colour("uncertain")?,
-    })
-}
-
-/// Motions of one chunk as columns.
-#[wasm_bindgen(getter_with_clone)]
-pub struct MotionChunk {
-    /// 0 rapid, 1 feed, 2 arc clockwise, 3 arc counter-clockwise, 4 thread, 5 dwell.
-    pub kind: Uint8Array,
-    /// End points: radius, mm.
-    pub x: Float64Array,
-    /// End points: length, mm.
-    pub z: Float64Array,
-    /// Lines, from 1.
-    pub line: Uint32Array,
-}
-
-impl MotionChunk {
-    fn new(chunk: &Chunk) -> Self {
-        Self {
-            kind: chunk.kinds().into(),
-            x: chunk.xs().into(),
-            z: chunk.zs().into(),
-            line: (0..chunk.len()).map(|index| chunk.line(index) + 1).collect::<Vec<_>>()[..].into(),
         }
     }
 }

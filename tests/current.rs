@@ -4,8 +4,9 @@
 use gcode_playground::current::Current;
 use gcode_playground::machine::Shop;
 use gcode_playground::playback::clock::Playhead;
+use gcode_playground::scene::Plane;
 use gcode_playground::scene::camera::{Pixel, Size};
-use gcode_playground::scene::source::Stage;
+use gcode_playground::scene::source::{Picture, Stage};
 use gcode_playground::scene::view::View;
 use gcode_playground::setup::{Setup, Turret};
 use proptest::prelude::*;
@@ -24,18 +25,22 @@ fn run(current: &mut Current) {
 
 fn fresh(text: &str, setup: &Setup) -> Current {
     let mut current = Current::new(text.as_bytes().to_vec(), setup.clone());
-    current.look(|view, scene| view.resize(scene, SIZE, 1.0));
+    current.look(Plane::Section, |view, scene| view.resize(scene, SIZE, 1.0));
     run(&mut current);
     current
 }
 
+fn section(current: &mut Current) -> Picture<'_> {
+    current.picture(Plane::Section).expect("there is always a section")
+}
+
 /// All that a painter draws: strokes, blank, part, dangers, and how it is looked at.
 fn seen(current: &mut Current) -> (String, View, Option<(String, View)>) {
-    let face = current.face_picture().map(|picture| {
+    let face = current.picture(Plane::Face).map(|picture| {
         let work = picture.scene.work().map(|work| (&work.blank, &work.part));
         (format!("{:?} {work:?}", picture.scene.strokes().collect::<Vec<_>>()), picture.view.clone())
     });
-    let picture = current.picture();
+    let picture = section(current);
     let strokes: Vec<_> = picture.scene.strokes().collect();
     let work = picture
         .scene
@@ -53,7 +58,7 @@ fn a_half_cut_part_is_never_shown() {
     let mut slices = 0;
     loop {
         assert_eq!(current.stage(), Stage::Path);
-        let picture = current.picture();
+        let picture = section(&mut current);
         assert!(picture.scene.work().is_none() && picture.source.stage == Stage::Path);
         assert!(current.part().is_none() && current.part_shown().is_none() && current.shop().is_none());
         if current.machine(1) {
@@ -65,7 +70,7 @@ fn a_half_cut_part_is_never_shown() {
     let whole = Shop::done(current.motions(), current.run().setup()).finished().expect("a blank");
     assert_eq!(current.part(), Some(&whole));
     assert_eq!(current.part_shown(), Some(whole));
-    let picture = current.picture();
+    let picture = section(&mut current);
     assert!(picture.source.stage == Stage::Whole && picture.scene.work().is_some());
 }
 
@@ -84,19 +89,21 @@ fn nothing_of_a_run_outlives_it() {
         current.set_cursor(Some(120));
         current.set_hover(Some(3));
         current.put(Some(Playhead { motion: 5, share: 0.5 }));
-        assert!(current.face_picture().is_some());
-        let before = current.picture().source;
+        assert!(current.picture(Plane::Face).is_some());
+        let before = section(&mut current).source;
         change(&mut current);
         assert_eq!(current.stage(), Stage::Running);
         assert!(current.shop().is_none() && current.face().is_none() && current.fitting().is_none());
-        let picture = current.picture();
+        let picture = section(&mut current);
         assert_ne!(picture.source.run, before.run);
         assert!(
             picture.view.hover.is_none() && picture.view.playhead.is_none() && picture.scene.work().is_none()
         );
-        assert!(current.face_view().highlight.is_empty() && current.face_view().playhead.is_none());
+        assert!(
+            current.view(Plane::Face).highlight.is_empty() && current.view(Plane::Face).playhead.is_none()
+        );
         run(&mut current);
-        let after = current.picture().source;
+        let after = section(&mut current).source;
         assert!(after.stage == Stage::Whole && after.run != before.run);
     }
 }
@@ -199,9 +206,9 @@ proptest! {
                     current.set_turret(Some(if front { Turret::Front } else { Turret::Rear }));
                 }
                 Act::Zoom => {
-                    current.look(|view, _| view.zoom(1.5, Pixel::new(100.0, 100.0)));
+                    current.look(Plane::Section, |view, _| view.zoom(1.5, Pixel::new(100.0, 100.0)));
                     seen(&mut current);
-                    current.look(|view, scene| view.fit(scene));
+                    current.look(Plane::Section, |view, scene| view.fit(scene));
                 }
                 Act::Keep => current.keep(),
                 Act::Export => current.finish_part(),

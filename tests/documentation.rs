@@ -388,7 +388,7 @@ fn every_snippet_is_what_it_seems() {
 
 /// The attributes that the element looks at.
 fn observed() -> Vec<String> {
-    let element = source("www/src/element.ts");
+    let element = source("www/src/shell/element.ts");
     let list = element.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
     list.expect("the element's attributes")
         .split(',')

@@ -8,7 +8,7 @@ mod fixtures;
 
 use endless::{MOST_SECONDS, bounds, endless};
 use fixtures::{Program, check_messages, compare};
-use gcode_playground::wasm::Playground;
+use gcode_playground::wasm::{PictureName, Playground};
 use serde_json::Value;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -167,13 +167,13 @@ fn an_edited_text_runs_as_the_text_it_became() {
 #[wasm_bindgen_test]
 fn the_picture_is_fitted_when_the_run_has_ended() {
     let mut playground = Playground::new();
-    playground.resize(400.0, 300.0, 1.0);
-    let before = playground.screen_of(10.0, -5.0);
+    playground.resize(PictureName::Section, 400.0, 300.0, 1.0);
+    let before = playground.screen_of(PictureName::Section, 10.0, -5.0);
     playground.set_text("G0 X50 Z2\nG1 Z-200 F0.2\nM30\n".into());
     assert!(!playground.advance(2));
-    assert_eq!(playground.screen_of(10.0, -5.0), before);
+    assert_eq!(playground.screen_of(PictureName::Section, 10.0, -5.0), before);
     while !playground.advance(1) {}
-    assert_ne!(playground.screen_of(10.0, -5.0), before);
+    assert_ne!(playground.screen_of(PictureName::Section, 10.0, -5.0), before);
 }
 
 /// Whatever begins another run takes the tool off the path.
@@ -311,12 +311,16 @@ fn there_is_no_part_before_all_material_is_off() {
             if interrupted {
                 assert!(playground.part().expect("no part").is_undefined());
                 assert_eq!(text(playground.section()), "[]");
-                playground.fit();
-                let _ = playground.draw();
+                playground.fit(PictureName::Section);
+                let _ = playground.draw(PictureName::Section);
             }
         }
         assert!(slices > 100, "{slices}");
-        (text(playground.part()), text(playground.section()), playground.screen_of(40.0, -30.0))
+        (
+            text(playground.part()),
+            text(playground.section()),
+            playground.screen_of(PictureName::Section, 40.0, -30.0),
+        )
     };
     assert_eq!(whole(true), whole(false));
 }

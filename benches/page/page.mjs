@@ -36,17 +36,17 @@ function interpreted(text) {
 function ownPainter(playground) {
   const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
   const measured = time(() => playground.pathLength());
-  playground.attachCanvas(canvas);
-  playground.resize(SIZE.width, SIZE.height, 1);
-  playground.fit();
+  playground.attachCanvas('section', canvas);
+  playground.resize('section', SIZE.width, SIZE.height, 1);
+  playground.fit('section');
   const whole = [];
   const slices = [];
   for (let frame = 0; frame < FRAMES; frame++) {
-    playground.zoom(frame % 2 ? 1.01 : 1 / 1.01, SIZE.width / 2, SIZE.height / 2);
+    playground.zoom('section', frame % 2 ? 1.01 : 1 / 1.01, SIZE.width / 2, SIZE.height / 2);
     let sum = 0;
     for (let more = true; more; ) {
       const slice = time(() => {
-        more = playground.draw() !== Drawn.All;
+        more = playground.draw('section') !== Drawn.All;
         flush(canvas);
       });
       slices.push(slice);
@@ -61,7 +61,7 @@ function ownPainter(playground) {
 function plainPainter(playground) {
   const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
   const context = canvas.getContext('2d');
-  const [origin, unit] = [playground.screenOf(0, 0), playground.screenOf(2, 1)];
+  const [origin, unit] = [playground.screenOf('section', 0, 0), playground.screenOf('section', 2, 1)];
   const [perZ, perX] = [unit[0] - origin[0], unit[1] - origin[1]];
   const paths = [];
   const building = time(() => {

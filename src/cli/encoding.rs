@@ -2,7 +2,7 @@
 //!
 //! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte order mark
 //! and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as Chinese, Russian and
-//! Western text, and the reading that surprises least is taken. `www/src/encoding-guess.ts` does the same on the page, with
+//! Western text, and the reading that surprises least is taken. `www/src/files/encoding-guess.ts` does the same on the page, with
 //! the same table; `tests/encodings.json` holds both to it. Must not know: what stands in a program.
 
 use std::borrow::Cow;

@@ -3,17 +3,17 @@
 //! In: the [`Shop`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
 //! work as it is shown at a moment.
 
+use super::per_plane::PerPlane;
 use crate::machine::Shop;
+use crate::machine::compare::{Comparison, parts};
+use crate::machine::feature::{Thread, threads};
+use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::run::Run;
 use crate::scene::face::Face;
 use crate::scene::work::{Moment, Work};
-use crate::scene::{Place, Scene};
+use crate::scene::{Place, Plane};
 use crate::setup::Setup;
-
-use crate::machine::compare::{Comparison, parts};
-use crate::machine::feature::{Thread, threads};
-use crate::machine::region::Region;
 
 /// A program whose part was kept for comparison.
 pub(super) struct Kept {
@@ -34,8 +34,7 @@ pub(super) struct Machined {
 /// The work at a moment; where there is none, when all is done.
 struct Shown {
     moment: Option<Moment>,
-    work: Option<Work>,
-    face_work: Option<Work>,
+    works: PerPlane<Option<Work>>,
 }
 
 impl Kept {
@@ -72,8 +71,10 @@ impl Machined {
             Some(comparison) if moment.is_none() => work.compared_with(comparison),
             _ => work,
         });
-        let face_work = self.face.as_ref().and_then(|face| face.work(&self.shop, place));
-        self.shown = Some(Shown { moment, work, face_work });
+        let mut works = PerPlane::default();
+        works[Plane::Section] = work;
+        works[Plane::Face] = self.face.as_ref().and_then(|face| face.work(&self.shop, place));
+        self.shown = Some(Shown { moment, works });
     }
 
     pub(super) fn shop(&self) -> &Shop {
@@ -96,13 +97,9 @@ impl Machined {
         self.comparison.as_ref()
     }
 
-    pub(super) fn work(&self) -> Option<&Work> {
-        self.shown.as_ref()?.work.as_ref()
-    }
-
-    pub(super) fn face_scene(&self) -> Option<Scene<'_>> {
-        let work = self.shown.as_ref().and_then(|shown| shown.face_work.as_ref());
-        self.face.as_ref().map(|face| face.scene(work))
+    /// The work as it is shown in a picture.
+    pub(super) fn work(&self, plane: Plane) -> Option<&Work> {
+        self.shown.as_ref()?.works[plane].as_ref()
     }
 
     /// What is left of the blank at the moment that is shown.

@@ -9,12 +9,12 @@ use super::{Playground, to_js};
 use crate::api;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
-use crate::scene::Scene;
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::outline::Outline;
 use crate::scene::source::Picture;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
+use crate::scene::{Plane, Scene};
 
 #[wasm_bindgen]
 impl Playground {
@@ -60,7 +60,9 @@ impl Playground {
     /// Paints the picture as it is shown on another canvas, so many device pixels a CSS pixel.
     pub fn paint(&mut self, canvas: OffscreenCanvas, pixel_ratio: f64) -> Result<(), JsValue> {
         self.current.finish_part();
-        let Picture { scene, view, source } = self.current.picture();
+        let Some(Picture { scene, view, source }) = self.current.picture(Plane::Section) else {
+            return Ok(());
+        };
         let mut view = view.clone();
         view.resize(&scene, view.camera().size(), pixel_ratio);
         let mut painter = Painter::new(canvas)?;

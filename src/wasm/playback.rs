@@ -6,6 +6,7 @@ use super::{Playground, to_js};
 use crate::api::{Readout, Shown};
 use crate::playback::clock::{Playhead, Stops};
 use crate::playback::steps::{Direction, Unit, step};
+use crate::scene::Plane;
 
 /// How far one step goes.
 #[wasm_bindgen]
@@ -66,7 +67,7 @@ impl Playground {
             StopSwitch::NotOptional => Stops::NotOptional,
             _ => Stops::All,
         };
-        let from = self.current.view().playhead.unwrap_or(Playhead::START);
+        let from = self.current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let place = self.current.clock().play(self.current.motions(), from, seconds, stops);
         self.current.put(Some(place));
     }
@@ -82,7 +83,7 @@ impl Playground {
             StepDirection::Previous => Direction::Previous,
             _ => Direction::Next,
         };
-        let place = step(self.current.motions(), self.current.view().playhead, unit, direction);
+        let place = step(self.current.motions(), self.current.view(Plane::Section).playhead, unit, direction);
         self.current.put(Some(place));
     }
 

@@ -40,7 +40,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "README.md",
         "all of it in 20 s",
-        Held::Stated("www/src/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
+        Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
     ),
     figure(
         "tests/browser/README.md",
@@ -142,7 +142,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "ARCHITECTURE.md",
         "or 0.3 s have passed",
-        Held::Stated("www/src/worker.ts", "const SHOW_PATH_AFTER_MS = 300;"),
+        Held::Stated("www/src/worker/worker.ts", "const SHOW_PATH_AFTER_MS = 300;"),
     ),
     figure("ARCHITECTURE.md", "code of group 01", Held::NotRun("the name of a group of codes")),
     figure("www/docs/setup.md", "(□ is 1)", Held::Shown(slash)),

@@ -1,0 +1,76 @@
+//! The motions for JavaScript: as objects, and as columns of numbers.
+
+use js_sys::{Float64Array, Uint8Array, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, to_js, view_of};
+use crate::api;
+use crate::motion::Chunk;
+
+#[wasm_bindgen]
+impl Playground {
+    /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
+    #[wasm_bindgen(unchecked_return_type = "Motion[]")]
+    pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        let motions = self.current.motions();
+        let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
+        let rows = range.map(|index| {
+            api::motion(&motions.get(index), motions.line(index), &self.current.run().setup().machine)
+        });
+        to_js(&rows.collect::<Vec<_>>())
+    }
+
+    /// Number of chunks the motions are kept in.
+    #[wasm_bindgen(js_name = chunkCount)]
+    pub fn chunk_count(&self) -> usize {
+        self.current.motions().chunks().len()
+    }
+
+    /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
+    pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
+        self.current.motions().chunks().get(index).map(MotionChunk::new)
+    }
+
+    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of anything in this
+    /// module, which may move the motions or make the memory grow (a view is then empty): read them at once, or
+    /// `slice()` what is to be kept. [`Self::chunk`] does that for you.
+    #[wasm_bindgen(js_name = chunkView)]
+    pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
+        self.current.motions().chunks().get(index).map(view_of)
+    }
+}
+
+/// Motions of one chunk as columns.
+#[wasm_bindgen(getter_with_clone)]
+pub struct MotionChunk {
+    /// 0 rapid, 1 feed, 2 arc clockwise, 3 arc counter-clockwise, 4 thread, 5 dwell.
+    pub kind: Uint8Array,
+    /// End points: radius, mm.
+    pub x: Float64Array,
+    /// End points: length, mm.
+    pub z: Float64Array,
+    /// Lines, from 1.
+    pub line: Uint32Array,
+}
+
+impl MotionChunk {
+    fn new(chunk: &Chunk) -> Self {
+        Self {
+            kind: chunk.kinds().into(),
+            x: chunk.xs().into(),
+            z: chunk.zs().into(),
+            line: (0..chunk.len()).map(|index| chunk.line(index) + 1).collect::<Vec<_>>()[..].into(),
+        }
+    }
+}
+
+/// Columns of one chunk in the memory of the module, see [`Playground::chunk_view`].
+#[wasm_bindgen(getter_with_clone)]
+pub struct MotionChunkView {
+    /// As in [`MotionChunk`].
+    pub kind: Uint8Array,
+    /// End points: radius, mm.
+    pub x: Float64Array,
+    /// End points: length, mm.
+    pub z: Float64Array,
+}

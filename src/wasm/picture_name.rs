@@ -1,0 +1,25 @@
+//! The names of the pictures, as JavaScript says them.
+#![allow(missing_docs, reason = "the macro adds functions of its own")]
+
+use wasm_bindgen::prelude::*;
+
+use crate::scene::Plane;
+
+/// One of the pictures.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum PictureName {
+    /// The section along the spindle axis.
+    Section = "section",
+    /// The end face, seen from the tailstock.
+    Face = "face",
+}
+
+impl From<PictureName> for Plane {
+    fn from(name: PictureName) -> Self {
+        match name {
+            PictureName::Face => Self::Face,
+            _ => Self::Section,
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The pictures: the section along the spindle axis and the end face, each on a canvas of its own, looked at in its own way.
+//!
+//! In: what the user does with a picture. Out: drawn canvases and small objects. Knows no G-code.
+
+use wasm_bindgen::prelude::*;
+use web_sys::{ImageBitmap, OffscreenCanvas};
+
+use super::picture_name::PictureName;
+use super::{Playground, to_js};
+use crate::api;
+use crate::geometry::Point;
+use crate::scene::Plane;
+use crate::scene::camera::{Pixel, Size};
+use crate::scene::canvas::{Painter, Progress};
+use crate::scene::palette::Palette;
+use crate::setup::Turret;
+
+/// How near a stroke or an edge the pointer must be, CSS pixels.
+const REACH: f64 = 8.0;
+
+/// How much of a picture has been painted.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug)]
+pub enum Drawn {
+    /// All of it.
+    All,
+    /// There is more to do, which the next call goes on with.
+    Part,
+    /// The last one was moved along with the camera; call again in the next frame.
+    Moved,
+}
+
+impl From<Progress> for Drawn {
+    fn from(progress: Progress) -> Self {
+        match progress {
+            Progress::Done => Self::All,
+            Progress::UnderWay => Self::Part,
+            Progress::Waiting => Self::Moved,
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Draws a picture on a canvas from now on.
+    #[wasm_bindgen(js_name = attachCanvas)]
+    pub fn attach_canvas(&mut self, picture: PictureName, canvas: OffscreenCanvas) -> Result<(), JsValue> {
+        self.painters[picture.into()] = Some(Painter::new(canvas)?);
+        Ok(())
+    }
+
+    /// Size of a picture in CSS pixels, and device pixels a CSS pixel.
+    pub fn resize(&mut self, picture: PictureName, width: f64, height: f64, pixel_ratio: f64) {
+        self.current
+            .look(picture.into(), |view, scene| view.resize(scene, Size { width, height }, pixel_ratio));
+    }
+
+    /// Colours of the pictures.
+    #[wasm_bindgen(js_name = setPalette)]
+    pub fn set_palette(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Palette")] colours: JsValue,
+    ) -> Result<(), JsValue> {
+        let palette = palette(&colours)?;
+        // The face follows the section.
+        self.current.look(Plane::Section, |view, _| view.palette = palette);
+        Ok(())
+    }
+
+    /// Shows everything worth looking at.
+    pub fn fit(&mut self, picture: PictureName) {
+        self.current.look(picture.into(), |view, scene| view.fit(scene));
+    }
+
+    /// Moves a picture, CSS pixels.
+    pub fn pan(&mut self, picture: PictureName, dx: f64, dy: f64) {
+        self.current.look(picture.into(), |view, _| view.pan(dx, dy));
+    }
+
+    /// Makes a picture `factor` times as large about a place, CSS pixels.
+    pub fn zoom(&mut self, picture: PictureName, factor: f64, x: f64, y: f64) {
+        self.current.look(picture.into(), |view, _| view.zoom(factor, Pixel::new(x, y)));
+    }
+
+    /// The stroke at a place of a picture, CSS pixels.
+    #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
+    pub fn pick(&mut self, picture: PictureName, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        match self.current.pick(picture.into(), Pixel::new(x, y), REACH) {
+            Some((motion, at)) => self.stroke(motion, at),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+
+    /// Where a place is in a picture: X a diameter in mm; then Z in the section, C on the face, in mm. Two CSS pixels from the
+    /// top left corner.
+    #[wasm_bindgen(js_name = screenOf)]
+    pub fn screen_of(&mut self, picture: PictureName, x: f64, other: f64) -> Vec<f64> {
+        let plane = Plane::from(picture);
+        let at = match plane {
+            Plane::Section => Point::new(x / 2.0, other),
+            Plane::Face => Point::new(other, x / 2.0),
+        };
+        let mut pixel = Pixel::new(0.0, 0.0);
+        self.current.look(plane, |view, _| pixel = view.camera().to_screen(at));
+        vec![pixel.x, pixel.y]
+    }
+
+    /// Paints what has changed of a picture, and says when to call again.
+    pub fn draw(&mut self, picture: PictureName) -> Result<Drawn, JsValue> {
+        let plane = picture.into();
+        match (self.current.picture(plane), &mut self.painters[plane]) {
+            (Some(picture), Some(painter)) => Ok(painter.draw(&picture)?.into()),
+            _ => Ok(Drawn::All),
+        }
+    }
+
+    /// Takes what was painted of a picture since the last time off its canvas, as an image; nothing where nothing was.
+    #[wasm_bindgen(js_name = takeImage)]
+    pub fn take_image(&mut self, picture: PictureName) -> Result<Option<ImageBitmap>, JsValue> {
+        self.painters[picture.into()].as_mut().map_or(Ok(None), Painter::take_image)
+    }
+
+    /// Whether anything moves on the end face; known once all material is off.
+    #[wasm_bindgen(js_name = hasFace)]
+    pub fn has_face(&self) -> bool {
+        self.current.face().is_some()
+    }
+
+    /// Puts the turret in `front` of the spindle, where the worker stands, or to the `rear`; X+ is drawn on its side.
+    /// Anything else leaves it where the setup has it.
+    #[wasm_bindgen(js_name = setTurret)]
+    pub fn set_turret(&mut self, side: &str) {
+        self.current.set_turret(match side {
+            "front" => Some(Turret::Front),
+            "rear" => Some(Turret::Rear),
+            _ => None,
+        });
+    }
+
+    /// Which side the turret is drawn on.
+    #[wasm_bindgen(unchecked_return_type = "'front' | 'rear'")]
+    pub fn turret(&self) -> JsValue {
+        JsValue::from_str(match self.current.turret() {
+            Turret::Front => "front",
+            Turret::Rear => "rear",
+        })
+    }
+
+    /// The edge of the part at a place of the picture, CSS pixels, with its dimensions; it is marked until another is asked for.
+    #[wasm_bindgen(unchecked_return_type = "Dimension | undefined")]
+    pub fn dimension(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let edge = self.current.mark_edge(Pixel::new(x, y), REACH);
+        edge.map_or(Ok(JsValue::UNDEFINED), |feature| to_js(&api::Dimension::new(&feature)))
+    }
+
+    /// Marks no edge any more.
+    #[wasm_bindgen(js_name = leaveEdge)]
+    pub fn leave_edge(&mut self) {
+        self.current.leave_edge();
+    }
+
+    /// Keeps the part of this program, if there is one, to lay those of later texts over it.
+    pub fn keep(&mut self) {
+        self.current.keep();
+    }
+
+    /// Ends the comparison.
+    #[wasm_bindgen(js_name = endComparison)]
+    pub fn end_comparison(&mut self) {
+        self.current.end_comparison();
+    }
+
+    /// Where the part differs from the one that was kept (`first`); nothing while none is.
+    #[wasm_bindgen(unchecked_return_type = "Comparison | undefined")]
+    pub fn comparison(&self) -> Result<JsValue, JsValue> {
+        match self.current.comparison() {
+            Some(comparison) => to_js(&api::Comparison::new(comparison)),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+}
+
+/// The colours a page gives, each a text.
+fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
+    let colour = |key: &str| {
+        let missing = || JsValue::from_str(&format!("the palette has no `{key}`"));
+        js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string().ok_or_else(missing)
+    };
+    Ok(Palette {
+        background: colour("background")?,
+        grid: colour("grid")?,
+        axis: colour("axis")?,
+        text: colour("text")?,
+        stock: colour("stock")?,
+        stock_edge: colour("stockEdge")?,
+        part: colour("part")?,
+        part_edge: colour("partEdge")?,
+        danger: colour("danger")?,
+        only_first: colour("onlyFirst")?,
+        only_second: colour("onlySecond")?,
+        rapid: colour("rapid")?,
+        feed: colour("feed")?,
+        thread: colour("thread")?,
+        highlight: colour("highlight")?,
+        hover: colour("hover")?,
+        tool: colour("tool")?,
+        uncertain: colour("uncertain")?,
+    })
+}

@@ -1,0 +1,162 @@
+//! The layers of the page's TypeScript, as ARCHITECTURE.md lists them: no import leads to a higher layer, none forms a circle.
+//!
+//! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`, scripts of workers included.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The imports of each file; both without `.ts`, as `layer/name`.
+type Imports = BTreeMap<String, BTreeSet<String>>;
+
+/// The layers in the order of ARCHITECTURE.md, lowest first.
+fn layers(architecture: &str) -> Vec<String> {
+    let after = architecture.split("The layers of `www/src`").nth(1).expect("the list of layers");
+    let rows = after.lines().skip_while(|line| !line.starts_with('|')).skip(2);
+    let rows = rows.take_while(|line| line.starts_with('|'));
+    rows.filter_map(|row| row.split('`').nth(1)).map(str::to_owned).collect()
+}
+
+/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')` and the scripts of workers.
+fn imports(file: &str, text: &str) -> BTreeSet<String> {
+    let before = ["from '", "import '", "import('", "new URL('"];
+    let quoted = before.iter().flat_map(|before| text.split(before).skip(1));
+    quoted
+        .filter_map(|rest| rest.split('\'').next())
+        .filter(|path| path.starts_with('.'))
+        .filter_map(|path| resolved(file, path))
+        .collect()
+}
+
+/// A relative path as `layer/name`; nothing where it leads to no TypeScript of the page.
+fn resolved(file: &str, path: &str) -> Option<String> {
+    let mut parts: Vec<&str> = file.split('/').collect();
+    parts.pop();
+    for part in path.split('/') {
+        match part {
+            "." => {}
+            ".." => {
+                parts.pop()?;
+            }
+            name => parts.push(name),
+        }
+    }
+    let joined = parts.join("/");
+    let other = [".css", ".json", ".js", ".wasm", "?inline"].iter().any(|ending| joined.ends_with(ending));
+    (!other).then(|| joined.trim_end_matches(".ts").to_owned())
+}
+
+/// What is wrong with the order of the imports.
+fn faults(layers: &[String], files: &Imports) -> Vec<String> {
+    let rank = |file: &str| {
+        let layer = file.split_once('/').map_or("", |(layer, _)| layer);
+        layers.iter().position(|known| known == layer)
+    };
+    let mut faults = Vec::new();
+    for (file, imported) in files {
+        let Some(own) = rank(file) else {
+            faults.push(format!("{file} stands in no layer"));
+            continue;
+        };
+        for other in imported {
+            if !files.contains_key(other) {
+                faults.push(format!("{file} imports {other}, which is not there"));
+            } else if rank(other).is_none_or(|other| other > own) {
+                faults.push(format!("{file} imports {other}, which is in a higher layer"));
+            }
+        }
+    }
+    faults.extend(circle(files).map(|circle| format!("a circle: {circle:?}")));
+    faults
+}
+
+/// The files that import each other in a circle, or lead into one, once everything else is taken away.
+fn circle(files: &Imports) -> Option<Vec<&str>> {
+    let mut left: BTreeMap<&str, &BTreeSet<String>> =
+        files.iter().map(|(file, to)| (file.as_str(), to)).collect();
+    loop {
+        let free: Vec<&str> = left
+            .iter()
+            .filter(|(_, imported)| !imported.iter().any(|file| left.contains_key(file.as_str())))
+            .map(|(file, _)| *file)
+            .collect();
+        if free.is_empty() {
+            return (!left.is_empty()).then(|| left.into_keys().collect());
+        }
+        for file in free {
+            left.remove(file);
+        }
+    }
+}
+
+fn files_of_the_page() -> Imports {
+    let mut files = Imports::new();
+    read(&Path::new(ROOT).join("www/src"), "", &mut files);
+    files
+}
+
+fn read(folder: &Path, name: &str, files: &mut Imports) {
+    for entry in fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry")) {
+        let own = format!("{name}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            read(&entry.path(), &format!("{own}/"), files);
+        } else if let Some(stem) = own.strip_suffix(".ts") {
+            let text = fs::read_to_string(entry.path()).expect("a file of TypeScript");
+            files.insert(stem.to_owned(), imports(stem, &text));
+        }
+    }
+}
+
+#[test]
+fn imports_of_the_page_lead_to_lower_layers_and_form_no_circle() {
+    let architecture = fs::read_to_string(Path::new(ROOT).join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let (layers, files) = (layers(&architecture), files_of_the_page());
+    assert!(layers.len() > 5 && files.len() > 50, "{layers:?}, {} files", files.len());
+    let known: BTreeSet<&str> = files.keys().filter_map(|file| Some(file.split_once('/')?.0)).collect();
+    assert_eq!(known, layers.iter().map(String::as_str).collect(), "the folders of www/src are the layers");
+    let faults = faults(&layers, &files);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// A dialog is one file and one line: the shell knows the panels by their list, and no panel imports another.
+#[test]
+fn panels_are_known_by_their_list_alone() {
+    let files = files_of_the_page();
+    let listed: BTreeSet<&String> =
+        files["panels/index"].iter().filter(|file| *file != "panels/panel").collect();
+    assert!(listed.len() > 10, "{listed:?}");
+    for (file, imported) in files.iter().filter(|(file, _)| *file != "panels/index") {
+        let others: Vec<_> = imported.iter().filter(|other| listed.contains(other)).collect();
+        assert!(others.is_empty(), "{file} imports the panels {others:?}");
+        let from_outside = !file.starts_with("panels/");
+        let inner: Vec<_> = imported.iter().filter(|other| other.starts_with("panels/")).collect();
+        let known = ["panels/index", "panels/panel"];
+        assert!(
+            !from_outside || inner.iter().all(|other| known.contains(&other.as_str())),
+            "{file} imports {inner:?}"
+        );
+    }
+}
+
+#[test]
+fn an_import_of_a_higher_layer_and_a_circle_are_found() {
+    let order = ["dom", "panels"].map(str::to_owned);
+    let page = |files: &[(&str, &str)]| {
+        files.iter().map(|(file, text)| ((*file).to_owned(), imports(file, text))).collect::<Imports>()
+    };
+    let good = page(&[
+        ("dom/make", ""),
+        ("panels/help", "import type {\n  A,\n} from '../dom/make';\nconst later = import('./list');"),
+        ("panels/list", "import './help.css';"),
+    ]);
+    assert_eq!(good["panels/help"].len(), 2);
+    assert_eq!(faults(&order, &good), [""; 0]);
+    let upward = page(&[("dom/make", "new Worker(new URL('../panels/help.ts', x))"), ("panels/help", "")]);
+    assert_eq!(faults(&order, &upward), ["dom/make imports panels/help, which is in a higher layer"]);
+    let round = page(&[("dom/a", "import { b } from './b';"), ("dom/b", "import type { A } from './a';")]);
+    assert_eq!(faults(&order, &round), [r#"a circle: ["dom/a", "dom/b"]"#]);
+    let astray = page(&[("dom.ts", "import './dom/none';")]);
+    assert_eq!(faults(&order, &astray), ["dom.ts stands in no layer"]);
+}

@@ -1,0 +1,267 @@
+// The program editor: CodeMirror 6 with the core's own highlighting and messages.
+//
+// In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did it
+// (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and `fileChanged`
+// when the text is another file's, be it by undo.
+// Must not know: the language it edits. Offsets count every line end as one unit, as everywhere in this page.
+
+import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
+import { bracketMatching } from '@codemirror/language';
+import { forEachDiagnostic, linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect } from '@codemirror/state';
+import {
+  drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
+  lineNumbers, tooltips, type ViewUpdate,
+} from '@codemirror/view';
+import { applyFix, lintDiagnostics } from './lint';
+import { marks, showHovered, showRunning, showTokens, type Span } from './marks';
+import { fileOf, fileOfText, origin, programText, renamed, textWithLineEnds, type ProgramFile, type ProgramText } from './file';
+import { Follower } from './follow';
+import { editorPhrases } from './phrases';
+import { editorTheme } from './theme';
+import type { Language } from '../dom/language';
+import { COMMON } from '../dom/words';
+import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
+import { Unsent } from './unsent';
+
+/** Lines above and below the visible ones whose tokens are asked for too, so that slow scrolling asks for none. */
+const MARGIN_LINES = 60;
+/** Longer stretches (a file without line ends) stay without colours. */
+const HIGHLIGHT_LIMIT = 200_000;
+
+export interface EditorEvents {
+  /** `undone`: by undo, which brings back what was there before. */
+  changed(how: 'edited' | 'undone'): void;
+  cursorMoved(): void;
+  viewMoved(): void;
+  fileChanged(): void;
+  /** A text was pasted or dropped; it stands there now. */
+  pasted(from: number, to: number): void;
+}
+
+/** Marks a change that the page made, not the reader. */
+const byProgram = Annotation.define<true>();
+
+export class Editor {
+  readonly element = document.createElement('div');
+  readonly #view: EditorView;
+  readonly #follower: Follower;
+  readonly #events: EditorEvents;
+  readonly #language = new Compartment();
+  #shownLanguage: Language;
+  #diagnostics: readonly Diagnostic[] = [];
+  /** Counts the versions of the text. */
+  #revision = 0;
+  readonly #unsent = new Unsent();
+
+  constructor(root: ShadowRoot, language: Language, events: EditorEvents) {
+    this.#events = events;
+    this.#shownLanguage = language;
+    this.element.className = 'editor';
+    this.element.setAttribute('part', 'editor');
+    this.#view = new EditorView({
+      parent: this.element,
+      root,
+      state: EditorState.create({
+        extensions: [
+          lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
+          history(), fileOfText, drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
+          search({ top: false }), linter(null), tooltips({ position: 'fixed' }), marks, editorTheme,
+          // Tab is not bound: it leaves the editor.
+          keymap.of([
+            { key: 'F8', run: nextDiagnostic, shift: previousDiagnostic },
+            ...searchKeymap, ...historyKeymap, ...defaultKeymap,
+          ]),
+          this.#language.of(this.#languageExtension(language)),
+          EditorView.updateListener.of((update) => this.#updated(update)),
+        ],
+      }),
+    });
+    this.#follower = new Follower(this.#view);
+  }
+
+  get text(): string {
+    return this.#view.state.doc.toString();
+  }
+
+  /** Line ends count and read as one unit. */
+  textBetween(from: number, to: number): string {
+    return this.#view.state.sliceDoc(from, to);
+  }
+
+  /** With the line ends of the file. */
+  get textWithLineEnds(): string {
+    return textWithLineEnds(this.#view.state);
+  }
+
+  /** The file the text came from. */
+  get file(): ProgramFile | undefined {
+    return fileOf(this.#view.state);
+  }
+
+  /** The same text is saved as this file from now on. */
+  set file(file: ProgramFile) {
+    this.#view.dispatch({ effects: renamed(file), annotations: [byProgram.of(true), Transaction.addToHistory.of(false)] });
+  }
+
+  get length(): number {
+    return this.#view.state.doc.length;
+  }
+
+  get revision(): number {
+    return this.#revision;
+  }
+
+  /** What makes the worker's text that of the editor; taken once. Nothing when it is already. */
+  takeUnsent(): TextCommand | undefined {
+    return this.#unsent.take(this.#view.state.doc);
+  }
+
+  /** There is a worker that knows nothing yet. */
+  unsend(): void {
+    this.#unsent.all();
+  }
+
+  get cursor(): number {
+    return this.#view.state.selection.main.head;
+  }
+
+  get selection(): Span {
+    const { from, to } = this.#view.state.selection.main;
+    return { from, to };
+  }
+
+  set language(language: Language) {
+    this.#shownLanguage = language;
+    this.#view.dispatch({ effects: this.#language.reconfigure(this.#languageExtension(language)) });
+    this.diagnostics = this.#diagnostics;
+  }
+
+  /** Another text from outside; `undoable` when it takes the place of something the reader may want back. */
+  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
+    this.#replace(program, [origin(program.ends, file)], undoable);
+  }
+
+  /** The same program written differently. */
+  rewrite(text: string): void {
+    this.#replace(programText(text), [], 'undoable');
+  }
+
+  #replace({ doc, pieces }: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
+    this.#view.dispatch({
+      effects,
+      changes: { from: 0, to: this.length, insert: doc },
+      selection: { anchor: 0 },
+      annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
+      scrollIntoView: true,
+    });
+    this.#unsent.replaced(pieces);
+    this.element.firstElementChild?.classList.remove('cm-chosen');
+  }
+
+  /** The lines in sight with a margin, from 0, end exclusive; undefined when they are too long to colour. */
+  get linesInSight(): { firstLine: number; endLine: number } | undefined {
+    const { doc } = this.#view.state;
+    const { from, to } = this.#view.viewport;
+    const first = doc.line(Math.max(doc.lineAt(from).number - MARGIN_LINES, 1));
+    const last = doc.line(Math.min(doc.lineAt(to).number + MARGIN_LINES, doc.lines));
+    if (last.to - first.from > HIGHLIGHT_LIMIT) return undefined;
+    return { firstLine: first.number - 1, endLine: last.number };
+  }
+
+  set tokens(triples: Uint32Array) {
+    this.#view.dispatch({ effects: showTokens.of(triples) });
+  }
+
+  set diagnostics(diagnostics: readonly Diagnostic[]) {
+    this.#diagnostics = diagnostics;
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length);
+    let any = shown.length > 0;
+    if (!any) forEachDiagnostic(this.#view.state, () => (any = true));
+    if (any) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
+  }
+
+  /** The block whose stroke the pointer is on. */
+  set hovered(span: Span | undefined) {
+    this.#view.dispatch({ effects: showHovered.of(span) });
+  }
+
+  /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
+  follow(): void {
+    this.#follower.resume();
+  }
+
+  /** The block the tool is in; it is kept in sight. */
+  set running(span: Span | undefined) {
+    this.#view.dispatch({ effects: showRunning.of(span) });
+    if (span !== undefined && span.to <= this.length) this.#follower.show(span.from);
+  }
+
+  select(span: Span): void {
+    if (span.to > this.length) return;
+    this.#view.dispatch({
+      selection: { anchor: span.from, head: span.to },
+      effects: EditorView.scrollIntoView(span.from, { y: 'center' }),
+      annotations: byProgram.of(true),
+    });
+    this.#view.dom.classList.add('cm-chosen');
+  }
+
+  /** Sets the cursor down at the start of a problem and shows it. */
+  show(diagnostic: Diagnostic): void {
+    this.select({ from: diagnostic.from, to: diagnostic.to });
+    this.focus();
+  }
+
+  /** Makes repairs; when the text has changed since they were offered, their places are no more. */
+  apply(edits: Fix['edits']): void {
+    if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
+  }
+
+  /** Changes of the reader's that undo takes back in one. */
+  change(edits: readonly Pick<Fix['edits'][number], 'from' | 'to' | 'text'>[]): void {
+    if (edits.length === 0) return;
+    this.#view.dispatch({
+      changes: edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),
+      annotations: isolateHistory.of('full'),
+      userEvent: 'input.setup',
+    });
+  }
+
+  nextProblem(direction: 'next' | 'previous'): void {
+    this.focus();
+    if (direction === 'next') nextDiagnostic(this.#view);
+    else previousDiagnostic(this.#view);
+  }
+
+  focus(): void {
+    this.#view.focus();
+  }
+
+  #languageExtension(language: Language): Extension {
+    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters' };
+    return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
+  }
+
+  #updated(update: ViewUpdate): void {
+    const programmatic = update.transactions.some((transaction) => transaction.annotation(byProgram) === true);
+    if (update.docChanged) {
+      this.#revision++;
+      this.#unsent.changed(update.changes);
+      this.#diagnostics = [];
+    }
+    if (!programmatic) {
+      if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
+      const undone = update.transactions.some((transaction) => transaction.isUserEvent('undo'));
+      if (update.docChanged) this.#events.changed(undone ? 'undone' : 'edited');
+      else if (update.selectionSet) this.#events.cursorMoved();
+    }
+    for (const transaction of update.transactions) {
+      if (!transaction.isUserEvent('input.paste') && !transaction.isUserEvent('input.drop')) continue;
+      transaction.changes.iterChangedRanges((_from, _to, from, to) => this.#events.pasted(from, to));
+    }
+    if (fileOf(update.startState) !== fileOf(update.state)) this.#events.fileChanged();
+    if (update.viewportChanged) this.#events.viewMoved();
+  }
+}

@@ -1,0 +1,126 @@
+// What belongs to the text in the editor without being seen in it: the file it came from, and its line ends.
+//
+// In: a text with its own line ends, and its file. Out: the same text again, edited or not, with each line end as it was;
+// new ones are as most are. Kept in the editor's state, so undo brings back the file along with its text.
+// Must not know: bytes, or how a file is opened or saved.
+
+import { invertedEffects } from '@codemirror/commands';
+import {
+  MapMode, RangeSet, RangeSetBuilder, RangeValue, StateEffect, StateField, Text, type ChangeDesc, type EditorState, type Extension,
+} from '@codemirror/state';
+import type { Encoding } from '../files/encodings';
+import { folded, inPieces, lineEndsOf, type LineEnds, type LineEndText } from '../files/line-ends';
+
+export interface ProgramFile {
+  readonly name: string;
+  /** In which it is saved. */
+  readonly encoding: Encoding;
+}
+
+/** A whole text, ready for the editor and for the worker. */
+export interface ProgramText {
+  readonly doc: Text;
+  /** The same, as the worker is told it. */
+  readonly pieces: readonly string[];
+  readonly ends: LineEnds;
+}
+
+export function programText(text: string): ProgramText {
+  const pieces = inPieces(folded(text));
+  return { doc: pieces.reduce(append, Text.empty), pieces, ends: lineEndsOf(text) };
+}
+
+/** A document with one more piece of folded text behind it. */
+export function append(doc: Text, piece: string): Text {
+  return doc.append(Text.of(piece.split('\n')));
+}
+
+/** A line end that is not as most are; it stands where the line break of the document stands. */
+class OtherEnd extends RangeValue {
+  override mapMode = MapMode.TrackAfter;
+  override startSide = 1;
+  override endSide = 1;
+  readonly text: LineEndText;
+
+  constructor(text: LineEndText) {
+    super();
+    this.text = text;
+  }
+
+  override eq(other: RangeValue): boolean {
+    return other instanceof OtherEnd && other.text === this.text;
+  }
+}
+
+const OTHER_ENDS = { '\n': new OtherEnd('\n'), '\r\n': new OtherEnd('\r\n'), '\r': new OtherEnd('\r') } as const;
+
+interface Origin {
+  readonly file: ProgramFile | undefined;
+  readonly mostEnds: LineEndText;
+  readonly otherEnds: RangeSet<OtherEnd>;
+}
+
+const NO_ORIGIN: Origin = { file: undefined, mostEnds: '\n', otherEnds: RangeSet.empty };
+
+const moved = (origin: Origin, changes: ChangeDesc): Origin =>
+  origin.otherEnds.size === 0 ? origin : { ...origin, otherEnds: origin.otherEnds.map(changes) };
+
+/** The text becomes another file's. */
+const setOrigin = StateEffect.define<Origin>({ map: moved });
+/** The same file is called or encoded differently from now on. */
+const setFile = StateEffect.define<ProgramFile>();
+/** Line ends that an undone change had taken away are back. */
+const restoreEnds = StateEffect.define<RangeSet<OtherEnd>>({ map: (ends, changes) => ends.map(changes) });
+
+const field = StateField.define<Origin>({
+  create: () => NO_ORIGIN,
+  update(origin, transaction) {
+    let next = transaction.docChanged ? moved(origin, transaction.changes) : origin;
+    for (const effect of transaction.effects) {
+      if (effect.is(setOrigin)) next = effect.value;
+      else if (effect.is(setFile)) next = { ...next, file: effect.value };
+      else if (effect.is(restoreEnds)) next = { ...next, otherEnds: effect.value };
+    }
+    return next;
+  },
+});
+
+export const fileOfText: Extension = [
+  field,
+  invertedEffects.of((transaction) => {
+    const before = transaction.startState.field(field);
+    if (transaction.effects.some((effect) => effect.is(setOrigin))) return [setOrigin.of(before)];
+    const after = transaction.state.field(field);
+    return after.otherEnds.size < before.otherEnds.size ? [restoreEnds.of(before.otherEnds)] : [];
+  }),
+];
+
+export function fileOf(state: EditorState): ProgramFile | undefined {
+  return state.field(field).file;
+}
+
+/** The text with its own line ends. */
+export function textWithLineEnds(state: EditorState): string {
+  const { mostEnds, otherEnds } = state.field(field);
+  if (otherEnds.size === 0) return state.doc.sliceString(0, state.doc.length, mostEnds);
+  const parts: string[] = [];
+  let done = 0;
+  for (const other = otherEnds.iter(); other.value !== null; other.next()) {
+    parts.push(state.doc.sliceString(done, other.from, mostEnds), other.value.text);
+    done = other.from + 1;
+  }
+  parts.push(state.doc.sliceString(done, state.doc.length, mostEnds));
+  return parts.join('');
+}
+
+/** What to add to the change that puts in a whole text, so that its file and its line ends are known. */
+export function origin({ most, others }: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
+  const builder = new RangeSetBuilder<OtherEnd>();
+  for (const [at, end] of others) builder.add(at, at, OTHER_ENDS[end]);
+  return setOrigin.of({ file, mostEnds: most, otherEnds: builder.finish() });
+}
+
+/** To be told when the file of the text is called or encoded differently. */
+export function renamed(file: ProgramFile): StateEffect<unknown> {
+  return setFile.of(file);
+}

@@ -1,0 +1,96 @@
+// Files the reader opens, drops or saves: bytes to text and back.
+//
+// In: a `File`, or a text and its file. Out: the text and how it was read, or why there is none; the bytes to save. What
+// was opened and is saved unchanged has the same bytes. Must not know: what the text is for.
+
+import { Text } from '@codemirror/state';
+import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
+import { append, type ProgramFile, type ProgramText } from './file';
+import type { ReaderEvent } from '../files/file-reader';
+
+/** Bytes; a longer text the interpreter would refuse. */
+const SIZE_LIMIT = 64 * 1024 * 1024;
+/** The name of a program that never was a file. */
+const NEW_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
+
+export type Opened =
+  | { readonly kind: 'text'; readonly program: ProgramText; readonly file: ProgramFile; readonly binary: boolean }
+  | { readonly kind: 'too-large'; readonly name: string }
+  | { readonly kind: 'unreadable'; readonly name: string };
+
+export function readProgram(file: File): Promise<Opened> {
+  const { name } = file;
+  if (file.size > SIZE_LIMIT) return Promise.resolve({ kind: 'too-large', name });
+  const reader = new Worker(new URL('../files/file-reader.ts', import.meta.url), { type: 'module' });
+  const opened = new Promise<Opened>((resolve) => {
+    let doc = Text.empty;
+    const pieces: string[] = [];
+    reader.onmessage = ({ data: event }: MessageEvent<ReaderEvent>) => {
+      switch (event.kind) {
+        case 'piece':
+          // Each piece is a task of its own, so that a long text does not make the page stand still.
+          pieces.push(event.text);
+          doc = append(doc, event.text);
+          return;
+        case 'read': {
+          const { ends, encoding, binary } = event;
+          resolve({ kind: 'text', program: { doc, pieces, ends }, file: { name, encoding }, binary });
+          return;
+        }
+        case 'unreadable':
+          resolve({ kind: 'unreadable', name });
+      }
+    };
+    reader.onerror = () => resolve({ kind: 'unreadable', name });
+  });
+  reader.postMessage(file);
+  return opened.finally(() => reader.terminate());
+}
+
+export interface Saved {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** As it is now: in UTF-8 when its own encoding has no place for a character. */
+  readonly file: ProgramFile;
+  readonly noPlaceFor: string | undefined;
+}
+
+export function bytesToSave(text: string, file: ProgramFile = NEW_FILE): Saved {
+  const encoded = encode(text, file.encoding);
+  if (encoded.kind === 'bytes') return { bytes: encoded.bytes, file, noPlaceFor: undefined };
+  const bytes = new TextEncoder().encode(text);
+  return { bytes, file: { ...file, encoding: 'utf-8' }, noPlaceFor: encoded.character };
+}
+
+export type Reread =
+  /** The guess was wrong: the same bytes are this text. */
+  | { readonly kind: 'text'; readonly text: string }
+  /** The text was right and stays; it is saved differently from now on. */
+  | { readonly kind: 'kept' }
+  | { readonly kind: 'not-this-encoding' }
+  | { readonly kind: 'no-place'; readonly character: string };
+
+/**
+ * The text when another encoding is chosen. One that was guessed may be wrong: its bytes are read again, with what was
+ * edited since. The characters stay as they are when it was certain, or becomes Unicode and the bytes are none.
+ */
+export function reread(text: string, from: Encoding, to: Encoding): Reread {
+  const before = isUnicode(from) ? undefined : encode(text, from);
+  if (before?.kind === 'bytes') {
+    const again = decode(before.bytes, to);
+    if (again !== undefined) return { kind: 'text', text: again };
+    if (!isUnicode(to)) return { kind: 'not-this-encoding' };
+  }
+  const after = encode(text, to);
+  return after.kind === 'bytes' ? { kind: 'kept' } : after;
+}
+
+/** Hands bytes to the browser to be saved. */
+export function download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+  // With the type of a text, browsers would give some names another ending.
+  const address = URL.createObjectURL(new Blob([bytes], { type: 'application/octet-stream' }));
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}

@@ -1,0 +1,294 @@
+// The page around the element: header, gallery, the reader's choices, and what is kept between visits.
+//
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls. Out: attributes and the value of the
+// element; the sentence above the program. Must not know: how the element works inside, or what a setup holds
+// beyond the name of its control.
+
+import '../shell/element';
+import './page.css';
+import { make } from '../dom/dom';
+import type { GcodePlayground } from '../shell/element';
+import type { ProgramFile } from '../editor/file';
+import { exampleOf, examples, type Example } from './gallery';
+import { linkedProgram, type LinkedProgram } from './linked';
+import { LANGUAGES, languageOf, type Language } from '../dom/language';
+import { PAGE_WORDS } from './words';
+import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
+
+const FIRST_EXAMPLE = 's000-o0002';
+const CONTROLS = [
+  ['fanuc', 'FANUC'],
+  ['gsk', 'GSK'],
+  ['forum', 'Forum'],
+] as const;
+const THEMES = ['auto', 'light', 'dark'] as const;
+/** How long the reader must pause before the program is kept. */
+const KEEP_AFTER_MS = 400;
+/** Browsers keep about five million units for a page; a longer program would only make it stand still. */
+const KEPT_LENGTH = 2_000_000;
+
+type Above = { readonly kind: 'example' } | { readonly kind: 'restored' } | { readonly kind: 'kept'; readonly program: KeptProgram };
+
+const playground = find<GcodePlayground>('playground');
+const intro = find('intro');
+const exampleSelect = find<HTMLSelectElement>('example');
+const controlSelect = find<HTMLSelectElement>('control');
+const languageSelect = find<HTMLSelectElement>('language');
+const themeSelect = find<HTMLSelectElement>('theme');
+const openButton = find<HTMLButtonElement>('open');
+const saveButton = find<HTMLButtonElement>('save');
+const fileInput = find<HTMLInputElement>('file');
+const settingsToggle = find<HTMLButtonElement>('settings-toggle');
+const settings = find('settings');
+
+let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
+let example: Example | undefined;
+let above: Above = { kind: 'example' };
+let keeping: ReturnType<typeof setTimeout> | undefined;
+/** The text as it was last loaded or kept. */
+let known = '';
+
+start();
+
+function start(): void {
+  const theme = THEMES.find((known) => known === choices().theme) ?? 'auto';
+  for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
+  for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
+  for (const value of THEMES) themeSelect.append(make('option', { value }));
+  showTheme(theme);
+  showLanguage();
+  listen();
+  begin();
+}
+
+/** The program of the address, the kept one, the example of the address, or the first one. */
+function begin(): void {
+  const linked = linkedProgram(location.hash);
+  if (linked !== undefined) {
+    const kept = keptProgram();
+    loadLinked(linked);
+    if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
+    return;
+  }
+  const asked = exampleOf(location.hash.slice(1));
+  const kept = keptProgram();
+  if (kept !== undefined && (asked === undefined || asked.id === kept.example)) {
+    restore(kept);
+    return;
+  }
+  load(asked ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  if (kept !== undefined) showAbove({ kind: 'kept', program: kept });
+}
+
+/** A program of the reader's own choice is no example. */
+function loadLinked({ text, setup }: LinkedProgram): void {
+  load(undefined);
+  playground.setup = setup;
+  playground.blockSkip = playground.program = null;
+  playground.control = controlSelect.value = controlOf(setup ?? '{}');
+  playground.value = text;
+  known = playground.value;
+  showExamples();
+  showAbove({ kind: 'example' });
+}
+
+function load(chosen: Example | undefined): void {
+  clearTimeout(keeping);
+  keeping = undefined;
+  example = chosen;
+  if (chosen !== undefined) {
+    playground.setup = chosen.setup;
+    playground.blockSkip = playground.program = null;
+    playground.control = controlSelect.value = controlOf(chosen.setup);
+    playground.value = known = chosen.program;
+    exampleSelect.value = chosen.id;
+  }
+  showAbove({ kind: 'example' });
+}
+
+function restore(kept: KeptProgram): void {
+  load(kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]));
+  showExamples();
+  // A file that was kept before setups were is no example.
+  if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
+  else if (kept.file !== undefined) playground.setup = null;
+  playground.control = controlSelect.value = kept.control;
+  playground.blockSkip = kept.blockSkip ?? null;
+  playground.program = kept.program ?? null;
+  playground.opened = { text: kept.text, file: kept.file as ProgramFile | undefined };
+  known = playground.value;
+  showAbove({ kind: 'restored' });
+}
+
+function listen(): void {
+  exampleSelect.addEventListener('change', () => {
+    const chosen = exampleOf(exampleSelect.value);
+    keepNow();
+    load(chosen);
+    if (chosen !== undefined) history.replaceState(null, '', `#${chosen.id}`);
+  });
+  window.addEventListener('hashchange', () => {
+    const linked = linkedProgram(location.hash);
+    if (linked !== undefined) {
+      keepNow();
+      loadLinked(linked);
+      return;
+    }
+    const asked = exampleOf(location.hash.slice(1));
+    if (asked === undefined || asked === example) return;
+    keepNow();
+    load(asked);
+  });
+  controlSelect.addEventListener('change', () => {
+    playground.control = controlSelect.value;
+    keepSoon();
+  });
+  languageSelect.addEventListener('change', () => {
+    language = languageOf(languageSelect.value);
+    keepChoices({ language });
+    showLanguage();
+  });
+  themeSelect.addEventListener('change', () => {
+    keepChoices({ theme: themeSelect.value });
+    showTheme(themeSelect.value);
+  });
+  openButton.addEventListener('click', () => fileInput.click());
+  saveButton.addEventListener('click', () => playground.saveFile());
+  fileInput.addEventListener('change', () => {
+    const file = fileInput.files?.[0];
+    if (file !== undefined) void playground.openFile(file);
+    fileInput.value = '';
+  });
+  settingsToggle.addEventListener('click', () => {
+    const open = settings.classList.toggle('open');
+    settingsToggle.setAttribute('aria-expanded', String(open));
+  });
+  playground.addEventListener('gcode-change', () => {
+    // What is said of the example is not said of the reader's own file.
+    showAbove(above);
+    keepSoon();
+  });
+  playground.addEventListener('gcode-switch', keepSoon);
+  playground.addEventListener('gcode-setup', keepSoon);
+  window.addEventListener('pagehide', keepNow);
+}
+
+// ---- keeping --------------------------------------------------------------------------------------
+
+function keepSoon(): void {
+  clearTimeout(keeping);
+  keeping = setTimeout(keepNow, KEEP_AFTER_MS);
+}
+
+/** Keeps what waits to be kept; a program that is the example again needs no keeping. */
+function keepNow(): void {
+  if (playground.length > KEPT_LENGTH) {
+    clearTimeout(keeping);
+    keeping = undefined;
+    forgetProgram();
+    return;
+  }
+  const text = playground.value;
+  if (keeping === undefined && text === known) return;
+  clearTimeout(keeping);
+  keeping = undefined;
+  known = text;
+  const id = example?.id ?? '';
+  const { file, setup, blockSkip, program } = playground;
+  const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
+  if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
+  else {
+    // Who comes back finds what was kept, not what the address held.
+    if (linkedProgram(location.hash) !== undefined) history.replaceState(null, '', location.pathname + location.search);
+    keepProgram({
+      text: playground.opened.text, example: id, control: controlSelect.value, setup: setup ?? '',
+      ...(file === undefined ? {} : { file }),
+      ...(blockSkip === null ? {} : { blockSkip }),
+      ...(program === null ? {} : { program }),
+    });
+  }
+}
+
+// ---- showing --------------------------------------------------------------------------------------
+
+function showAbove(what: Above): void {
+  above = what;
+  const texts = PAGE_WORDS[language];
+  const lines: HTMLElement[] = [];
+  const own = playground.file !== undefined;
+  if (example !== undefined && !own) {
+    lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
+  }
+  if (playground.length > KEPT_LENGTH) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
+  if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
+  if (what.kind === 'restored') {
+    lines.push(offer(texts.restored, texts.startAfresh, () => {
+      forgetProgram();
+      load(example ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+    }));
+  }
+  if (what.kind === 'kept') lines.push(offer(texts.kept, texts.bringBack, () => restore(what.program)));
+  intro.replaceChildren(...lines);
+  intro.hidden = lines.length === 0;
+}
+
+function offer(news: string, action: string, accepted: () => void): HTMLElement {
+  const button = make('button', { type: 'button', className: 'link' }, action);
+  button.addEventListener('click', accepted);
+  return make('p', { className: 'kept' }, `${news} · `, button);
+}
+
+function showLanguage(): void {
+  const texts = PAGE_WORDS[language];
+  document.documentElement.lang = language;
+  document.title = texts.title;
+  find('title').textContent = texts.title;
+  playground.language = language;
+  languageSelect.value = language;
+  label(exampleSelect, texts.example);
+  label(controlSelect, texts.control);
+  label(languageSelect, texts.language);
+  label(themeSelect, texts.theme);
+  for (const option of themeSelect.options) option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
+  openButton.textContent = texts.openFile;
+  saveButton.textContent = texts.saveFile;
+  settingsToggle.textContent = texts.settings;
+  showExamples();
+  showAbove(above);
+}
+
+function showExamples(): void {
+  const own = make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram);
+  exampleSelect.replaceChildren(
+    ...(example === undefined ? [own] : []),
+    ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),
+  );
+  exampleSelect.value = example?.id ?? '';
+}
+
+function showTheme(theme: string): void {
+  themeSelect.value = theme;
+  document.documentElement.dataset['theme'] = theme;
+  playground.theme = theme;
+}
+
+function label(select: HTMLSelectElement, text: string): void {
+  const caption = select.previousElementSibling;
+  if (caption !== null) caption.textContent = text;
+}
+
+function controlOf(setup: string): string {
+  try {
+    const parsed = Object(JSON.parse(setup)) as { readonly dialect?: { readonly control?: string } };
+    return parsed.dialect?.control ?? 'fanuc';
+  } catch {
+    // The interpreter says what is wrong with the setup of an address.
+    return 'fanuc';
+  }
+}
+
+function find<E extends HTMLElement = HTMLElement>(id: string): E {
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no #${id}`);
+  return element as E;
+}

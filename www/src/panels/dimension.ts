@@ -1,0 +1,60 @@
+// The dimensions of an edge of the part in texts.
+//
+// In: numbers from the interpreter. Out: one line of text. Must not know: where it is shown.
+
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Dimension } from '../protocol/protocol';
+
+/** A length, mm, or an angle as it is shown: three decimals at most, a true minus. */
+export function shown(value: number): string {
+  return String(Math.round(value * 1000) / 1000 || 0).replace('-', '−');
+}
+
+export function dimensionText(language: Language, edge: Dimension): string {
+  const texts = WORDS[language];
+  const [x0, x1] = edge.x.map(shown) as [string, string];
+  const z = shown(edge.z[0]);
+  const length = shown(edge.length);
+  switch (edge.kind) {
+    case 'cylinder':
+      return texts.cylinder(x0, length);
+    case 'face':
+      return texts.faceEdge(z, x0, x1);
+    case 'taper': {
+      const ratio = edge.ratio === undefined ? '' : texts.ratio(shown(edge.ratio));
+      return texts.taper(x0, x1, length, shown(edge.angle ?? 0)) + ratio;
+    }
+    case 'arc':
+      return texts.arc(shown(edge.radius ?? 0));
+    case 'thread':
+      return texts.threadEdge(shown(edge.lead ?? 0), x1, x0);
+  }
+}
+
+const WORDS = words({
+  en: {
+    cylinder: (diameter: string, length: string) => `⌀${diameter}, length ${length}`,
+    faceEdge: (z: string, from: string, to: string) => `Face at Z${z}, ⌀${from} to ⌀${to}`,
+    taper: (from: string, to: string, length: string, angle: string) => `Taper ⌀${from} to ⌀${to}, length ${length}, ${angle}° to the axis`,
+    ratio: (n: string) => `, 1:${n}`,
+    arc: (radius: string) => `Radius ${radius}`,
+    threadEdge: (lead: string, major: string, minor: string) => `Thread, lead ${lead}, ⌀${major} outside, ⌀${minor} inside`,
+  },
+  zh: {
+    cylinder: (diameter, length) => `⌀${diameter}，长 ${length}`,
+    faceEdge: (z, from, to) => `端面 Z${z}，⌀${from} 至 ⌀${to}`,
+    taper: (from, to, length, angle) => `锥面 ⌀${from} 至 ⌀${to}，长 ${length}，与轴线夹角 ${angle}°`,
+    ratio: (n) => `，锥度 1:${n}`,
+    arc: (radius) => `圆弧 R${radius}`,
+    threadEdge: (lead, major, minor) => `螺纹，导程 ${lead}，大径 ⌀${major}，小径 ⌀${minor}`,
+  },
+  ru: {
+    cylinder: (diameter, length) => `⌀${diameter}, длина ${length}`,
+    faceEdge: (z, from, to) => `Торец Z${z}, от ⌀${from} до ⌀${to}`,
+    taper: (from, to, length, angle) => `Конус от ⌀${from} до ⌀${to}, длина ${length}, ${angle}° к оси`,
+    ratio: (n) => `, 1:${n}`,
+    arc: (radius) => `Радиус ${radius}`,
+    threadEdge: (lead, major, minor) => `Резьба, ход ${lead}, наружный ⌀${major}, внутренний ⌀${minor}`,
+  },
+});

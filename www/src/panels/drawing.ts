@@ -1,0 +1,328 @@
+// The drawing: its canvas, what hand and keyboard do to it, the legend and the tooltip.
+//
+// In: the stroke under the pointer (as an answer), the counts for the legend. Out: the events below.
+// The pictures are painted in the worker, and come as images.
+// Must not know: how a stroke is found, or what it means.
+
+import { icon, make, name, perFrame, unbroken } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Palette, Size, Stroke, Summary } from '../protocol/protocol';
+
+/** A pointer that moved less than this, in CSS pixels, has clicked. */
+const CLICK_SLOP = { mouse: 4, touch: 10 };
+const KEY_PAN = 40;
+const KEY_ZOOM = 1.25;
+
+export interface DrawingEvents {
+  resized(size: Size): void;
+  fit(): void;
+  pan(dx: number, dy: number): void;
+  zoom(factor: number, x: number, y: number): void;
+  pointed(x: number, y: number): void;
+  left(): void;
+  /** `keepFocus`: a finger tapped, and an on-screen keyboard must not come up. */
+  clicked(x: number, y: number, keepFocus: boolean): void;
+  /** The buttons act on this picture too. */
+  companion?(): Drawing | undefined;
+}
+
+const PALETTE: readonly (keyof Palette)[] = [
+  'background', 'grid', 'axis', 'text', 'stock', 'stockEdge', 'part', 'partEdge', 'danger', 'onlyFirst', 'onlySecond', 'rapid', 'feed', 'thread', 'highlight', 'hover', 'tool', 'uncertain',
+];
+
+export class Drawing {
+  readonly element: HTMLElement;
+  readonly #events: DrawingEvents;
+  readonly #holder = make('div', { className: 'canvas-holder' });
+  readonly #fit = make('button', { type: 'button' }, icon('fit'));
+  readonly #zoomIn = make('button', { type: 'button' }, icon('plus'));
+  readonly #zoomOut = make('button', { type: 'button' }, icon('minus'));
+  /** What the kinds of strokes look like, and the buttons to fit and zoom: the element decides where they stand. */
+  readonly legend = make('ul', { className: 'legend', part: 'legend' });
+  readonly viewButtons = make('div', { className: 'view-buttons' });
+  readonly #empty = make('p', { className: 'empty', hidden: true });
+  readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
+  readonly #pointers = new Map<number, { x: number; y: number }>();
+  readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
+  readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
+  readonly #shown = this.#canvas.getContext('bitmaprenderer');
+  #language: Language;
+  #label: (motions: number) => string = () => '';
+  #summary: Summary | undefined;
+  #stroke: Stroke | undefined;
+  #edge: string | undefined;
+  #travel = 0;
+  #panning = { dx: 0, dy: 0 };
+  #at = { x: 0, y: 0 };
+  /** The pointer is over the picture, and nothing is dragged. */
+  #pointing = false;
+
+  constructor(language: Language, events: DrawingEvents) {
+    this.#language = language;
+    this.#events = events;
+    this.element = make(
+      'section',
+      { className: 'drawing', part: 'drawing' },
+      this.#holder,
+      // Said once, where there are two pictures.
+      ...(events.companion === undefined ? [] : [this.#empty]),
+      this.#tip,
+    );
+    this.viewButtons.append(this.#fit, this.#zoomIn, this.#zoomOut);
+    const both = (act: (drawing: Drawing) => void): void => {
+      for (const drawing of [this, this.#events.companion?.()]) if (drawing !== undefined) act(drawing);
+    };
+    this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
+    this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
+    this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
+    this.#holder.append(this.#canvas);
+    this.#listen(this.#canvas);
+    this.#sizes.observe(this.#holder);
+  }
+
+  /** `label` is what it is for a reader who does not see it. */
+  speak(language: Language, label: (motions: number) => string): void {
+    const texts = WORDS[language];
+    this.#language = language;
+    this.#label = label;
+    name(this.#fit, texts.fit);
+    name(this.#zoomIn, texts.zoomIn);
+    name(this.#zoomOut, texts.zoomOut);
+    this.#empty.textContent = texts.nothingToDraw;
+    this.#showSummary();
+  }
+
+  set summary(summary: Summary | undefined) {
+    this.#summary = summary;
+    this.#showSummary();
+  }
+
+  get size(): Size {
+    const { width, height } = this.#holder.getBoundingClientRect();
+    return { width: Math.max(width, 1), height: Math.max(height, 1), pixelRatio: window.devicePixelRatio || 1 };
+  }
+
+  /** The colours as the style sheet resolves them now. */
+  get palette(): Palette {
+    const probe = make('span', { hidden: true });
+    this.element.append(probe);
+    const style = getComputedStyle(probe);
+    const colours = {} as Record<keyof Palette, string>;
+    for (const key of PALETTE) {
+      probe.style.color = `var(--playground-${key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)})`;
+      colours[key] = style.color;
+    }
+    probe.remove();
+    return colours;
+  }
+
+  /** Shows a picture in place of the one before. */
+  show(image: ImageBitmap): void {
+    const { width, height } = image;
+    if (this.#canvas.width !== width || this.#canvas.height !== height) [this.#canvas.width, this.#canvas.height] = [width, height];
+    this.#shown?.transferFromImageBitmap(image);
+  }
+
+  /** CSS pixels of the canvas's top left corner in the window. */
+  get origin(): { x: number; y: number } {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    return { x: left, y: top };
+  }
+
+  /** What lies under the pointer, or nothing. */
+  showTip(stroke: Stroke | undefined): void {
+    this.#stroke = stroke;
+    this.#canvas.classList.toggle('on-stroke', stroke !== undefined);
+    this.#fillTip();
+  }
+
+  /** The dimensions of the edge under the pointer, or nothing. */
+  showEdge(text: string | undefined): void {
+    this.#edge = text;
+    this.#fillTip();
+  }
+
+  #fillTip(): void {
+    const [stroke, edge] = [this.#stroke, this.#edge];
+    this.#tip.hidden = stroke === undefined && edge === undefined;
+    if (this.#tip.hidden) return;
+    const ofStroke = stroke === undefined ? [] : [make(
+      'div',
+      { className: 'stroke' },
+      make('span', { className: `swatch ${swatch(stroke.kind)}` }),
+      make('span', { className: 'what' }, ...unbroken(stroke.text)),
+      make('span', { className: 'facts' }, COMMON[this.#language].line(stroke.line)),
+    )];
+    const ofEdge = edge === undefined ? [] : [make('div', { className: 'edge' }, edge)];
+    this.#tip.replaceChildren(...ofStroke, ...ofEdge);
+    const room = this.#holder.getBoundingClientRect();
+    const { width, height } = this.#tip.getBoundingClientRect();
+    const x = Math.min(Math.max(this.#at.x + 14, 8), Math.max(room.width - width - 8, 8));
+    const below = this.#at.y + 18;
+    const y = below + height > room.height - 8 ? Math.max(this.#at.y - height - 12, 8) : below;
+    this.#tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+  }
+
+  /** Asks again what lies under a pointer that rests on the drawing: another picture is shown. */
+  lookAgain(): void {
+    this.#point();
+  }
+
+  #showSummary(): void {
+    const summary = this.#summary;
+    this.#canvas.setAttribute('aria-label', this.#label(summary?.motions ?? 0));
+    this.#empty.hidden = summary === undefined || summary.motions > 0;
+    const kinds: [boolean, string, string][] = [
+      [(summary?.rapids ?? 0) > 0, 'rapid', COMMON[this.#language].rapid],
+      [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
+      [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
+    ];
+    this.legend.replaceChildren(
+      ...kinds
+        .filter(([present]) => present)
+        .map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),
+    );
+  }
+
+  #zoomMiddle(factor: number): void {
+    const { width, height } = this.size;
+    this.#events.zoom(factor, width / 2, height / 2);
+  }
+
+  #listen(canvas: HTMLCanvasElement): void {
+    canvas.addEventListener('pointerdown', (event) => this.#down(event));
+    canvas.addEventListener('pointermove', (event) => this.#move(event));
+    canvas.addEventListener('pointerup', (event) => this.#up(event));
+    canvas.addEventListener('pointercancel', (event) => this.#pointers.delete(event.pointerId));
+    canvas.addEventListener('pointerleave', (event) => {
+      if (event.pointerType === 'mouse') this.#left();
+    });
+    canvas.addEventListener('dblclick', () => this.#events.fit());
+    canvas.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
+    canvas.addEventListener('keydown', (event) => this.#key(event));
+  }
+
+  #place(event: MouseEvent): { x: number; y: number } {
+    const { x, y } = this.origin;
+    return { x: event.clientX - x, y: event.clientY - y };
+  }
+
+  #down(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    this.#canvas.setPointerCapture(event.pointerId);
+    if (this.#pointers.size === 0) this.#travel = 0;
+    this.#pointers.set(event.pointerId, this.#place(event));
+  }
+
+  #move(event: PointerEvent): void {
+    const now = this.#place(event);
+    const before = this.#pointers.get(event.pointerId);
+    if (before === undefined) {
+      this.#at = now;
+      this.#pointing = true;
+      this.#point();
+      return;
+    }
+    const others = [...this.#pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    const other = others[0];
+    if (other !== undefined) {
+      const apart = Math.hypot(now.x - other.x, now.y - other.y) / Math.max(Math.hypot(before.x - other.x, before.y - other.y), 1);
+      this.#events.zoom(apart, (now.x + other.x) / 2, (now.y + other.y) / 2);
+    }
+    // With two fingers the middle between them moves by half of what one of them does.
+    const share = other === undefined ? 1 : 0.5;
+    const dx = (now.x - before.x) * share;
+    const dy = (now.y - before.y) * share;
+    this.#travel += Math.hypot(dx, dy);
+    this.#pointers.set(event.pointerId, now);
+    if (this.#travel < this.#slop(event)) return;
+    this.#left();
+    this.#panning.dx += dx;
+    this.#panning.dy += dy;
+    this.#pan();
+  }
+
+  #up(event: PointerEvent): void {
+    if (!this.#pointers.delete(event.pointerId)) return;
+    if (this.#travel >= this.#slop(event) || this.#pointers.size > 0) return;
+    this.#at = this.#place(event);
+    this.#events.pointed(this.#at.x, this.#at.y);
+    this.#events.clicked(this.#at.x, this.#at.y, event.pointerType !== 'mouse');
+  }
+
+  #slop(event: PointerEvent): number {
+    return event.pointerType === 'mouse' ? CLICK_SLOP.mouse : CLICK_SLOP.touch;
+  }
+
+  #left(): void {
+    this.#pointing = false;
+    this.#events.left();
+  }
+
+  readonly #point = perFrame(() => {
+    // It may have left again since.
+    if (this.#pointing) this.#events.pointed(this.#at.x, this.#at.y);
+  });
+  readonly #pan = perFrame(() => {
+    this.#events.pan(this.#panning.dx, this.#panning.dy);
+    this.#panning = { dx: 0, dy: 0 };
+  });
+
+  /** In a page that scrolls, the wheel is the page's until the drawing has the focus (or Ctrl is held). */
+  #wheel(event: WheelEvent): void {
+    const page = document.scrollingElement;
+    const scrolls = page !== null && page.scrollHeight > page.clientHeight + 1;
+    if (scrolls && !event.ctrlKey && !this.#canvas.matches(':focus')) return;
+    event.preventDefault();
+    const pixels = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY : event.deltaY * 30;
+    const { x, y } = this.#place(event);
+    this.#events.zoom(Math.exp(-pixels * (event.ctrlKey ? 0.01 : 0.0016)), x, y);
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    switch (event.key) {
+      case 'ArrowLeft': this.#events.pan(KEY_PAN, 0); break;
+      case 'ArrowRight': this.#events.pan(-KEY_PAN, 0); break;
+      case 'ArrowUp': this.#events.pan(0, KEY_PAN); break;
+      case 'ArrowDown': this.#events.pan(0, -KEY_PAN); break;
+      case '+': case '=': this.#zoomMiddle(KEY_ZOOM); break;
+      case '-': case '−': this.#zoomMiddle(1 / KEY_ZOOM); break;
+      case 'f': case 'F': case 'а': case 'А': case 'Home': this.#events.fit(); break;
+      default: return;
+    }
+    event.preventDefault();
+  }
+}
+
+function swatch(kind: Stroke['kind']): string {
+  return kind === 'rapid' || kind === 'thread' ? kind : 'feed';
+}
+
+const WORDS = words({
+  en: {
+    nothingToDraw: 'No motion yet. Write a move in the program, or choose an example.',
+    fit: 'Show all (F)',
+    zoomIn: 'Zoom in (+)',
+    zoomOut: 'Zoom out (−)',
+    feed: 'cutting',
+    thread: 'thread',
+  },
+  zh: {
+    nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
+    fit: '显示全图 (F)',
+    zoomIn: '放大 (+)',
+    zoomOut: '缩小 (−)',
+    feed: '切削进给',
+    thread: '螺纹切削',
+  },
+  ru: {
+    nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
+    fit: 'Показать всё (F)',
+    zoomIn: 'Крупнее (+)',
+    zoomOut: 'Мельче (−)',
+    feed: 'рабочий ход',
+    thread: 'резьба',
+  },
+});

@@ -1,0 +1,157 @@
+// The button "Export" and its menu: what can be saved as a file, beside the program itself.
+//
+// In: whether there is a run to export. Out: a file, handed to the browser. A menu button as ARIA describes it: Enter, Space and
+// the arrow up open it, arrows, Home, End and first letters move in it, Escape closes it.
+// Must not know: how a file is made.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { bytesToSave, download } from '../editor/program-files';
+import { FILE_FORMATS, type FileFormat } from '../protocol/protocol';
+import type { Panel, PanelKind, Shell } from './panel';
+
+/** What a file of each kind is called behind its name. */
+const ENDINGS: Readonly<Record<FileFormat, string>> = {
+  svg: '.svg', png: '.png', card: '-card.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
+};
+
+export const exports: PanelKind = { make: (shell) => new Exports(shell) };
+
+class Exports implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', {
+    type: 'button', className: 'export-button quiet', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
+  });
+  readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
+  readonly #items: readonly { readonly format: FileFormat; readonly button: HTMLButtonElement }[];
+
+  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#items = FILE_FORMATS.map((format) => {
+      const button = make('button', { type: 'button', role: 'menuitem', tabIndex: -1 });
+      button.addEventListener('click', () => {
+        this.#element.hidePopover();
+        this.#button.focus();
+        void this.#export(format);
+      });
+      return { format, button };
+    });
+    this.#element.append(...this.#items.map(({ button }) => button));
+    this.#button.popoverTargetElement = this.#element;
+    this.#button.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+      event.preventDefault();
+      this.#element.showPopover();
+      this.#focus(event.key === 'ArrowUp' ? -1 : 0);
+    });
+    this.#element.addEventListener('keydown', (event) => this.#key(event));
+    this.#element.addEventListener('toggle', (event) => {
+      const open = event.newState === 'open';
+      this.#button.setAttribute('aria-expanded', String(open));
+      if (!open) return;
+      this.#place();
+      if (!this.#element.contains(this.#focused)) this.#focus(0);
+    });
+    this.available = false;
+  }
+
+  set language(language: Language) {
+    const strings = WORDS[language];
+    this.#button.textContent = strings.exports;
+    this.#element.setAttribute('aria-label', strings.exports);
+    for (const { format, button } of this.#items) button.textContent = strings.exportOf[format];
+  }
+
+  /** Whether there is a finished run to make files of. */
+  set available(available: boolean) {
+    this.#button.disabled = !available;
+    if (!available && this.#element.matches(':popover-open')) this.#element.hidePopover();
+  }
+
+  async #export(format: FileFormat): Promise<void> {
+    const { editor, language } = this.#shell;
+    this.#shell.flush();
+    const content = await this.#shell.ask('export', { format });
+    if (content === undefined) {
+      this.#shell.service('notice')(WORDS[language].noPartToExport);
+      return;
+    }
+    const { file } = editor;
+    const name = exportName(file?.name, format);
+    // A program is written in the encoding of its file, as "Save file" does.
+    const asProgram = file !== undefined && format === 'program';
+    download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
+  }
+
+  get #focused(): Element | null {
+    return (this.#element.getRootNode() as ShadowRoot).activeElement;
+  }
+
+  /** Above the button, its right edge under that of the menu, as far as the window has room. */
+  #place(): void {
+    const { right, top } = this.#button.getBoundingClientRect();
+    const { offsetWidth: width, offsetHeight: height } = this.#element;
+    this.#element.style.left = `${Math.max(8, Math.min(right, window.innerWidth - 8) - width)}px`;
+    this.#element.style.top = `${Math.max(8, top - height - 6)}px`;
+  }
+
+  #key(event: KeyboardEvent): void {
+    const at = this.#items.findIndex(({ button }) => button === this.#focused);
+    if (event.key === 'ArrowDown') this.#focus(at + 1);
+    else if (event.key === 'ArrowUp') this.#focus(at - 1);
+    else if (event.key === 'Home') this.#focus(0);
+    else if (event.key === 'End') this.#focus(-1);
+    else if (event.key === 'Tab' || event.key === 'Escape') {
+      this.#element.hidePopover();
+      this.#button.focus();
+    } else if (event.key.length === 1 && event.key !== ' ' && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      const letter = event.key.toLocaleLowerCase();
+      const round = [...this.#items.keys()].map((step) => (at + 1 + step) % this.#items.length);
+      const found = round.find((index) => this.#items[index]?.button.textContent?.toLocaleLowerCase().startsWith(letter));
+      if (found !== undefined) this.#focus(found);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** Round and round. */
+  #focus(index: number): void {
+    this.#items.at(index % this.#items.length)?.button.focus();
+  }
+}
+
+/** The name of an exported file, after that of the program. */
+function exportName(program: string | undefined, format: FileFormat): string {
+  const stem = (program ?? 'program').replace(/\.[^.]*$/, '');
+  return `${stem === '' ? 'program' : stem}${ENDINGS[format]}`;
+}
+
+const WORDS = words({
+  en: {
+    exports: 'Export',
+    exportOf: {
+      card: 'Program card to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
+      dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Program written out (NC)',
+    },
+    noPartToExport: 'There is no part to export: nothing is left of the blank, or it is not known.',
+  },
+  zh: {
+    exports: '导出',
+    exportOf: {
+      card: '可打印的程序卡 (HTML)', svg: '图形 (SVG)', png: '当前画面 (PNG)', csv: '运动列表 (CSV)',
+      dxf: '零件轮廓 (DXF)', stl: '零件实体 (STL)', program: '展开后的程序 (NC)',
+    },
+    noPartToExport: '没有可导出的零件：毛坯已无剩余，或毛坯未知。',
+  },
+  ru: {
+    exports: 'Экспорт',
+    exportOf: {
+      card: 'Карта программы для печати (HTML)', svg: 'Чертёж (SVG)', png: 'Рисунок, как на экране (PNG)', csv: 'Таблица перемещений (CSV)',
+      dxf: 'Контур детали (DXF)', stl: 'Деталь как тело (STL)', program: 'Развёрнутая программа (NC)',
+    },
+    noPartToExport: 'Нечего экспортировать: от заготовки ничего не осталось, или она неизвестна.',
+  },
+});

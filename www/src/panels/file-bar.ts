@@ -1,0 +1,167 @@
+// The open file: its name and encoding, opening and saving.
+//
+// In: files that are chosen or dropped on the editor, the encoding the reader names. Out: the program, the bytes to save.
+// Must not know: how bytes become text.
+
+import { make } from '../dom/dom';
+import { acceptFiles } from '../dom/drop';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import { programText, type ProgramFile } from '../editor/file';
+import { bytesToSave, download, readProgram, reread } from '../editor/program-files';
+import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
+import type { Key, Panel, PanelKind, Services, Shell } from './panel';
+
+export const fileBar: PanelKind = { make: (shell) => new FileBar(shell) };
+
+class FileBar implements Panel {
+  readonly #shell: Shell;
+  readonly #element = make('div', { className: 'file', part: 'file', hidden: true });
+  readonly #name = make('span', { className: 'file-name' });
+  readonly #encoding = make('select', { className: 'small' });
+  #file: ProgramFile | undefined;
+  /** The newest file that is being read. */
+  #opening: Promise<unknown> | undefined;
+  readonly places = { bar: [this.#element] };
+  readonly services: Partial<Services> = { openFile: (file) => this.#open(file), saveFile: () => this.#save() };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    for (const encoding of ENCODINGS) this.#encoding.append(make('option', { value: encoding }, ENCODING_NAMES[encoding]));
+    this.#encoding.addEventListener('change', () => {
+      const chosen = this.#encoding.value as Encoding;
+      // It stands where the file is, which may become another one.
+      this.fileChanged(this.#file);
+      this.#choose(chosen);
+    });
+    this.#element.append(this.#name, this.#encoding);
+    acceptFiles(shell.editor.element, { hint: () => this.#words.dropHere, dropped: (file) => void this.#open(file) });
+  }
+
+  set language(language: Language) {
+    this.#encoding.setAttribute('aria-label', WORDS[language].encoding);
+    this.#encoding.title = WORDS[language].encodingHint;
+  }
+
+  fileChanged(file: ProgramFile | undefined): void {
+    this.#file = file;
+    this.#element.hidden = file === undefined;
+    if (file === undefined) return;
+    this.#name.textContent = this.#name.title = file.name;
+    this.#encoding.value = file.encoding;
+  }
+
+  pressed({ event }: Key): 'own' | 'not-own' {
+    const own = event.key.toLowerCase() === 's' && (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey;
+    if (own) this.#save();
+    return own ? 'own' : 'not-own';
+  }
+
+  get #words(): (typeof WORDS)['en'] {
+    return WORDS[this.#shell.language];
+  }
+
+  /** Opens a file as the program; what it replaces can be brought back with undo. */
+  async #open(file: File): Promise<void> {
+    const opening = (this.#opening = readProgram(file));
+    const opened = await opening;
+    // The reader has opened another one since.
+    if (this.#opening !== opening) return;
+    const [say, texts] = [this.#shell.service('notice'), this.#words];
+    if (opened.kind === 'too-large') say(texts.fileTooLarge(opened.name));
+    else if (opened.kind === 'unreadable') say(texts.fileUnreadable(opened.name));
+    else {
+      const { name, encoding } = opened.file;
+      this.#shell.take(opened.program, opened.file, 'another');
+      if (opened.binary) say(texts.openedBinary(name));
+      else if (encoding === 'utf-8') say(texts.opened(name));
+      else say(texts.openedAs(name, ENCODING_NAMES[encoding]));
+    }
+  }
+
+  /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
+  #save(): void {
+    const { editor } = this.#shell;
+    const before = editor.file;
+    const { bytes, file, noPlaceFor } = bytesToSave(editor.textWithLineEnds, before);
+    download(file.name, bytes);
+    if (noPlaceFor === undefined || before === undefined) return;
+    editor.file = file;
+    this.#shell.service('notice')(this.#words.savedAsUtf8(file.name, ENCODING_NAMES[before.encoding], noPlaceFor));
+    this.#shell.changed();
+  }
+
+  #choose(encoding: Encoding): void {
+    const { editor } = this.#shell;
+    const { file } = editor;
+    if (file === undefined) return;
+    const [say, texts] = [this.#shell.service('notice'), this.#words];
+    const [chosen, present] = [ENCODING_NAMES[encoding], ENCODING_NAMES[file.encoding]];
+    const answer = reread(editor.textWithLineEnds, file.encoding, encoding);
+    switch (answer.kind) {
+      case 'text':
+        this.#shell.take(programText(answer.text), { ...file, encoding }, 'same');
+        say(texts.rereadAs(chosen));
+        break;
+      case 'kept':
+        editor.file = { ...file, encoding };
+        say(texts.savedFromNowAs(chosen));
+        this.#shell.changed();
+        break;
+      case 'not-this-encoding':
+        say(texts.notThisEncoding(file.name, chosen, present));
+        break;
+      case 'no-place':
+        say(texts.noPlace(answer.character, chosen, present));
+        break;
+    }
+  }
+}
+
+const WORDS = words({
+  en: {
+    opened: (name: string) => `Opened ${name}`,
+    openedAs: (name: string, encoding: string) => `Opened ${name} as ${encoding}. If it reads wrong, choose another encoding beside its name.`,
+    openedBinary: (name: string) => `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
+    fileTooLarge: (name: string) => `${name} is larger than 64 MB and was not opened.`,
+    fileUnreadable: (name: string) => `${name} could not be read.`,
+    dropHere: 'Drop the program here',
+    encoding: 'Encoding',
+    encodingHint: 'The encoding the file is read in and saved in',
+    rereadAs: (encoding: string) => `Read again as ${encoding}.`,
+    savedFromNowAs: (encoding: string) => `The text stays as it is and will be saved as ${encoding}.`,
+    notThisEncoding: (name: string, chosen: string, present: string) => `${name} is no ${chosen} text; it stays ${present}.`,
+    noPlace: (character: string, chosen: string, present: string) => `${chosen} has no place for “${character}”; the file stays ${present}.`,
+    savedAsUtf8: (name: string, encoding: string, character: string) => `${encoding} has no place for “${character}”: ${name} was saved as UTF-8.`,
+  },
+  zh: {
+    opened: (name) => `已打开 ${name}`,
+    openedAs: (name, encoding) => `已按 ${encoding} 打开 ${name}。如果显示为乱码，请在文件名旁选择其他编码。`,
+    openedBinary: (name) => `已打开 ${name}。它不像文本文件；不作修改保存时，字节保持不变。`,
+    fileTooLarge: (name) => `${name} 超过 64 MB，未打开。`,
+    fileUnreadable: (name) => `无法读取 ${name}。`,
+    dropHere: '将程序文件拖放到此处',
+    encoding: '编码',
+    encodingHint: '读取和保存此文件所用的编码',
+    rereadAs: (encoding) => `已按 ${encoding} 重新读取。`,
+    savedFromNowAs: (encoding) => `文本不变，将以 ${encoding} 保存。`,
+    notThisEncoding: (name, chosen, present) => `${name} 不是 ${chosen} 文本，仍为 ${present}。`,
+    noPlace: (character, chosen, present) => `${chosen} 中没有“${character}”，文件仍为 ${present}。`,
+    savedAsUtf8: (name, encoding, character) => `${encoding} 中没有“${character}”：${name} 已改用 UTF-8 保存。`,
+  },
+  ru: {
+    opened: (name) => `Открыт файл ${name}`,
+    openedAs: (name, encoding) => `Файл ${name} открыт в кодировке ${encoding}. Если текст нечитаем, выберите другую рядом с именем.`,
+    openedBinary: (name) => `Открыт файл ${name}. Он не похож на текст; без правок его байты сохранятся без изменений.`,
+    fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
+    fileUnreadable: (name) => `Файл ${name} не читается.`,
+    dropHere: 'Отпустите файл с программой здесь',
+    encoding: 'Кодировка',
+    encodingHint: 'Кодировка, в которой файл читается и сохраняется',
+    rereadAs: (encoding) => `Прочитано заново в кодировке ${encoding}.`,
+    savedFromNowAs: (encoding) => `Текст остаётся как есть и будет сохранён в кодировке ${encoding}.`,
+    notThisEncoding: (name, chosen, present) => `Файл ${name} — не текст в кодировке ${chosen}; остаётся ${present}.`,
+    noPlace: (character, chosen, present) => `В кодировке ${chosen} нет знака «${character}»; остаётся ${present}.`,
+    savedAsUtf8: (name, encoding, character) => `В кодировке ${encoding} нет знака «${character}»: файл ${name} сохранён в UTF-8.`,
+  },
+});

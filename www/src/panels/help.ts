@@ -1,0 +1,118 @@
+// The popover with keys and gestures, and the ways to the table of codes, to the pages of the rules and to the reference.
+//
+// Must not know: who answers to the keys.
+
+import { make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import { allRulesLink, referenceLink } from '../editor/rule-link';
+import type { Key, Panel, PanelKind, Shell } from './panel';
+
+export const help: PanelKind = { make: (shell) => new Help(shell) };
+
+class Help implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'help-button quiet', 'aria-haspopup': 'dialog' }, '?');
+  readonly #element = make('div', { className: 'help', part: 'help', role: 'dialog', popover: 'auto' });
+  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.popoverTargetElement = this.#element;
+  }
+
+  set language(language: Language) {
+    const strings = WORDS[language];
+    name(this.#button, `${strings.help} (?)`);
+    this.#element.setAttribute('aria-label', strings.helpTitle);
+    const close = make('button', { type: 'button', className: 'quiet close' }, '×');
+    name(close, COMMON[language].close);
+    close.addEventListener('click', () => this.#element.hidePopover());
+    const keys = make('dl');
+    for (const [pressed, what] of strings.shortcuts) {
+      const term = make('dt');
+      for (const [i, key] of pressed.split('  ').entries()) term.append(i > 0 ? ' ' : '', make('kbd', {}, key));
+      keys.append(term, make('dd', {}, what));
+    }
+    const codes = make('button', { type: 'button', className: 'framed', 'aria-haspopup': 'dialog' }, strings.codes);
+    codes.addEventListener('click', () => {
+      this.#element.hidePopover();
+      // The dialog gives the focus back to where it was.
+      this.#button.focus();
+      this.#shell.service('openCodes')();
+    });
+    this.#element.replaceChildren(make('h2', {}, strings.helpTitle), close, make('div', { className: 'further' }, codes, allRulesLink(language), referenceLink(language)), keys);
+  }
+
+  pressed({ event, inside }: Key): 'own' | 'not-own' {
+    if (event.key !== '?' || inside !== 'elsewhere') return 'not-own';
+    this.#element.togglePopover();
+    return 'own';
+  }
+}
+
+const WORDS = words({
+  en: {
+    help: 'Help',
+    helpTitle: 'Keys and gestures',
+    codes: 'Supported codes',
+    shortcuts: [
+      ['Ctrl Enter', 'play or pause'],
+      ['F9  Shift F9', 'next or previous motion'],
+      ['Ctrl F9  Ctrl Shift F9', 'next or previous block'],
+      ['Alt F9  Alt Shift F9', 'next or previous pass of a cycle'],
+      ['F8  Shift F8', 'next or previous problem'],
+      ['Ctrl F', 'search in the program'],
+      ['Alt Enter', 'write the moves at the cursor as a cycle'],
+      ['Ctrl S', 'save the program as a file'],
+      ['Ctrl Z  Ctrl Y', 'undo, redo'],
+      ['Tab', 'leave the editor'],
+      ['Arrow keys', 'move the drawing (when it has the focus)'],
+      ['+  −  F', 'zoom in, zoom out, show all'],
+      ['Drag, wheel, pinch', 'move and zoom the drawing'],
+      ['Click on a stroke', 'select the block that made it'],
+    ] satisfies readonly (readonly [keys: string, what: string])[],
+  },
+  zh: {
+    help: '帮助',
+    helpTitle: '按键与手势',
+    codes: '支持的代码',
+    shortcuts: [
+      ['Ctrl Enter', '播放或暂停'],
+      ['F9  Shift F9', '下一段或上一段运动'],
+      ['Ctrl F9  Ctrl Shift F9', '下一或上一程序段'],
+      ['Alt F9  Alt Shift F9', '循环的下一次或上一次走刀'],
+      ['F8  Shift F8', '下一个或上一个问题'],
+      ['Ctrl F', '在程序中查找'],
+      ['Alt Enter', '将光标处的移动写成循环'],
+      ['Ctrl S', '将程序保存为文件'],
+      ['Ctrl Z  Ctrl Y', '撤销、重做'],
+      ['Tab', '离开编辑器'],
+      ['方向键', '移动图形（图形获得焦点时）'],
+      ['+  −  F', '放大、缩小、显示全图'],
+      ['拖动、滚轮、双指', '移动和缩放图形'],
+      ['单击线条', '选中生成它的程序段'],
+    ],
+  },
+  ru: {
+    help: 'Справка',
+    helpTitle: 'Клавиши и жесты',
+    codes: 'Поддерживаемые коды',
+    shortcuts: [
+      ['Ctrl Enter', 'пуск или пауза'],
+      ['F9  Shift F9', 'следующее или предыдущее перемещение'],
+      ['Ctrl F9  Ctrl Shift F9', 'следующий или предыдущий кадр'],
+      ['Alt F9  Alt Shift F9', 'следующий или предыдущий проход цикла'],
+      ['F8  Shift F8', 'следующее или предыдущее замечание'],
+      ['Ctrl F', 'поиск в программе'],
+      ['Alt Enter', 'записать перемещения у курсора циклом'],
+      ['Ctrl S', 'сохранить программу в файл'],
+      ['Ctrl Z  Ctrl Y', 'отменить, вернуть'],
+      ['Tab', 'выйти из редактора'],
+      ['Стрелки', 'сдвинуть чертёж (когда он в фокусе)'],
+      ['+  −  F', 'крупнее, мельче, показать всё'],
+      ['Мышь, колесо, два пальца', 'сдвиг и масштаб чертежа'],
+      ['Щелчок по линии', 'выделить её кадр'],
+    ],
+  },
+});

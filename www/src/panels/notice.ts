@@ -1,0 +1,57 @@
+// One line of news above the program: something failed, a file was opened. The reader can dismiss it.
+//
+// In: a text and what it is about. Must not know: who says it.
+
+import { make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Panel, PanelKind, Services, Topic } from './panel';
+
+export const notice: PanelKind = { make: () => new Notice() };
+
+class Notice implements Panel {
+  readonly #element = make('div', { className: 'notice', part: 'notice', role: 'alert', hidden: true });
+  readonly #text = make('p');
+  readonly #close = make('button', { type: 'button', className: 'quiet' }, '×');
+  #topic: Topic | undefined;
+  readonly places = { notices: [this.#element] };
+  readonly services: Partial<Services> = {
+    notice: (text, topic = 'file') => this.#show(text, topic),
+    // Another one stays.
+    hideNotice: (topic) => {
+      if (this.#topic === topic) this.#hide();
+    },
+  };
+
+  constructor() {
+    this.#close.addEventListener('click', () => this.#hide());
+    this.#element.append(this.#text, this.#close);
+  }
+
+  set language(language: Language) {
+    name(this.#close, WORDS[language].dismiss);
+  }
+
+  #show(text: string, topic: Topic): void {
+    this.#topic = topic;
+    this.#text.textContent = text;
+    this.#element.hidden = false;
+  }
+
+  #hide(): void {
+    this.#topic = undefined;
+    this.#element.hidden = true;
+  }
+}
+
+const WORDS = words({
+  en: {
+    dismiss: 'Dismiss',
+  },
+  zh: {
+    dismiss: '关闭提示',
+  },
+  ru: {
+    dismiss: 'Скрыть',
+  },
+});

@@ -1,0 +1,145 @@
+// What a panel is, and what it may ask of the shell around it.
+//
+// A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this folder, with its
+// words in all languages at the end of the file, and one line in the list of `index.ts`. What is too large for one file, or is
+// loaded when it is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and other
+// panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
+
+import type { Language } from '../dom/language';
+import type { Editor } from '../editor/editor';
+import type { ProgramFile, ProgramText } from '../editor/file';
+import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, SetupGroup, Stroke } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+
+/** Where panels stand, in the order of the list: over, beside and under the editor, around the pictures, in the line at the foot. */
+export const REGIONS = ['notices', 'bar', 'problems', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
+export type Region = (typeof REGIONS)[number];
+
+export interface PanelKind {
+  /** Its own style sheet. */
+  readonly styles?: string;
+  /** Called once for each element, when the editor is there and other panels may not be. */
+  make(shell: Shell): Panel;
+}
+
+export interface Panel {
+  /** What stands where. */
+  readonly places: { readonly [R in Region]?: readonly HTMLElement[] };
+  /** Shows its words in a language; set once all panels are made, then with each change. */
+  set language(language: Language);
+  /** Whether there is a finished run with motions; what needs one is out of reach until then. */
+  available?: boolean;
+  /** A dialog of it is open that all keys belong to. */
+  readonly takesKeys?: boolean;
+  readonly services?: Partial<Services>;
+
+  /** A key that no dialog takes; says whether it was the panel's own. */
+  pressed?(key: Key): 'own' | 'not-own';
+  /** What the worker tells of the newest run. */
+  heard?(event: Heard): void;
+  /** Pictures of the newest run; the images are the panel's. */
+  showPictures?(pictures: Pictures): void;
+  /** The tool is somewhere else, or nowhere. */
+  toolMoved?(place: Readout | undefined): void;
+  /** A text has come into the editor at once, between these offsets. */
+  textArrived?(from: number, to: number): void;
+  /** The text belongs to another file, or its file has another name or encoding. */
+  fileChanged?(file: ProgramFile | undefined): void;
+  /** How the switches stand in attributes and setup. */
+  switched?(set: SwitchesSet): void;
+  /** The theme, or the colours of the system, are others. */
+  coloursChanged?(): void;
+  /** Text or setup have changed: what is shown of the run before must not meet them. */
+  outdated?(): void;
+  /** There is a new worker, which knows nothing yet. */
+  connected?(send: (command: Command) => void): void;
+  /** The worker was lost, and with it all that was known of the run. */
+  lost?(): void;
+  /** The element has left the document. */
+  left?(): void;
+}
+
+/** A key, and whether it was pressed where text is typed. */
+export interface Key {
+  readonly event: KeyboardEvent;
+  readonly inside: 'text' | 'elsewhere';
+}
+
+/** How the switches of the operator's panel stand. */
+export interface SwitchesSet {
+  /** Levels that are on. */
+  readonly blockSkip: readonly number[];
+  /** The program to run; the first of the text when undefined. */
+  readonly program: number | undefined;
+}
+
+/** A place in the window, CSS pixels. */
+export interface ClientPlace {
+  readonly clientX: number;
+  readonly clientY: number;
+}
+
+/** What a notice is about; another run hides `core` and `program`. */
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core';
+
+/** What one panel does for others, for the shell, or for the page around the element. */
+export interface Services {
+  notice(text: string, topic?: Topic): void;
+  hideNotice(topic: Topic): void;
+  play(): void;
+  pause(): void;
+  openFile(file: File): Promise<void>;
+  saveFile(): void;
+  locate(x: number, z: number): Promise<ClientPlace>;
+  locateOnFace(x: number, c: number): Promise<ClientPlace>;
+  choosePictures(pictures: 'section' | 'face' | 'both'): void;
+  openCodes(): void;
+  /** `group`: the one the reader comes for. */
+  openSetup(group?: SetupGroup['group']): void;
+}
+
+/** Asks with the newest value only, see `Newest`; goes on with the next worker when one is lost. */
+export interface NewestQuestion<K extends QuestionKind> {
+  ask(ask: Questions[K]['ask']): void;
+  forget(): void;
+}
+
+export interface Shell {
+  readonly root: ShadowRoot;
+  readonly editor: Editor;
+  readonly language: Language;
+  /** What the panels of a region stand in. */
+  region(region: Region): HTMLElement;
+  service<S extends keyof Services>(name: S): Services[S];
+
+  // ---- the worker, which knows of all changes before it hears what is sent ----
+  send(command: Command): void;
+  /** Undefined where there is no worker; stays open where the worker is lost. */
+  ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K> | undefined>;
+  newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K>;
+
+  // ---- the program ----
+  /** What was typed a moment ago is run now. */
+  flush(): void;
+  /** A panel has edited the text: it is run now, and the page around is told. */
+  edited(): void;
+  /** The same program written differently: undo brings back what was there. */
+  rewrite(text: string): void;
+  /** A program takes the place of the one in the editor; the setup of the one before goes with `another`. */
+  take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void;
+  /** The program's file or encoding is another one: the page around is told. */
+  changed(): void;
+  /** The next change of the text is put in at once, not typed. */
+  cameAtOnce(): void;
+  /** The reader has chosen a stroke: its block is selected. */
+  choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
+  /** Tells all panels where the tool is. */
+  toolMoved(place: Readout | undefined): void;
+
+  // ---- the setup ----
+  /** JSON, as the attribute has it. */
+  readonly setup: string | null;
+  changeSetup(setup: string | null): void;
+  /** The reader has turned a switch: attributes as they are to be. */
+  turn(switches: { readonly blockSkip?: string; readonly program?: string }): void;
+}

@@ -1,0 +1,243 @@
+// The programs found in a text: a list of them, and the chosen one cleaned, with every change marked and questions where
+// something cannot be known.
+//
+// In: the list, and the pieces of a program when it is chosen. Out: `chosen` (show this one) and `taken` with its text.
+// Must not know: how programs are found, or where the text goes.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
+import type { FoundPiece, FoundProgram, FoundPrograms } from '../protocol/protocol';
+
+export interface PasteDialogEvents {
+  chosen(program: number): void;
+  taken(text: string): void;
+}
+
+export class PasteDialog {
+  readonly #events: PasteDialogEvents;
+  readonly #list = make('div', { className: 'found-programs', role: 'radiogroup' });
+  readonly #shown = make('div', { className: 'text cleaned', tabIndex: 0, role: 'region', lang: 'en' });
+  readonly #what = make('ul', { className: 'what' });
+  readonly #summary = make('summary');
+  readonly #details = make('details', { className: 'changes' }, this.#summary, this.#what);
+  readonly #allMinus = make('button', { type: 'button', className: 'framed' });
+  readonly #take = make('button', { type: 'button', className: 'framed take' });
+  readonly #dialog: Dialog;
+  #language: Language;
+  #found: FoundPrograms | undefined;
+  #how: 'arrived' | 'asked' = 'asked';
+  #program = 0;
+  #pieces: readonly FoundPiece[] = [];
+  /** For each piece that asks, which of its choices is taken. */
+  readonly #answers = new Map<number, number>();
+
+  constructor(language: Language, events: PasteDialogEvents) {
+    this.#language = language;
+    this.#events = events;
+    this.#dialog = new Dialog('paste', [this.#list, this.#shown, this.#details], [this.#take, this.#allMinus]);
+    this.#take.addEventListener('click', () => {
+      const text = this.#text();
+      this.#dialog.close();
+      this.#events.taken(text);
+    });
+    this.#allMinus.addEventListener('click', () => this.#answerAll());
+    this.element.addEventListener('close', () => {
+      this.#found = undefined;
+      this.#pieces = [];
+      this.#shown.replaceChildren();
+    });
+    this.language = language;
+  }
+
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.#take.textContent = texts.take;
+    this.#allMinus.textContent = texts.allMinus;
+    this.#summary.textContent = texts.what;
+    this.#list.setAttribute('aria-label', texts.list);
+    this.#shown.setAttribute('aria-label', texts.cleaned);
+    if (this.#found === undefined) return;
+    this.#showName();
+    this.#showList(this.#found);
+    this.#events.chosen(this.#program);
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
+  get open(): boolean {
+    return this.#dialog.open;
+  }
+
+  /** `how`: the text has just come, or the reader asked for what is in it. */
+  show(found: FoundPrograms, how: 'arrived' | 'asked'): void {
+    this.#found = found;
+    this.#how = how;
+    this.#program = 0;
+    this.#showName();
+    this.#showList(found);
+    this.showPieces(0, []);
+    this.#dialog.show();
+    this.#events.chosen(0);
+    this.#list.querySelector('input')?.focus();
+  }
+
+  /** The pieces of a program, if it is still the one that is wanted. */
+  showPieces(program: number, pieces: readonly FoundPiece[]): void {
+    if (program !== this.#program) return;
+    this.#pieces = pieces;
+    this.#answers.clear();
+    const rows = pieces.map((piece, at) => this.#piece(piece, at));
+    this.#shown.replaceChildren(...rows.flat());
+    this.#shown.scrollTop = 0;
+    this.#allMinus.hidden = this.#minusAnswers().length < 2;
+    const reasons = new Map<string, number>();
+    for (const { reason } of pieces) if (reason !== '') reasons.set(reason, (reasons.get(reason) ?? 0) + 1);
+    this.#what.replaceChildren(...[...reasons].map(([reason, count]) =>
+      make('li', {}, count > 1 ? `${reason} (${count})` : reason)));
+    this.#details.hidden = reasons.size === 0;
+  }
+
+  #showName(): void {
+    const { title, asItIs } = WORDS[this.#language];
+    this.#dialog.name(title, this.#how === 'arrived' ? asItIs : COMMON[this.#language].close);
+  }
+
+  #showList(found: FoundPrograms): void {
+    const texts = WORDS[this.#language];
+    const about = texts.about(found.programs.length);
+    this.#dialog.about = found.more > 0 ? `${about} ${texts.more(found.more)}` : about;
+    this.#list.replaceChildren(...found.programs.map((program, at) => this.#row(program, at)));
+  }
+
+  #row(program: FoundProgram, at: number): HTMLElement {
+    const texts = WORDS[this.#language];
+    const lines = texts.lines(program.firstLine, program.lastLine);
+    const input = make('input', { type: 'radio', name: 'found', checked: at === this.#program });
+    input.addEventListener('change', () => {
+      this.#program = at;
+      this.#events.chosen(at);
+    });
+    const facts = [
+      program.name === '' ? '' : lines,
+      program.changes > 0 ? texts.changes(program.changes) : '',
+      program.questions > 0 ? texts.questions(program.questions) : '',
+      program.changes + program.questions === 0 ? texts.unchanged : '',
+    ].filter((fact) => fact !== '');
+    return make('label', {}, input, make('span', { className: 'name' }, program.name === '' ? lines : program.name), make('span', { className: 'facts' }, facts.join(' · ')));
+  }
+
+  #piece({ was, now, reason, choices }: FoundPiece, at: number): (Node | string)[] {
+    if (reason === '') return [now];
+    if (choices.length > 1) return [this.#question(choices, reason, at)];
+    const marked: (Node | string)[] = [];
+    if (was !== '') marked.push(make('del', { title: reason }, was));
+    // A new line says itself; what else is new is marked.
+    if (now.trim() === '') marked.push(now);
+    else marked.push(...(now.startsWith(' ') ? [' '] : []), make('ins', { title: reason }, now.trimStart()));
+    return marked;
+  }
+
+  #question(choices: readonly string[], reason: string, at: number): HTMLElement {
+    const rows = choices.map((choice, number) => {
+      const input = make('input', { type: 'radio', name: `question-${at}`, value: String(number), checked: number === 0 });
+      input.addEventListener('change', () => this.#answers.set(at, number));
+      return make('label', {}, input, number === 0 ? WORDS[this.#language].asPrinted(choice) : choice);
+    });
+    return make('span', { className: 'question', role: 'radiogroup', 'aria-label': reason, title: reason }, ...rows);
+  }
+
+  /** Pieces that ask whether a minus is lost, and which choice has it. */
+  #minusAnswers(): { at: number; number: number }[] {
+    return this.#pieces.flatMap(({ choices }, at) => {
+      const number = choices.findIndex((choice) => choice.includes('-'));
+      return number < 1 ? [] : [{ at, number }];
+    });
+  }
+
+  #answerAll(): void {
+    for (const { at, number } of this.#minusAnswers()) {
+      this.#answers.set(at, number);
+      const input = this.#shown.querySelector<HTMLInputElement>(`input[name="question-${at}"][value="${number}"]`);
+      if (input !== null) input.checked = true;
+    }
+  }
+
+  #text(): string {
+    return this.#pieces.map(({ now, choices }, at) => choices[this.#answers.get(at) ?? 0] ?? now).join('');
+  }
+}
+
+const numbers = {
+  en: {
+    programs: counter('en', { one: 'program', other: 'programs' }),
+    changes: counter('en', { one: 'change', other: 'changes' }),
+    questions: counter('en', { one: 'question', other: 'questions' }),
+  },
+  zh: {
+    programs: counter('zh', { other: '个程序' }),
+    changes: counter('zh', { other: '处修改' }),
+    questions: counter('zh', { other: '个问题' }),
+  },
+  ru: {
+    programs: counter('ru', { one: 'программа', few: 'программы', many: 'программ', other: 'программы' }),
+    changes: counter('ru', { one: 'исправление', few: 'исправления', many: 'исправлений', other: 'исправления' }),
+    questions: counter('ru', { one: 'вопрос', few: 'вопроса', many: 'вопросов', other: 'вопроса' }),
+  },
+};
+
+const WORDS = words({
+  en: {
+    title: 'Programs in this text',
+    about: (n: number) => `${numbers.en.programs(n)} found. The text is in the editor as it was; undo brings it back after a program is taken.`,
+    more: (n: number) => `${numbers.en.programs(n)} more not listed: paste a shorter text.`,
+    list: 'Programs found',
+    lines: (first: number, last: number) => (first === last ? `line ${first}` : `lines ${first}–${last}`),
+    changes: numbers.en.changes,
+    questions: numbers.en.questions,
+    unchanged: 'as it was',
+    cleaned: 'The program, cleaned',
+    what: 'What was changed',
+    asPrinted: (text: string) => `${text} as printed`,
+    allMinus: 'All of these negative',
+    take: 'Take this program',
+    asItIs: 'Paste as it is',
+  },
+  zh: {
+    title: '文本中的程序',
+    about: (n) => `找到 ${numbers.zh.programs(n)}。文本已原样放入编辑器；采用程序后可撤销恢复。`,
+    more: (n) => `还有 ${numbers.zh.programs(n)}未列出：请粘贴较短的文本。`,
+    list: '找到的程序',
+    lines: (first, last) => (first === last ? `第 ${first} 行` : `第 ${first}–${last} 行`),
+    changes: numbers.zh.changes,
+    questions: numbers.zh.questions,
+    unchanged: '未修改',
+    cleaned: '清理后的程序',
+    what: '修改内容',
+    asPrinted: (text) => `${text}（按原文）`,
+    allMinus: '全部取负值',
+    take: '采用此程序',
+    asItIs: '原样粘贴',
+  },
+  ru: {
+    title: 'Программы в этом тексте',
+    about: (n) => `Найдено: ${numbers.ru.programs(n)}. Текст вставлен в редактор без изменений; когда программа принята, отмена вернёт его.`,
+    more: (n) => `Не показано ещё: ${numbers.ru.programs(n)}. Вставьте текст короче.`,
+    list: 'Найденные программы',
+    lines: (first, last) => (first === last ? `строка ${first}` : `строки ${first}–${last}`),
+    changes: numbers.ru.changes,
+    questions: numbers.ru.questions,
+    unchanged: 'без изменений',
+    cleaned: 'Очищенная программа',
+    what: 'Что изменено',
+    asPrinted: (text) => `${text}, как напечатано`,
+    allMinus: 'Все со знаком минус',
+    take: 'Принять эту программу',
+    asItIs: 'Вставить как есть',
+  },
+});

@@ -1,0 +1,119 @@
+// What becomes of a text that may hold more than a program: it is searched, and where it does, a dialog offers its programs.
+//
+// In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit when the reader takes a program. The text itself is in the editor before, so nothing is lost. Must not know: how programs are found.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Panel, PanelKind, Shell } from './panel';
+import type { PasteDialog } from './paste-dialog';
+import pasteStyles from './paste.css?inline';
+
+/** UTF-16 units of a text that is searched without being asked to: longer ones are programs, as a rule, and take a while. */
+const SEARCHED = 1_000_000;
+/** A shorter text is a word or two. */
+const WORTH_SEARCHING = 12;
+
+export const paste: PanelKind = { styles: pasteStyles, make: (shell) => new Paste(shell) };
+
+class Paste implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'paste-button quiet', 'aria-haspopup': 'dialog' });
+  /** Loaded when a text with programs is first found. */
+  #dialog: PasteDialog | undefined;
+  /** Where the text stands that is looked at. */
+  #range: { readonly from: number; readonly to: number } | undefined;
+
+  readonly places = { foot: [this.#button] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.addEventListener('click', () => void this.#search(0, shell.editor.length, 'asked'));
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#button.textContent = texts.button;
+    this.#button.setAttribute('aria-label', texts.buttonName);
+    this.#button.title = texts.buttonHint;
+    if (this.#dialog !== undefined) this.#dialog.language = language;
+  }
+
+  get takesKeys(): boolean {
+    return this.#dialog?.open ?? false;
+  }
+
+  textArrived(from: number, to: number): void {
+    if (to - from >= WORTH_SEARCHING && to - from <= SEARCHED) void this.#search(from, to, 'arrived');
+  }
+
+  async #search(from: number, to: number, how: 'arrived' | 'asked'): Promise<void> {
+    const { editor } = this.#shell;
+    const { revision } = editor;
+    const found = await this.#shell.ask('programs-in', { text: editor.textBetween(from, to) });
+    // Something else has been typed since.
+    if (found === undefined || editor.revision !== revision || this.takesKeys) return;
+    const texts = WORDS[this.#shell.language];
+    if (how === 'arrived' && (!found.doubtful || found.programs.length === 0)) return;
+    if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
+    const { PasteDialog } = await import('./paste-dialog');
+    // The text has been changed, or searched once more, while the dialog was loaded.
+    if (editor.revision !== revision || this.takesKeys) return;
+    this.#range = { from, to };
+    if (this.#dialog === undefined) {
+      this.#dialog = new PasteDialog(this.#shell.language, {
+        chosen: (program) => void this.#choose(program),
+        taken: (text) => this.#take(text),
+      });
+      this.#shell.region('dialogs').append(this.#dialog.element);
+    }
+    this.#dialog.show(found, how);
+  }
+
+  async #choose(program: number): Promise<void> {
+    const pieces = await this.#shell.ask('pieces-of', { program, language: this.#shell.language });
+    if (pieces !== undefined) this.#dialog?.showPieces(program, pieces);
+  }
+
+  #take(text: string): void {
+    if (this.#range === undefined) return;
+    const { from, to } = this.#range;
+    const { editor, language } = this.#shell;
+    this.#shell.cameAtOnce();
+    editor.change([{ from, to, text }]);
+    this.#say(WORDS[language].taken);
+    editor.focus();
+  }
+
+  #say(text: string): void {
+    this.#shell.service('notice')(text, 'program');
+  }
+}
+
+const WORDS = words({
+  en: {
+    button: 'Programs…',
+    /** For who does not see the page around it. */
+    buttonName: 'Programs in a text…',
+    buttonHint: 'Finds the programs in the text of the editor, such as a page of a book or a forum, and cleans them',
+    none: 'No program was found in this text.',
+    tooLong: 'The text is too long to be searched for programs.',
+    taken: 'The program took the place of the text. Undo brings it back.',
+  },
+  zh: {
+    button: '程序…',
+    buttonName: '文本中的程序…',
+    buttonHint: '在编辑器的文本（如书页、论坛帖子）中查找程序并清理',
+    none: '文本中没有找到程序。',
+    tooLong: '文本过长，无法查找程序。',
+    taken: '程序已替换文本。可用撤销恢复。',
+  },
+  ru: {
+    button: 'Программы…',
+    buttonName: 'Программы в тексте…',
+    buttonHint: 'Находит программы в тексте редактора (страница учебника, форум) и очищает их',
+    none: 'Программ в этом тексте не найдено.',
+    tooLong: 'Текст слишком длинный для поиска программ.',
+    taken: 'Программа заменила текст. Отмена вернёт его.',
+  },
+});

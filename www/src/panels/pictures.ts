@@ -1,0 +1,159 @@
+// The pictures: the section and, beside it, the end face; the legend and the buttons to fit and zoom stand in the playback.
+//
+// In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the stroke the reader chooses.
+// Must not know: how a stroke is found, or what it means.
+
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { CanvasCommand, Command, PictureName, Pictures as Images, Stroke } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import { dimensionText } from './dimension';
+import { Drawing, type DrawingEvents } from './drawing';
+import type { ClientPlace, Panel, PanelKind, Services, Shell } from './panel';
+
+export const pictures: PanelKind = { make: (shell) => new Pictures(shell) };
+
+class Pictures implements Panel {
+  readonly #shell: Shell;
+  readonly #drawings: Readonly<Record<PictureName, Drawing>>;
+  readonly places: Panel['places'];
+  readonly services: Partial<Services> = {
+    choosePictures: (pictures) => {
+      this.#drawings.section.element.hidden = pictures === 'face';
+      this.#drawings.face.element.hidden = pictures === 'section';
+    },
+    locate: (x, z) => this.#locate('section', x, z),
+    locateOnFace: (x, c) => this.#locate('face', x, c),
+  };
+  /** The motion under the pointer. */
+  #hovered: number | undefined;
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    const edge = shell.newest('dimension', (edge) =>
+      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge)));
+    const onSection = this.#events('section');
+    const section = new Drawing(shell.language, {
+      ...onSection,
+      pointed(x, y) {
+        onSection.pointed(x, y);
+        edge.ask({ x, y });
+      },
+      left() {
+        edge.forget();
+        shell.send({ kind: 'leave-edge' });
+        section.showEdge(undefined);
+        onSection.left();
+      },
+      companion: () => face,
+    });
+    const face = new Drawing(shell.language, this.#events('face'));
+    this.#drawings = { section, face };
+    face.element.hidden = true;
+    this.places = { pictures: [section.element, face.element], playback: [section.legend, section.viewButtons] };
+  }
+
+  set language(language: Language) {
+    const { drawing, faceDrawing } = WORDS[language];
+    this.#drawings.section.speak(language, drawing);
+    this.#drawings.face.speak(language, () => faceDrawing);
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    this.#drawings.section.summary = event.report.summary;
+    for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();
+  }
+
+  showPictures(images: Images): void {
+    for (const picture of ['section', 'face'] as const) {
+      const image = images[picture];
+      if (image !== undefined) this.#drawings[picture].show(image);
+    }
+  }
+
+  coloursChanged(): void {
+    this.#shell.send(this.#palette);
+  }
+
+  connected(send: (command: Command) => void): void {
+    for (const picture of ['section', 'face'] as const) {
+      send({ kind: 'picture', picture, what: { kind: 'canvas', size: this.#drawings[picture].size } });
+    }
+    send(this.#palette);
+  }
+
+  outdated(): void {
+    for (const drawing of Object.values(this.#drawings)) {
+      drawing.showTip(undefined);
+      drawing.showEdge(undefined);
+    }
+    if (this.#hovered === undefined) return;
+    this.#hovered = undefined;
+    this.#shell.editor.hovered = undefined;
+  }
+
+  lost(): void {
+    this.#drawings.section.summary = undefined;
+    this.#drawings.section.showTip(undefined);
+  }
+
+  get #palette(): Command {
+    return { kind: 'palette', palette: this.#drawings.section.palette };
+  }
+
+  /** What each picture tells, the same for all of them. */
+  #events(picture: PictureName): DrawingEvents {
+    const shell = this.#shell;
+    const stroke = shell.newest('pick', (stroke) => this.#showHovered(picture, stroke));
+    const look = (what: CanvasCommand): void => shell.send({ kind: 'picture', picture, what });
+    return {
+      resized: (size) => look({ kind: 'resize', size }),
+      fit: () => look({ kind: 'fit' }),
+      pan: (dx, dy) => look({ kind: 'pan', dx, dy }),
+      zoom: (factor, x, y) => look({ kind: 'zoom', factor, x, y }),
+      pointed: (x, y) => stroke.ask({ picture, x, y }),
+      left: () => {
+        stroke.forget();
+        this.#showHovered(picture, undefined);
+      },
+      clicked: async (x, y, keepFocus) => {
+        const chosen = await shell.ask('pick', { picture, x, y });
+        if (chosen !== undefined) shell.choose(chosen, keepFocus ? 'keep-focus' : 'focus');
+      },
+    };
+  }
+
+  #showHovered(picture: PictureName, stroke: Stroke | undefined): void {
+    this.#drawings[picture].showTip(stroke);
+    if (stroke?.motion === this.#hovered) return;
+    this.#hovered = stroke?.motion;
+    this.#shell.send({ kind: 'hover', motion: stroke?.motion });
+    this.#shell.editor.hovered = stroke;
+  }
+
+  /** Where a place is drawn, in the window's CSS pixels. */
+  async #locate(picture: PictureName, x: number, other: number): Promise<ClientPlace> {
+    const place = await this.#shell.ask('locate', { picture, x, other });
+    if (place === undefined) throw new Error('the playground is not in a document');
+    const { origin } = this.#drawings[picture];
+    return { clientX: origin.x + place.x, clientY: origin.y + place.y };
+  }
+}
+
+const WORDS = words({
+  en: {
+    drawing: (n: number) =>
+      `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
+    faceDrawing: 'Drawing of the end face, seen from the tailstock: X to the right, C up. Arrow keys move it, plus and minus zoom, F shows all of it.',
+  },
+  zh: {
+    drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
+    faceDrawing: '端面图，从尾座方向看：X 向右，C 向上。方向键移动，加减号缩放，F 显示全部。',
+  },
+  ru: {
+    drawing: (n) =>
+      `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
+    faceDrawing: 'Чертёж торца, вид со стороны задней бабки: X вправо, C вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
+  },
+});

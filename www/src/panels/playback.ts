@@ -1,0 +1,352 @@
+// The bar under the drawing: play, step, scrub, speed, stops, and what is read off where the tool is.
+//
+// In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the block it is in is
+// marked in the text.
+// While it plays, each painted frame asks how far the tool has come; while it is paused nothing runs.
+// Must not know: how the path is drawn, or what a stroke means.
+
+import { icon, make, name, unbroken } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
+import playbackStyles from './playback.css?inline';
+import { millimetres, ReadoutBoard } from './readout';
+
+/** Seconds in which the whole program is shown, the first one unless another is chosen. */
+const WHOLE: readonly number[] = [20, 60];
+/** Times the pace of the machine. */
+const SPEEDS: readonly number[] = [0.5, 1, 2, 5, 10, 50];
+const UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
+/** A frame that took longer, s, was no frame: the page was hidden, or the computer slept. */
+const LONGEST_FRAME = 0.5;
+
+export const playback: PanelKind = { styles: playbackStyles, make: (shell) => new Playback(shell) };
+
+class Playback implements Panel {
+  readonly #shell: Shell;
+  readonly #row: HTMLElement;
+  readonly #seek: NewestQuestion<'seek'>;
+  readonly #play = make('button', { type: 'button', className: 'play', part: 'play' });
+  readonly #playIcon = make('span', { className: 'play-icon' });
+  readonly #playText = make('span', { className: 'play-text' });
+  readonly #back = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
+  readonly #forward = make('button', { type: 'button', className: 'quiet' }, icon('next'));
+  readonly #unit = make('select', { className: 'speed unit' });
+  readonly #whole = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
+  readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
+  readonly #speed = make('select', { className: 'speed' });
+  readonly #optional = make('button', { type: 'button', className: 'level optional', 'aria-pressed': 'true', hidden: true }, 'M01');
+  readonly #doing = make('p', { className: 'doing', part: 'doing', 'aria-live': 'polite' });
+  readonly #board: ReadoutBoard;
+  readonly #wholeOptions = WHOLE.map((seconds) => make('option', { value: `whole ${seconds}` }));
+  /** Where the block begins that is marked as running. */
+  #running: number | undefined;
+  #place: Readout | undefined;
+  /** Painting: the next frame; asking: the tool is under way. */
+  #frame: number | undefined;
+  #asking = false;
+  #lastFrame: number | undefined;
+  /** Seconds since the last answer was asked for. */
+  #elapsed = 0;
+  #from: 'here' | 'start' = 'here';
+  /** Counts what has been played, so that an answer can be too late. */
+  #take = 0;
+  #doingShown = '';
+  readonly places: Panel['places'];
+  readonly services: Partial<Services> = { play: () => this.#start(), pause: () => this.#stop() };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#row = shell.region('playback');
+    this.#seek = shell.newest('seek', (place) => this.#showTool(place));
+    this.#board = new ReadoutBoard(shell.language);
+    this.#play.append(this.#playIcon, this.#playText);
+    this.#speed.append(...this.#wholeOptions, ...SPEEDS.map((speed) => make('option', { value: `times ${speed}` }, `${speed}×`)));
+    this.#unit.append(...UNITS.map((unit) => make('option', { value: unit })));
+    this.places = {
+      playback: [
+        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward),
+        this.#unit,
+        this.#slider,
+        make('div', { className: 'place' }, this.#optional, this.#speed, this.#whole),
+        this.#board.element,
+        this.#doing,
+      ],
+    };
+    this.#play.addEventListener('click', () => this.#toggle());
+    this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
+    this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
+    this.#unit.addEventListener('change', () => this.#nameSteps());
+    this.#whole.addEventListener('click', () => this.#showWholePath());
+    this.#slider.addEventListener('input', () => this.#scrub());
+    this.#optional.addEventListener('click', () => {
+      this.#optional.setAttribute('aria-pressed', String(this.#stops === 'not-optional'));
+    });
+    this.#show(undefined);
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#row.setAttribute('aria-label', texts.playback);
+    for (const [i, option] of this.#wholeOptions.entries()) option.textContent = texts.wholeIn(WHOLE[i] ?? 0);
+    for (const option of this.#unit.options) option.textContent = texts.units[option.value as StepUnit];
+    this.#unit.setAttribute('aria-label', texts.stepBy);
+    this.#unit.title = texts.stepBy;
+    name(this.#optional, texts.optionalStops);
+    this.#optional.title = texts.optionalStopsHint;
+    name(this.#whole, texts.wholePath);
+    this.#slider.setAttribute('aria-label', texts.position);
+    this.#speed.setAttribute('aria-label', texts.speed);
+    this.#speed.title = texts.speed;
+    this.#board.language = language;
+    this.#nameSteps();
+    this.#showPlaying();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    const { stage, summary } = event.report;
+    // The path was there before, and the reader may be playing it.
+    if (stage === 'whole' || stage === 'path') {
+      this.#program(summary.motions, summary.optionalStops);
+      this.#showTool(undefined);
+    } else if (stage === 'again' && this.#place !== undefined) {
+      void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
+    }
+  }
+
+  pressed({ event }: Key): 'own' | 'not-own' {
+    const control = event.ctrlKey || event.metaKey;
+    if (event.key === 'Enter' && control) this.#toggle();
+    else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
+    else return 'not-own';
+    return 'own';
+  }
+
+  outdated(): void {
+    this.#stop();
+  }
+
+  lost(): void {
+    this.#program(0, 0);
+  }
+
+  left(): void {
+    this.#stop();
+  }
+
+  get #words(): (typeof WORDS)['en'] {
+    return WORDS[this.#shell.language];
+  }
+
+  /** Another path has been drawn, of so many motions, with so many stops that can be passed over. */
+  #program(motions: number, optionalStops: number): void {
+    this.#stop();
+    for (const control of [this.#play, this.#back, this.#forward, this.#slider]) control.disabled = motions <= 0;
+    this.#optional.hidden = optionalStops <= 0;
+    this.#show(undefined);
+  }
+
+  /** Where the tool is now. */
+  #show(place: Readout | undefined): void {
+    this.#place = place;
+    // While it is dragged, the hand says where the slider is, not an answer to where it was.
+    if (!this.#slider.matches(':active')) this.#slider.value = String(place?.share ?? 0);
+    this.#board.shown = place;
+    this.#whole.hidden = place === undefined;
+    this.#showDoing();
+    // What is read aloud while it plays would never come to an end.
+    if (this.#playing) return;
+    const stroke = place?.stroke;
+    const spoken =
+      stroke === undefined ? '–' : this.#words.positionText(millimetres(stroke.atX), millimetres(stroke.atZ));
+    this.#slider.setAttribute('aria-valuetext', spoken);
+  }
+
+  get #playing(): boolean {
+    return this.#frame !== undefined;
+  }
+
+  #toggle(): void {
+    if (this.#playing) this.#stop();
+    else this.#start();
+  }
+
+  #start(): void {
+    if (this.#playing || this.#play.disabled) return;
+    this.#from = this.#place === undefined || this.#place.share >= 1 ? 'start' : 'here';
+    this.#lastFrame = undefined;
+    this.#elapsed = 0;
+    this.#asking = false;
+    this.#take++;
+    this.#frame = requestAnimationFrame(this.#tick);
+    this.#showPlaying();
+  }
+
+  #step(unit: StepUnit, direction: StepDirection): void {
+    if (this.#play.disabled) return;
+    this.#stop();
+    this.#shell.editor.follow();
+    // The block is shown even if it is the same one.
+    this.#running = undefined;
+    void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+  }
+
+  #showWholePath(): void {
+    this.#stop();
+    this.#show(undefined);
+    this.#seek.ask({ share: undefined });
+    this.#play.focus({ preventScroll: true });
+  }
+
+  #tick = (now: number): void => {
+    const elapsed = this.#lastFrame === undefined ? 0 : (now - this.#lastFrame) / 1000;
+    this.#lastFrame = now;
+    this.#elapsed += Math.min(elapsed, LONGEST_FRAME);
+    this.#frame = requestAnimationFrame(this.#tick);
+    // One question at a time: where the interpreter is slow, the tool makes longer leaps.
+    if (this.#asking || this.#elapsed === 0) return;
+    this.#asking = true;
+    const take = this.#take;
+    const asked = this.#ask(this.#from, this.#elapsed);
+    [this.#from, this.#elapsed] = ['here', 0];
+    void asked.then((place) => {
+      if (take !== this.#take) return;
+      this.#asking = false;
+      const held = place?.stop !== undefined && (place.stop.kind === 'always' || this.#stops === 'all');
+      if (held || place === undefined || place.share >= 1) this.#stop();
+      this.#show(place);
+    });
+  };
+
+  /** On for so many seconds; `start` begins the program anew. */
+  async #ask(from: 'here' | 'start', seconds: number): Promise<Readout | undefined> {
+    const place = await this.#shell.ask('play', { from, seconds, pace: this.#pace, stops: this.#stops });
+    this.#shell.toolMoved(place);
+    this.#markRunning(place);
+    return place;
+  }
+
+  #showTool(place: Readout | undefined): void {
+    this.#show(place);
+    this.#shell.toolMoved(place);
+    this.#markRunning(place);
+  }
+
+  /** The block that runs, or that holds the tool, is marked in the text. */
+  #markRunning(place: Readout | undefined): void {
+    const block = place?.stop ?? place?.stroke;
+    if (block?.from === this.#running) return;
+    this.#running = block?.from;
+    this.#shell.editor.running = block;
+  }
+
+  #scrub(): void {
+    this.#stop();
+    this.#seek.ask({ share: this.#slider.valueAsNumber });
+  }
+
+  #stop(): void {
+    if (this.#frame === undefined) return;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = undefined;
+    this.#take++;
+    this.#showPlaying();
+    this.#show(this.#place);
+  }
+
+  get #pace(): Pace {
+    const [kind, number] = this.#speed.value.split(' ');
+    return kind === 'times' ? { kind, factor: Number(number) } : { kind: 'whole', seconds: Number(number) };
+  }
+
+  get #stops(): StopSwitch {
+    return this.#optional.getAttribute('aria-pressed') === 'true' ? 'all' : 'not-optional';
+  }
+
+  get #chosenUnit(): StepUnit {
+    return UNITS.find((unit) => unit === this.#unit.value) ?? 'motion';
+  }
+
+  #nameSteps(): void {
+    const key = { motion: 'F9', block: 'Ctrl F9', pass: 'Alt F9' }[this.#chosenUnit];
+    const texts = this.#words;
+    name(this.#back, `${texts.previous[this.#chosenUnit]} (Shift ${key})`);
+    name(this.#forward, `${texts.next[this.#chosenUnit]} (${key})`);
+  }
+
+  #showDoing(): void {
+    const { stroke, stop } = this.#place ?? {};
+    let text = '';
+    if (stop !== undefined) text = this.#words.stopped(stop.code, stop.line);
+    else if (stroke !== undefined) text = `${COMMON[this.#shell.language].line(stroke.line)}: ${stroke.text}`;
+    if (text === this.#doingShown) return;
+    this.#doingShown = text;
+    this.#doing.classList.toggle('stopped', stop !== undefined);
+    this.#doing.replaceChildren(...(text === '' ? [] : unbroken(text)));
+  }
+
+  #showPlaying(): void {
+    const text = this.#playing ? this.#words.pause : this.#words.play;
+    this.#playIcon.replaceChildren(icon(this.#playing ? 'pause' : 'play'));
+    this.#playText.textContent = text;
+    this.#play.title = `${text} (Ctrl Enter)`;
+    this.#doing.setAttribute('aria-live', this.#playing ? 'off' : 'polite');
+  }
+}
+
+const WORDS = words({
+  en: {
+    playback: 'Playback',
+    play: 'Play',
+    pause: 'Pause',
+    wholePath: 'Show the whole path',
+    position: 'Position along the path',
+    positionText: (x: string, z: string) => `X diameter ${x}, Z ${z}`,
+    speed: 'Speed',
+    previous: { motion: 'Previous motion', block: 'Previous block', pass: 'Previous pass' },
+    next: { motion: 'Next motion', block: 'Next block', pass: 'Next pass' },
+    stepBy: 'Step by',
+    units: { motion: 'motion', block: 'block', pass: 'pass' },
+    wholeIn: (seconds: number) => `all in ${seconds} s`,
+    optionalStops: 'Optional stop',
+    optionalStopsHint: 'When on, the playback stops at M01 too',
+    stopped: (code: string, line: number) => `${code} in line ${line}: the program stops here. Play goes on.`,
+  },
+  zh: {
+    playback: '播放',
+    play: '播放',
+    pause: '暂停',
+    wholePath: '显示完整轨迹',
+    position: '在轨迹上的位置',
+    positionText: (x, z) => `X 直径 ${x}，Z ${z}`,
+    speed: '速度',
+    previous: { motion: '上一段运动', block: '上一程序段', pass: '上一次走刀' },
+    next: { motion: '下一段运动', block: '下一程序段', pass: '下一次走刀' },
+    stepBy: '步进单位',
+    units: { motion: '运动', block: '程序段', pass: '走刀' },
+    wholeIn: (seconds) => `全程 ${seconds} 秒`,
+    optionalStops: '选择停止',
+    optionalStopsHint: '打开后，播放到 M01 时也停下',
+    stopped: (code, line) => `第 ${line} 行 ${code}：程序在此停止，按“播放”继续。`,
+  },
+  ru: {
+    playback: 'Воспроизведение',
+    play: 'Пуск',
+    pause: 'Пауза',
+    wholePath: 'Показать всю траекторию',
+    position: 'Положение на траектории',
+    positionText: (x, z) => `X диаметр ${x}, Z ${z}`,
+    speed: 'Скорость',
+    previous: { motion: 'Предыдущее перемещение', block: 'Предыдущий кадр', pass: 'Предыдущий проход' },
+    next: { motion: 'Следующее перемещение', block: 'Следующий кадр', pass: 'Следующий проход' },
+    stepBy: 'Шаг',
+    units: { motion: 'перемещение', block: 'кадр', pass: 'проход' },
+    wholeIn: (seconds) => `всё за ${seconds} с`,
+    optionalStops: 'Останов по выбору',
+    optionalStopsHint: 'Если включено, показ останавливается и на M01',
+    stopped: (code, line) => `${code} в строке ${line}: здесь программа останавливается. «Пуск» — дальше.`,
+  },
+});

@@ -1,0 +1,222 @@
+// The read-out of the playback: place, feed, spindle, time and tool, as on a control's position screen.
+//
+// In: what the interpreter reads off where the tool is. Out: an element. Must not know: how the numbers come about.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
+import type { Readout } from '../protocol/protocol';
+
+const NOTHING = '–';
+
+/** A name and a value that stays where it is while its digits change. */
+class Cell {
+  readonly #name = make('dt');
+  readonly #value = make('dd');
+  readonly element: HTMLElement;
+
+  constructor(className: string) {
+    this.element = make('div', { className: `cell ${className}` }, this.#name, this.#value);
+  }
+
+  set name(text: string) {
+    if (this.#name.textContent !== text) this.#name.textContent = text;
+  }
+
+  set value(text: string) {
+    // Setting the same text again would make the browser lay the page out anew in each frame.
+    if (this.#value.textContent !== text) this.#value.textContent = text;
+  }
+
+  set hint(text: string) {
+    if (this.element.title !== text) this.element.title = text;
+  }
+}
+
+export class ReadoutBoard {
+  readonly element = make('dl', { className: 'readout', part: 'readout' });
+  readonly #x = new Cell('x');
+  readonly #z = new Cell('z');
+  readonly #c = new Cell('c');
+  readonly #feed = new Cell('feed');
+  readonly #spindle = new Cell('spindle');
+  readonly #surface = new Cell('surface');
+  readonly #time = new Cell('time');
+  readonly #tool = new Cell('tool');
+  #language: Language;
+  #shown: Readout | undefined;
+
+  constructor(language: Language) {
+    this.#language = language;
+    const cells = [this.#x, this.#z, this.#c, this.#spindle, this.#surface, this.#feed, this.#time, this.#tool];
+    this.element.append(...cells.map((cell) => cell.element));
+    this.language = language;
+  }
+
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.element.setAttribute('aria-label', texts.readout);
+    this.#x.name = 'X ⌀';
+    this.#z.name = 'Z';
+    this.#c.name = 'C';
+    this.#feed.name = texts.feed;
+    this.#spindle.name = texts.spindle;
+    this.#surface.name = texts.surfaceSpeed;
+    this.#time.name = texts.time;
+    this.#tool.name = texts.tool;
+    this.shown = this.#shown;
+  }
+
+  set shown(readout: Readout | undefined) {
+    this.#shown = readout;
+    this.element.classList.toggle('idle', readout === undefined);
+    this.#c.element.hidden = readout?.c === undefined;
+    this.#x.value = readout === undefined ? NOTHING : millimetres(readout.stroke.atX);
+    this.#z.value = readout === undefined ? NOTHING : millimetres(readout.stroke.atZ);
+    this.#c.value = readout?.c === undefined ? NOTHING : `${signed(readout.c, 2)}°`;
+    this.#feed.value = this.#feedText(readout);
+    this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
+    this.#surface.value = this.#with(readout?.surfaceSpeed, 0, WORDS[this.#language].metres);
+    this.#time.value = this.#timeText(readout);
+    this.#time.hint = WORDS[this.#language].unknownTime(readout?.total.unknownRapids ?? 0, readout?.total.unknownCuts ?? 0);
+    this.#tool.value = this.#toolText(readout);
+  }
+
+  #with(value: number | undefined, digits: number, unit: string): string {
+    return value === undefined ? NOTHING : `${value.toFixed(digits)} ${unit}`;
+  }
+
+  /** As it is programmed, then what comes of it. */
+  #feedText(readout: Readout | undefined): string {
+    const texts = WORDS[this.#language];
+    if (readout?.stroke.kind === 'rapid') return COMMON[this.#language].rapid;
+    const parts = [
+      readout?.feedPerTurn === undefined ? '' : `${trimmed(readout.feedPerTurn, 4)} ${texts.perTurn}`,
+      readout?.feed === undefined ? '' : `${readout.feed < 10 ? trimmed(readout.feed, 2) : readout.feed.toFixed(0)} ${texts.perMinute}`,
+    ].filter((text) => text !== '');
+    return parts.join(' · ') || NOTHING;
+  }
+
+  /** "0:12 / 1:38 + 102 rapids": what is not known is counted, never guessed. */
+  #timeText(readout: Readout | undefined): string {
+    if (readout === undefined) return NOTHING;
+    const { elapsed, total } = readout;
+    const texts = WORDS[this.#language];
+    if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return texts.notKnown;
+    const unknown = [
+      total.unknownRapids > 0 ? ` + ${texts.rapids(total.unknownRapids)}` : '',
+      total.unknownCuts > 0 ? ` + ${texts.cuts(total.unknownCuts)}` : '',
+    ];
+    return `${clock(elapsed.seconds)} / ${clock(total.seconds)}${unknown.join('')}`;
+  }
+
+  #toolText(readout: Readout | undefined): string {
+    const { tool, toolKind, toolGuessed } = readout ?? {};
+    const texts = WORDS[this.#language];
+    const kind = toolKind === undefined ? '' : texts.kinds[toolKind];
+    const said = [tool, kind].filter((text) => text !== undefined && text !== '').join(' ');
+    if (said === '') return NOTHING;
+    return toolGuessed === true ? texts.assumed(said) : said;
+  }
+}
+
+/** "1:38" or "1:02:09". */
+function clock(seconds: number): string {
+  const whole = Math.floor(seconds + 1e-6);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
+}
+
+function trimmed(value: number, digits: number): string {
+  return value.toFixed(digits).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+}
+
+function signed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? (0).toFixed(digits) : text.replace('-', '−');
+}
+
+export function millimetres(value: number): string {
+  return signed(value, 3);
+}
+
+const WORDS = words({
+  en: {
+    readout: 'Where the tool is',
+    feed: 'Feed',
+    spindle: 'Spindle',
+    surfaceSpeed: 'Cutting speed',
+    time: 'Time',
+    tool: 'Tool',
+    perMinute: 'mm/min',
+    perTurn: 'mm/rev',
+    turns: 'rpm',
+    metres: 'm/min',
+    rapids: counter('en', { one: 'rapid', other: 'rapids' }),
+    cuts: counter('en', { one: 'cut', other: 'cuts' }),
+    notKnown: 'not known',
+    unknownTime: (rapids: number, cuts: number) =>
+      [
+        rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid rate.' : '',
+        cuts > 0 ? 'How long some cuts take is not known: they lack a feed or a turning spindle.' : '',
+      ].join(' ').trim(),
+    kinds: {
+      turning: 'turning tool', boring: 'boring bar', grooving: 'grooving tool', threading: 'threading tool',
+      drill: 'drill', tap: 'tap', endmill: 'live end mill',
+    },
+    assumed: (tool: string) => `${tool}, assumed`,
+  },
+  zh: {
+    readout: '刀具状态',
+    feed: '进给',
+    spindle: '主轴',
+    surfaceSpeed: '切削速度',
+    time: '时间',
+    tool: '刀具',
+    perMinute: 'mm/min',
+    perTurn: 'mm/r',
+    turns: 'r/min',
+    metres: 'm/min',
+    rapids: (n) => `${n} 段快移`,
+    cuts: (n) => `${n} 段切削`,
+    notKnown: '未知',
+    unknownTime: (rapids, cuts) =>
+      [
+        rapids > 0 ? '快速移动所需时间未知：设置中没有给出快移速度。' : '',
+        cuts > 0 ? '部分切削所需时间未知：没有进给量，或主轴未转动。' : '',
+      ].join(''),
+    kinds: {
+      turning: '车刀', boring: '镗刀', grooving: '切槽刀', threading: '螺纹刀',
+      drill: '钻头', tap: '丝锥', endmill: '动力铣刀',
+    },
+    assumed: (tool) => `${tool}（推测）`,
+  },
+  ru: {
+    readout: 'Где инструмент',
+    feed: 'Подача',
+    spindle: 'Шпиндель',
+    surfaceSpeed: 'Скорость рез.',
+    time: 'Время',
+    tool: 'Инструмент',
+    perMinute: 'мм/мин',
+    perTurn: 'мм/об',
+    turns: 'об/мин',
+    metres: 'м/мин',
+    rapids: counter('ru', { one: 'ускоренный ход', few: 'ускоренных хода', many: 'ускоренных ходов', other: 'ускоренного хода' }),
+    cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
+    notKnown: 'неизвестно',
+    unknownTime: (rapids, cuts) =>
+      [
+        rapids > 0 ? 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.' : '',
+        cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
+      ].join(' ').trim(),
+    kinds: {
+      turning: 'проходной резец', boring: 'расточной резец', grooving: 'канавочный резец', threading: 'резьбовой резец',
+      drill: 'сверло', tap: 'метчик', endmill: 'приводная фреза',
+    },
+    assumed: (tool) => `${tool}, предположительно`,
+  },
+});

@@ -1,0 +1,130 @@
+// The button "Write as a cycle" and its dialog: which plain moves can be written as a cycle, each as it is and as it would be.
+//
+// In: the offers, as an answer; those where the cursor stands come first. Out: the edits of the one that the reader takes.
+// Must not know: what a cycle is.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Rewriting } from '../protocol/protocol';
+import type { Key, Panel, PanelKind, Shell } from './panel';
+
+export const rewrite: PanelKind = { make: (shell) => new Rewrite(shell) };
+
+class Rewrite implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'rewrite-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #list = make('ul', { className: 'rewritings' });
+  readonly #dialog = new Dialog('rewrite', [this.#list]);
+  readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.addEventListener('click', () => void this.#offer());
+    this.available = false;
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#button.textContent = texts.button;
+    this.#button.title = texts.hint;
+    this.#dialog.name(texts.title, COMMON[language].close);
+  }
+
+  /** Whether there is a finished run with motions. */
+  set available(available: boolean) {
+    this.#button.disabled = !available;
+  }
+
+  get available(): boolean {
+    return !this.#button.disabled;
+  }
+
+  get takesKeys(): boolean {
+    return this.#dialog.open;
+  }
+
+  pressed({ event }: Key): 'own' | 'not-own' {
+    if (event.key !== 'Enter' || !event.altKey || event.composedPath()[0] instanceof HTMLInputElement) return 'not-own';
+    void this.#offer();
+    return 'own';
+  }
+
+  async #offer(): Promise<void> {
+    const { editor } = this.#shell;
+    if (!this.available) return;
+    this.#shell.flush();
+    const { revision } = editor;
+    const rewritings = await this.#shell.ask('rewritings', editor.selection);
+    if (rewritings !== undefined && editor.revision === revision) this.#show(rewritings);
+  }
+
+  #take({ edits, cycle }: Rewriting): void {
+    const { editor, language } = this.#shell;
+    editor.change(edits);
+    this.#shell.edited();
+    this.#shell.service('notice')(WORDS[language].took(cycle), 'program');
+    editor.focus();
+  }
+
+  #show(rewritings: readonly Rewriting[]): void {
+    const texts = WORDS[this.#shell.language];
+    this.#dialog.about = rewritings.length === 0 ? texts.none : texts.about;
+    this.#list.hidden = rewritings.length === 0;
+    const ordered = [...rewritings.filter(({ here }) => here), ...rewritings.filter(({ here }) => !here)];
+    this.#list.replaceChildren(...ordered.map((rewriting) => this.#item(rewriting)));
+    this.#dialog.show();
+    // What the cursor is in can be taken with Enter.
+    this.#list.querySelector('button')?.focus();
+  }
+
+  #item(rewriting: Rewriting): HTMLElement {
+    const texts = WORDS[this.#shell.language];
+    const lines = texts.lines(rewriting.line, rewriting.endLine);
+    const take = make('button', { type: 'button', className: 'framed', 'aria-label': `${texts.take}: ${lines}` }, texts.take);
+    take.addEventListener('click', () => {
+      this.#dialog.close();
+      this.#take(rewriting);
+    });
+    const code = (text: string): HTMLElement => make('pre', { lang: 'en' }, text);
+    return make(
+      'li', { className: rewriting.here ? 'here' : '' },
+      make('h3', {}, rewriting.title), make('span', { className: 'lines' }, lines), take,
+      make('div', { className: 'both' }, code(rewriting.before), make('span', { 'aria-hidden': 'true' }, '→'), code(rewriting.after)),
+    );
+  }
+}
+
+const WORDS = words({
+  en: {
+    button: 'Write as a cycle…',
+    hint: 'Write plain moves that form a G90, G92 or G94 as that cycle',
+    title: 'Write as a cycle',
+    about: 'Each of these was tried: the motions stay the same.',
+    none: 'No plain moves of this program form a G90, G92 or G94: rapid in, cut, out, and rapid back to the start point, each in a block of its own with nothing else in it.',
+    lines: (first: number, last: number) => `Lines ${first} to ${last}`,
+    take: 'Write it so',
+    took: (cycle: string) => `Written as ${cycle}; the motions are the same. Ctrl Z in the editor brings the moves back.`,
+  },
+  zh: {
+    button: '写成循环…',
+    hint: '将构成 G90、G92 或 G94 的普通移动指令写成该循环',
+    title: '写成循环',
+    about: '下列各项均已试运行：运动轨迹不变。',
+    none: '此程序中没有构成 G90、G92 或 G94 的普通移动指令：快速进刀、切削、退刀、快速返回起点，各占一个程序段，且段内无其他指令。',
+    lines: (first, last) => `第 ${first} 至 ${last} 行`,
+    take: '改写',
+    took: (cycle) => `已写成 ${cycle}，运动轨迹不变。在编辑器中按 Ctrl Z 可恢复原来的程序段。`,
+  },
+  ru: {
+    button: 'Записать циклом…',
+    hint: 'Записать простые перемещения, образующие G90, G92 или G94, этим циклом',
+    title: 'Записать циклом',
+    about: 'Каждая замена проверена: перемещения остаются теми же.',
+    none: 'В этой программе нет простых перемещений, образующих G90, G92 или G94: быстрый подвод, резание, отвод и быстрый возврат в начальную точку, каждое в своём кадре, где больше ничего нет.',
+    lines: (first, last) => `Строки ${first}–${last}`,
+    take: 'Записать так',
+    took: (cycle) => `Записано циклом ${cycle}, перемещения те же. Ctrl Z в редакторе вернёт прежние кадры.`,
+  },
+});

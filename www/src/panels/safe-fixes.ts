@@ -1,0 +1,26 @@
+// The repairs that can be made without asking, all at once.
+//
+// In: the diagnostics of a run. Out: the edits of the first safe repair of each; of those that touch the same text the first
+// is taken, as `src/repair.rs` does. Must not know: what a repair is about.
+
+import type { Diagnostic, Fix } from '../protocol/protocol';
+
+type Edits = Fix['edits'];
+
+/** How many diagnostics have a safe repair. */
+export function countSafe(diagnostics: readonly Diagnostic[]): number {
+  return diagnostics.filter(({ fixes }) => fixes.some(({ safe }) => safe)).length;
+}
+
+/** The edits in the order of their places. */
+export function safeEdits(diagnostics: readonly Diagnostic[]): Edits {
+  const fixes = diagnostics.flatMap(({ fixes }) => fixes.find(({ safe, edits }) => safe && edits.length > 0) ?? []);
+  const whole = fixes.map(({ edits }) => ({ from: edits[0]!.from, to: edits.at(-1)!.to, edits }));
+  whole.sort((a, b) => a.from - b.from);
+  const taken: typeof whole = [];
+  for (const fix of whole) {
+    const last = taken.at(-1);
+    if (last === undefined || (last.to <= fix.from && last.from < fix.from)) taken.push(fix);
+  }
+  return taken.flatMap(({ edits }) => edits);
+}

@@ -1,0 +1,86 @@
+// One field of the setup form: its label, its unit, what is assumed where it is empty, what is wrong with it.
+//
+// In: the field and how it stands. Out: `changed`. Must not know: what it is for.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { SetupField, SetupState } from '../protocol/protocol';
+
+export class SetupInput {
+  readonly key: string;
+  readonly element: HTMLElement;
+  readonly #language: Language;
+  readonly #input: HTMLInputElement | HTMLSelectElement;
+  /** The option of a choice that says nothing. */
+  readonly #none: HTMLOptionElement | undefined;
+  readonly #slip: HTMLElement;
+
+  constructor(field: SetupField, language: Language, changed: () => void) {
+    const { key, label, unit, entry, choices, value } = field;
+    this.key = key;
+    this.#language = language;
+    const id = `setup-${key}`;
+    if (entry === 'choice') {
+      this.#none = make('option', { value: '' }, WORDS[language].nothing);
+      this.#input = make('select', { id }, this.#none, ...choices.map((own) => make('option', { value: own.value }, own.text)));
+    } else {
+      const mode = entry === 'number' ? 'decimal' : 'text';
+      this.#input = make('input', { id, type: 'text', inputMode: mode, autocomplete: 'off', spellcheck: false });
+    }
+    this.#input.value = value;
+    this.#input.addEventListener('input', changed);
+    this.#slip = make('p', { className: 'slip', id: `${id}-slip`, hidden: true });
+    const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
+    this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-slip`);
+    this.element = make(
+      'div', { className: 'setup-field' },
+      make('label', { htmlFor: id }, label),
+      make('div', { className: 'entry' }, this.#input, unitText),
+      this.#slip,
+    );
+  }
+
+  get text(): string {
+    return this.#input.value;
+  }
+
+  set text(text: string) {
+    this.#input.value = text;
+  }
+
+  set state(state: SetupState | undefined) {
+    if (state === undefined) return;
+    const { assumed, slip, shown } = state;
+    const said = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
+    if (this.#none !== undefined) this.#none.textContent = said === '' ? WORDS[this.#language].nothing : said;
+    else (this.#input as HTMLInputElement).placeholder = said;
+    this.#input.classList.toggle('unsaid', this.text === '');
+    this.element.hidden = shown === 'hidden';
+    this.#slip.hidden = slip === undefined;
+    this.#slip.textContent = slip ?? '';
+    this.#input.setAttribute('aria-invalid', String(slip !== undefined));
+    const folded = this.element.closest('details');
+    if (slip !== undefined && folded !== null) folded.open = true;
+  }
+
+  focus(): void {
+    this.#input.focus();
+  }
+}
+
+const WORDS = words({
+  en: {
+    /** In a field that is empty: what counts there. */
+    placeholder: (value: string) => `${value} (assumed)`,
+    nothing: '—',
+  },
+  zh: {
+    placeholder: (value) => `${value}（假定）`,
+    nothing: '—',
+  },
+  ru: {
+    placeholder: (value) => `${value} (принято)`,
+    nothing: '—',
+  },
+});

@@ -1,0 +1,126 @@
+// The setup: the button that opens its form, whether tools and stock are assumed, and the form itself.
+//
+// In: what is given and what is assumed; answers to what is entered. Out: the setup, kept in the program or on the page.
+// Must not know: what a setup may hold, or how anything is assumed.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import { AssumedStock } from './assumed-stock';
+import type { Panel, PanelKind, Services, Shell } from './panel';
+import setupStyles from './setup.css?inline';
+import type { SetupDialog, SetupEntries } from './setup-form';
+
+export const setup: PanelKind = { styles: setupStyles, make: (shell) => new Setup(shell) };
+
+class Setup implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'setup-button', 'aria-haspopup': 'dialog' });
+  readonly #assumedTools = make('span', { className: 'assumed' });
+  readonly #assumedStock: AssumedStock;
+  /** Loaded when it is first opened. */
+  #form: SetupDialog | undefined;
+  #fitted: Fitted | undefined;
+  readonly places: Panel['places'];
+  readonly services: Partial<Services> = { openSetup: (group) => void this.#open(group) };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#assumedStock = new AssumedStock({
+      form: () => this.#ask(),
+      read: (entries) => this.#read(entries),
+      taken: (answer, place) => {
+        this.#keep(answer, place);
+        // The button that was pressed goes.
+        this.#button.focus();
+      },
+    });
+    this.#button.addEventListener('click', () => void this.#open());
+    this.places = {
+      views: [make('div', { className: 'setup-bar', part: 'setup' }, this.#button, this.#assumedTools)],
+      assumptions: [this.#assumedStock.element],
+    };
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#button.textContent = texts.setup;
+    this.#assumedTools.textContent = texts.toolsAssumed;
+    this.#assumedStock.speak(texts.stockAssumed, texts.useStock);
+    if (this.#form !== undefined) this.#form.language = language;
+    this.#render();
+  }
+
+  get takesKeys(): boolean {
+    return this.#form?.open ?? false;
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    this.#fitted = this.#assumedStock.fitted = event.report.fitted;
+    this.#render();
+  }
+
+  #render(): void {
+    this.#assumedTools.hidden = !(this.#fitted?.tools.some(({ known }) => known === 'guessed') ?? false);
+  }
+
+  async #open(group?: SetupGroup['group']): Promise<void> {
+    const [form, { SetupDialog }] = await Promise.all([this.#ask(), import('./setup-form')]);
+    if (form === undefined) return;
+    if (this.#form === undefined) {
+      this.#form = new SetupDialog(this.#shell.language, {
+        read: (entries) => this.#read(entries),
+        another: (word) => this.#shell.ask('another-tool', { word }),
+        kept: (answer, place) => this.#keep(answer, place),
+      });
+      this.#shell.region('dialogs').append(this.#form.element);
+    }
+    this.#form.show(form, group);
+  }
+
+  #read(entries: SetupEntries): Promise<SetupAnswer | undefined> {
+    return this.#shell.ask('read-setup', { ...entries, json: this.#shell.setup ?? '{}' });
+  }
+
+  async #ask(): Promise<SetupForm | undefined> {
+    this.#shell.flush();
+    return this.#shell.ask('setup-form', undefined);
+  }
+
+  #keep({ setup, edits }: SetupAnswer, place: SetupPlace): void {
+    const { editor, language } = this.#shell;
+    editor.change(edits);
+    const texts = WORDS[language].kept;
+    this.#shell.changeSetup(setup === '' ? null : setup);
+    this.#shell.service('notice')(place === 'program' ? texts.program : texts.page, 'program-setup');
+  }
+}
+
+const WORDS = words({
+  en: {
+    setup: 'Setup',
+    /** Beside the button of the form, where no tools are given. */
+    toolsAssumed: 'Tools assumed',
+    /** The line above the drawing where no stock is given, and its button. */
+    stockAssumed: 'Stock assumed: collisions not checked',
+    useStock: 'use this stock',
+    kept: { program: 'The setup stands in the program now. Ctrl Z takes it out.', page: 'The setup is kept on this page.' },
+  },
+  zh: {
+    setup: '毛坯与刀具',
+    toolsAssumed: '刀具为假定',
+    stockAssumed: '毛坯为假定：未检查碰撞',
+    useStock: '采用此毛坯',
+    kept: { program: '设置已写入程序。按 Ctrl Z 可撤销。', page: '设置已保存在本页。' },
+  },
+  ru: {
+    setup: 'Наладка',
+    toolsAssumed: 'Инструменты приняты',
+    stockAssumed: 'Заготовка принята: столкновения не ищутся',
+    useStock: 'взять её',
+    kept: { program: 'Наладка записана в программу. Ctrl Z убирает её.', page: 'Наладка хранится на этой странице.' },
+  },
+});

@@ -1,0 +1,160 @@
+// The body that is turned from a half-section, as plain numbers for whoever draws it.
+//
+// In: the pieces of the section. Out: the turned surface with its normals, and its edges. A quarter is left out: that
+// between up and the viewer. The spindle axis is the first axis, up the second, the viewer is at the far end of the third.
+// Threads are rings, as the section shows them. Must not know: how it is drawn.
+
+import type { SectionPiece } from '../protocol/protocol';
+
+/** A corner of the half-section: along the spindle, and the radius; mm. */
+export interface Corner {
+  readonly z: number;
+  readonly r: number;
+}
+
+export interface Body {
+  /** Three numbers for each place, three places of `triangles` a triangle; mm. */
+  readonly places: Float32Array;
+  readonly normals: Float32Array;
+  readonly triangles: Uint32Array;
+  /** Six numbers for each line. */
+  readonly edges: Float32Array;
+}
+
+/** Of a whole turn, from straight towards the viewer on; up is at both ends of it. */
+const FROM = Math.PI / 2;
+const TURN = (3 * Math.PI) / 2;
+/** Flats of the three quarters: a smooth outline, unless there are very many corners. */
+const FLATS = { least: 24, most: 144, places: 600_000 };
+/** Corners nearer to the axis are on it, mm. */
+const ON_AXIS = 1e-4;
+/** Arcs come as chords: a corner is one of those if it turns less than this, and stands out of its neighbours less. */
+const SMOOTH = { angle: Math.PI / 6, height: 0.006 };
+
+/** The closed outlines of a piece, material on the left. */
+export function outlinesOf({ outline, holes }: SectionPiece): Corner[][] {
+  return [outline, ...holes].map((points) => points.map(([z, x]) => ({ z, r: Math.max(x / 2, 0) })));
+}
+
+export function turnedBody(pieces: readonly SectionPiece[]): Body {
+  const outlines = pieces.flatMap(outlinesOf);
+  const corners = outlines.reduce((sum, outline) => sum + outline.length, 0);
+  const flats = Math.round(Math.min(FLATS.most, Math.max(FLATS.least, FLATS.places / (2 * Math.max(corners, 1)))));
+  const around = Array.from({ length: flats + 1 }, (_, flat) => {
+    const angle = FROM + (TURN * flat) / flats;
+    return { up: Math.cos(angle), near: Math.sin(angle) };
+  });
+  const builder = new Builder(around);
+  for (const outline of outlines) addOutline(builder, outline);
+  return builder.body();
+}
+
+function addOutline(builder: Builder, outline: readonly Corner[]): void {
+  const count = outline.length;
+  const at = (index: number): Corner => outline[(index + count) % count] ?? { z: 0, r: 0 };
+  for (let index = 0; index < count; index += 1) {
+    const [from, to] = [at(index), at(index + 1)];
+    if (onAxis(from) && onAxis(to)) continue;
+    const joints = [jointOf(at(index - 1), from, to), jointOf(from, to, at(index + 2))] as const;
+    builder.addBand(from, to, normalAt(from, to, joints[0]), normalAt(from, to, joints[1]));
+    builder.addSectionEdge(from, to);
+    if (joints[0].kind === 'sharp' && !onAxis(from)) builder.addRing(from);
+  }
+}
+
+type Joint = { readonly kind: 'sharp' } | { readonly kind: 'smooth'; readonly normal: Direction };
+
+interface Direction {
+  readonly z: number;
+  readonly r: number;
+}
+
+/** How two edges meet. */
+function jointOf(a: Corner, b: Corner, c: Corner): Joint {
+  const [before, after] = [normalOf(a, b), normalOf(b, c)];
+  const angle = Math.abs(Math.atan2(before.z * after.r - before.r * after.z, before.z * after.z + before.r * after.r));
+  const [first, second] = [length(a, b), length(b, c)];
+  const height = (Math.min(first, second) * angle) / 8;
+  // An edge on the axis belongs to no surface.
+  if (angle > SMOOTH.angle || height > SMOOTH.height || (onAxis(a) && onAxis(b)) || (onAxis(b) && onAxis(c))) return { kind: 'sharp' };
+  // A long straight edge that an arc runs into is tangent to it.
+  if (first > 8 * second) return { kind: 'smooth', normal: before };
+  if (second > 8 * first) return { kind: 'smooth', normal: after };
+  const sum = { z: before.z + after.z, r: before.r + after.r };
+  const size = Math.hypot(sum.z, sum.r) || 1;
+  return { kind: 'smooth', normal: { z: sum.z / size, r: sum.r / size } };
+}
+
+function normalAt(from: Corner, to: Corner, joint: Joint): Direction {
+  return joint.kind === 'smooth' ? joint.normal : normalOf(from, to);
+}
+
+/** Away from the material, which is on the left of an edge. */
+function normalOf(from: Corner, to: Corner): Direction {
+  const size = length(from, to) || 1;
+  return { z: (to.r - from.r) / size, r: (from.z - to.z) / size };
+}
+
+function length(a: Corner, b: Corner): number {
+  return Math.hypot(b.z - a.z, b.r - a.r);
+}
+
+function onAxis({ r }: Corner): boolean {
+  return r < ON_AXIS;
+}
+
+/** A direction across the axis: how far up, and how far towards the viewer. */
+interface Across {
+  readonly up: number;
+  readonly near: number;
+}
+
+/** Collects the numbers of a body. */
+class Builder {
+  readonly #around: readonly Across[];
+  readonly #places: number[] = [];
+  readonly #normals: number[] = [];
+  readonly #triangles: number[] = [];
+  readonly #edges: number[] = [];
+
+  constructor(around: readonly Across[]) {
+    this.#around = around;
+  }
+
+  /** The surface an edge passes over. */
+  addBand(from: Corner, to: Corner, normalFrom: Direction, normalTo: Direction): void {
+    const first = this.#places.length / 3;
+    for (const { up, near } of this.#around) {
+      this.#places.push(from.z, from.r * up, from.r * near, to.z, to.r * up, to.r * near);
+      this.#normals.push(
+        normalFrom.z, normalFrom.r * up, normalFrom.r * near, normalTo.z, normalTo.r * up, normalTo.r * near,
+      );
+    }
+    for (let flat = 0; flat + 1 < this.#around.length; flat += 1) {
+      const [a, b, c, d] = [0, 1, 2, 3].map((step) => first + 2 * flat + step) as [number, number, number, number];
+      this.#triangles.push(a, b, c, b, d, c);
+    }
+  }
+
+  /** The circle a corner passes along. */
+  addRing({ z, r }: Corner): void {
+    for (const [index, next] of this.#around.slice(1).entries()) {
+      const before = this.#around[index];
+      if (before !== undefined) this.#edges.push(z, r * before.up, r * before.near, z, r * next.up, r * next.near);
+    }
+  }
+
+  /** An edge of both faces of the cut. */
+  addSectionEdge(from: Corner, to: Corner): void {
+    this.#edges.push(from.z, from.r, 0, to.z, to.r, 0, from.z, 0, from.r, to.z, 0, to.r);
+  }
+
+  body(): Body {
+    return {
+      places: new Float32Array(this.#places),
+      normals: new Float32Array(this.#normals),
+      triangles: new Uint32Array(this.#triangles),
+      edges: new Float32Array(this.#edges),
+    };
+  }
+}

@@ -1,0 +1,295 @@
+// The turned body on a WebGL canvas: drawn only when something has moved.
+//
+// In: a canvas with its context, the section. Out: pixels. Turned and zoomed by mouse, finger and keyboard.
+// Loaded when it is first wanted, and three.js with it. Must not know: where the section comes from.
+
+import {
+  BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, HemisphereLight, LineBasicMaterial,
+  LineSegments, Mesh, MeshPhongMaterial, PerspectiveCamera, Scene, ShaderMaterial, ShapeUtils, Spherical, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { SectionPiece } from '../protocol/protocol';
+import { outlinesOf, turnedBody, type Corner } from './solid-shape';
+
+/** Where the first view is from: the right front, a little above. */
+const FIRST_VIEW = new Vector3(0.62, 0.62, 1).normalize();
+/** Degrees; a narrow one, so that parallel edges stay nearly parallel. */
+const FIELD_OF_VIEW = 24;
+const KEY_TURN = Math.PI / 24;
+const KEY_ZOOM = 1.15;
+/** Hatch lines across the longer side of a part. */
+const HATCH_LINES = 40;
+/** The centre line reaches out of the part by this share of its length. */
+const CENTER_LINE_OVER = 0.08;
+
+/** Lines at 45° that stay sharp however near the viewer comes. */
+const HATCH = {
+  vertexShader: `
+    varying vec2 place;
+    void main() {
+      place = uv;
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    }`,
+  fragmentShader: `
+    uniform vec3 ground;
+    uniform vec3 lines;
+    uniform float spacing;
+    varying vec2 place;
+    void main() {
+      float across = (place.x - place.y) / spacing;
+      float blur = fwidth(across);
+      float beside = abs(fract(across) - 0.5);
+      float line = 1.0 - smoothstep(blur * 0.2, blur * 1.0, beside);
+      // Where lines would run into each other, their mean.
+      line = mix(line, 0.2, smoothstep(0.25, 0.6, blur));
+      gl_FragColor = vec4(mix(ground, lines, 0.8 * line), 1.0);
+      #include <colorspace_fragment>
+    }`,
+};
+
+export class SolidView {
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW);
+  readonly #controls: OrbitControls;
+  readonly #body = new Group();
+  readonly #surface = new MeshPhongMaterial({ shininess: 42, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  readonly #hatch = new ShaderMaterial({
+    ...HATCH, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    uniforms: { ground: { value: new Color() }, lines: { value: new Color() }, spacing: { value: 1 } },
+  });
+  readonly #edge = new LineBasicMaterial();
+  readonly #axis = new LineBasicMaterial();
+  readonly #sky = new HemisphereLight(0xffffff, 0x8c8780, 1.6);
+  readonly #lamp = new DirectionalLight(0xffffff, 1.5);
+  readonly #dark = matchMedia('(prefers-color-scheme: dark)');
+  readonly #sizes: ResizeObserver;
+  readonly #recolour = (): void => {
+    this.#colour();
+    this.#want();
+  };
+  #frame: number | undefined;
+  /** What the first view shows all of: middle, and half of the length and of the diameter; mm. */
+  #extents: { readonly middle: number; readonly half: number; readonly radius: number } | undefined;
+
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+    this.canvas = canvas;
+    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true });
+    this.#lamp.position.set(-0.6, 1, 0.9);
+    this.#camera.add(this.#lamp);
+    this.#scene.add(this.#sky, this.#camera, this.#body);
+    this.#controls = new OrbitControls(this.#camera, canvas);
+    this.#controls.addEventListener('change', () => this.#want());
+    canvas.addEventListener('keydown', (event) => this.#key(event));
+    this.#dark.addEventListener('change', this.#recolour);
+    this.#sizes = new ResizeObserver(() => this.#resize());
+    this.#sizes.observe(canvas);
+    this.#colour();
+    this.#resize();
+  }
+
+  set section(pieces: readonly SectionPiece[]) {
+    this.#clear();
+    const corners = pieces.flatMap(outlinesOf).flat();
+    if (corners.length > 0) {
+      this.#build(pieces, corners);
+      // The view stays where the reader has turned it while the part changes.
+      if (this.#extents === undefined) {
+        this.#extents = extentsOf(corners);
+        this.reset();
+      }
+    }
+    this.#want();
+  }
+
+  /** Shows all of it from where it is first seen. */
+  reset(): void {
+    const extents = this.#extents;
+    if (extents === undefined) return;
+    const { middle, half, radius } = extents;
+    this.#controls.target.set(middle, 0, 0);
+    const distance = this.#distanceFor(half * (1 + CENTER_LINE_OVER), radius);
+    this.#camera.position.copy(FIRST_VIEW).multiplyScalar(distance).add(this.#controls.target);
+    const size = Math.hypot(half, radius);
+    this.#camera.near = size / 20;
+    this.#camera.far = distance + 40 * size;
+    this.#controls.minDistance = 0.4 * size;
+    this.#controls.maxDistance = 4 * distance;
+    this.#camera.updateProjectionMatrix();
+    this.#controls.update();
+    this.#want();
+  }
+
+  /** Lets go of everything the graphics card holds. */
+  free(): void {
+    if (this.#frame !== undefined) cancelAnimationFrame(this.#frame);
+    this.#sizes.disconnect();
+    this.#dark.removeEventListener('change', this.#recolour);
+    this.#controls.dispose();
+    this.#clear();
+    for (const material of [this.#surface, this.#hatch, this.#edge, this.#axis]) material.dispose();
+    this.#renderer.dispose();
+    this.#renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
+  // ---- the body -----------------------------------------------------------------------------------
+
+  #build(pieces: readonly SectionPiece[], corners: readonly Corner[]): void {
+    const { places, normals, triangles, edges } = turnedBody(pieces);
+    const surface = new BufferGeometry();
+    surface.setAttribute('position', new BufferAttribute(places, 3));
+    surface.setAttribute('normal', new BufferAttribute(normals, 3));
+    surface.setIndex(new BufferAttribute(triangles, 1));
+    const lines = new BufferGeometry();
+    lines.setAttribute('position', new BufferAttribute(edges, 3));
+    const { middle, half, radius } = extentsOf(corners);
+    const size = 2 * Math.max(half, radius);
+    this.#hatch.uniforms['spacing'] = { value: size / HATCH_LINES };
+    this.#body.add(
+      new Mesh(surface, this.#surface),
+      new Mesh(cutFaces(pieces), this.#hatch),
+      new LineSegments(lines, this.#edge),
+      this.#centerLine(middle, half * (1 + 2 * CENTER_LINE_OVER), size),
+    );
+  }
+
+  /** Dashes in turn long and short, as drawings have them; each is a line of its own. */
+  #centerLine(middle: number, half: number, size: number): LineSegments {
+    const [long, short, gap] = [size / 14, size / 70, size / 70];
+    const places: number[] = [];
+    for (let at = middle - half, isLong = true; at < middle + half; isLong = !isLong) {
+      const end = Math.min(at + (isLong ? long : short), middle + half);
+      places.push(at, 0, 0, end, 0, 0);
+      at = end + gap;
+    }
+    const line = new BufferGeometry();
+    line.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
+    return new LineSegments(line, this.#axis);
+  }
+
+  #clear(): void {
+    for (const part of this.#body.children) if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
+    this.#body.clear();
+  }
+
+  // ---- the view -----------------------------------------------------------------------------------
+
+  /** How far away a body of half that length and that radius, seen from the first view, fills the picture. */
+  #distanceFor(half: number, radius: number): number {
+    const right = new Vector3(0, 1, 0).cross(FIRST_VIEW).normalize();
+    const up = FIRST_VIEW.clone().cross(right);
+    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    let distance = 0;
+    for (let step = 0; step < 48; step += 1) {
+      const angle = (step * Math.PI) / 24;
+      for (const z of [-half, half]) {
+        const place = new Vector3(z, radius * Math.cos(angle), radius * Math.sin(angle));
+        const beside = Math.max(Math.abs(place.dot(right)) / this.#camera.aspect, Math.abs(place.dot(up)));
+        distance = Math.max(distance, beside / slope + place.dot(FIRST_VIEW));
+      }
+    }
+    return distance * 1.08;
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turn: Readonly<Record<string, readonly [theta: number, phi: number]>> = {
+      ArrowLeft: [-KEY_TURN, 0], ArrowRight: [KEY_TURN, 0], ArrowUp: [0, -KEY_TURN], ArrowDown: [0, KEY_TURN],
+    };
+    const [theta, phi] = turn[event.key] ?? [0, 0];
+    if (theta !== 0 || phi !== 0) this.#move(theta, phi, 1);
+    else if (event.key === '+' || event.key === '=') this.#move(0, 0, 1 / KEY_ZOOM);
+    else if (event.key === '-') this.#move(0, 0, KEY_ZOOM);
+    else if (event.key === 'Home') this.reset();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** Turns the viewer about the part by radians, and brings him so many times as far away. */
+  #move(theta: number, phi: number, farther: number): void {
+    const { target, minDistance, maxDistance } = this.#controls;
+    const place = new Spherical().setFromVector3(this.#camera.position.clone().sub(target));
+    place.theta += theta;
+    place.phi += phi;
+    place.radius = Math.min(Math.max(place.radius * farther, minDistance), maxDistance);
+    place.makeSafe();
+    this.#camera.position.setFromSpherical(place).add(target);
+    this.#controls.update();
+    this.#want();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.#renderer.setSize(width, height, false);
+    this.#camera.aspect = width / height;
+    this.#camera.updateProjectionMatrix();
+    this.#want();
+  }
+
+  #colour(): void {
+    const colour = (property: string): Color => new Color(resolved(this.canvas, property));
+    this.#scene.background = colour('background');
+    this.#surface.color = colour('solid');
+    this.#surface.specular = new Color(0x2a2d30);
+    this.#hatch.uniforms['ground'] = { value: colour('part') };
+    this.#hatch.uniforms['lines'] = { value: colour('part-edge') };
+    this.#edge.color = colour('ink');
+    this.#axis.color = colour('axis');
+  }
+
+  /** At most one picture a frame, and none while nothing moves. */
+  #want(): void {
+    this.#frame ??= requestAnimationFrame(() => {
+      this.#frame = undefined;
+      this.#renderer.render(this.#scene, this.#camera);
+    });
+  }
+}
+
+/** Both faces of the cut: one upright, one lying. Their texture's places are those of the section. */
+function cutFaces(pieces: readonly SectionPiece[]): BufferGeometry {
+  const places: number[] = [];
+  const section: number[] = [];
+  const triangles: number[] = [];
+  for (const piece of pieces) {
+    const [outline = [], ...holes] = outlinesOf(piece).map((corners) => corners.map(({ z, r }) => new Vector2(z, r)));
+    const found = ShapeUtils.triangulateShape(outline, holes);
+    for (const face of ['upright', 'lying'] as const) {
+      const first = places.length / 3;
+      for (const { x: z, y: r } of [...outline, ...holes.flat()]) {
+        if (face === 'upright') places.push(z, r, 0);
+        else places.push(z, 0, r);
+        section.push(z, r);
+      }
+      for (const triangle of found) triangles.push(...triangle.map((corner) => first + corner));
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
+  geometry.setAttribute('uv', new BufferAttribute(new Float32Array(section), 2));
+  geometry.setIndex(triangles);
+  return geometry;
+}
+
+function extentsOf(corners: readonly Corner[]): { middle: number; half: number; radius: number } {
+  const [low, high, radius] = corners.reduce(
+    ([low, high, radius], { z, r }) => [Math.min(low, z), Math.max(high, z), Math.max(radius, r)],
+    [Infinity, -Infinity, 0] as [number, number, number],
+  );
+  return { middle: (low + high) / 2, half: (high - low) / 2, radius };
+}
+
+/** A colour of the page as the style sheet has it now. */
+function resolved(beside: HTMLElement, property: string): string {
+  const probe = document.createElement('span');
+  probe.style.color = `var(--playground-${property})`;
+  beside.after(probe);
+  const { color } = getComputedStyle(probe);
+  probe.remove();
+  return color;
+}

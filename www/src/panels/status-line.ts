@@ -1,0 +1,132 @@
+// The slim line at the foot: "42 motions · 14 lines · no problems", and how numbers without a point are read.
+//
+// In: the summary of the newest run, or how far a long one is. Out: the reader has seen enough of that, or wants numbers without
+// a point read otherwise. Must not know: how a program is run.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { words } from '../dom/words';
+import type { Summary, Work } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell } from './panel';
+
+export const statusLine: PanelKind = { make: (shell) => new StatusLine(shell) };
+
+type Shown =
+  | { readonly kind: 'loading' }
+  | { readonly kind: 'running'; readonly work: Work; readonly done: number }
+  | { readonly kind: 'failed' }
+  | { readonly kind: 'summary'; readonly summary: Summary; readonly decimal: string | undefined };
+
+class StatusLine implements Panel {
+  readonly #shell: Shell;
+  readonly #element = make('p', { className: 'status', part: 'status', role: 'status' });
+  /** There while a run takes a noticeable time. */
+  readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
+  readonly #change = make('button', { type: 'button', className: 'change quiet' });
+  #shown: Shown = { kind: 'loading' };
+  readonly places = { foot: [this.#element, this.#stop] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#stop.addEventListener('click', () => {
+      shell.send({ kind: 'stop' });
+      shell.editor.focus();
+    });
+    this.#change.addEventListener('click', () => shell.service('openSetup')('control'));
+  }
+
+  set language(_: Language) {
+    this.#render();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind === 'report') this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
+    else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
+  }
+
+  /** The notice says why. */
+  lost(): void {
+    this.#show({ kind: 'failed' });
+  }
+
+  #show(shown: Shown): void {
+    this.#shown = shown;
+    this.#render();
+  }
+
+  #render(): void {
+    const texts = WORDS[this.#shell.language];
+    this.#stop.textContent = texts.stopRun;
+    this.#stop.hidden = this.#shown.kind !== 'running';
+    // On a narrow page the line breaks between facts, not inside them.
+    const facts = this.#facts().flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]);
+    this.#element.replaceChildren(...facts);
+    const decimal = this.#shown.kind === 'summary' ? this.#shown.decimal : undefined;
+    if (decimal === undefined) return;
+    this.#change.textContent = texts.change;
+    this.#change.setAttribute('aria-label', texts.changeDecimal);
+    this.#element.append(' · ', make('span', { className: 'decimal' }, decimal), ' · ', this.#change);
+  }
+
+  #facts(): readonly string[] {
+    const strings = WORDS[this.#shell.language];
+    switch (this.#shown.kind) {
+      case 'loading':
+        return [strings.loading];
+      case 'running': {
+        const percent = Math.floor(this.#shown.done * 100);
+        return [this.#shown.work === 'part' ? strings.part(percent) : strings.running(percent)];
+      }
+      case 'failed':
+        return ['—'];
+      case 'summary': {
+        const { motions, lines, errors, warnings, infos } = this.#shown.summary;
+        const problems = errors + warnings + infos;
+        const found = problems === 0 ? strings.noProblems : strings.problemCount(problems);
+        return [strings.motions(motions), strings.lines(lines), found];
+      }
+    }
+  }
+}
+
+const WORDS = words({
+  en: {
+    motions: counter('en', { one: 'motion', other: 'motions' }),
+    lines: counter('en', { one: 'line', other: 'lines' }),
+    noProblems: 'no problems',
+    problemCount: counter('en', { one: 'problem', other: 'problems' }),
+    running: (percent: number) => `Running … ${percent} %`,
+    /** The material is being taken off. */
+    part: (percent: number) => `Part … ${percent} %`,
+    stopRun: 'Stop',
+    change: 'change',
+    changeDecimal: 'Change how numbers without a point are read',
+    loading: 'Loading …',
+  },
+  zh: {
+    motions: counter('zh', { other: '段运动' }),
+    lines: counter('zh', { other: '行' }),
+    noProblems: '没有问题',
+    problemCount: counter('zh', { other: '个问题' }),
+    running: (percent) => `正在运行…… ${percent} %`,
+    part: (percent) => `零件 … ${percent} %`,
+    stopRun: '停止',
+    change: '更改',
+    changeDecimal: '更改无小数点的数的读法',
+    loading: '正在加载……',
+  },
+  ru: {
+    motions: counter('ru', { one: 'перемещение', few: 'перемещения', other: 'перемещений' }),
+    lines: counter('ru', { one: 'строка', few: 'строки', other: 'строк' }),
+    noProblems: 'замечаний нет',
+    problemCount: counter('ru', { one: 'замечание', few: 'замечания', other: 'замечаний' }),
+    running: (percent) => `Выполняется … ${percent} %`,
+    part: (percent) => `Деталь … ${percent} %`,
+    stopRun: 'Остановить',
+    change: 'изменить',
+    changeDecimal: 'Изменить чтение чисел без точки',
+    loading: 'Загрузка …',
+  },
+});

@@ -1,0 +1,133 @@
+// The switches of the operator's panel that the text has a use for: levels of block skip, and which program is run.
+//
+// In: what is in the text, and how the switches stand. Out: the switch that the reader turns.
+// Must not know: what a skipped block is, or how a program is found.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { SwitchesInText } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell, SwitchesSet } from './panel';
+
+export const switches: PanelKind = { make: (shell) => new Switches(shell) };
+
+class Switches implements Panel {
+  readonly #shell: Shell;
+  readonly #element = make('div', { className: 'switches', part: 'switches', hidden: true });
+  readonly #skipText = make('span');
+  readonly #levels = make('span', { className: 'levels' });
+  readonly #skip = make('div', { className: 'skip', role: 'group' }, this.#skipText, this.#levels);
+  readonly #programText = make('span', { 'aria-hidden': 'true' });
+  readonly #program = make('select', { className: 'small' });
+  readonly #choice = make('label', {}, this.#programText, this.#program);
+  readonly #buttons = new Map<number, HTMLButtonElement>();
+  #inText: SwitchesInText = { blockSkip: [], programs: [] };
+  #set: SwitchesSet = { blockSkip: [], program: undefined };
+  /** The options as they stand, so that an open list is not built anew under the reader's hand. */
+  #options = '';
+
+  readonly places = { bar: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#element.append(this.#choice, this.#skip);
+    this.#program.addEventListener('change', () => shell.turn({ program: this.#program.value }));
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#skipText.textContent = texts.blockSkip;
+    this.#skip.setAttribute('aria-label', texts.blockSkip);
+    this.#skip.title = texts.blockSkipHint;
+    this.#programText.textContent = COMMON[language].program;
+    this.#program.setAttribute('aria-label', texts.programToRun);
+    this.#render();
+  }
+
+  heard(event: Heard): void {
+    const inText = event.kind === 'switches' ? event.inText : event.kind === 'report' ? event.report.switches : undefined;
+    if (inText === undefined) return;
+    this.#inText = inText;
+    this.#render();
+  }
+
+  switched(set: SwitchesSet): void {
+    this.#set = set;
+    this.#render();
+  }
+
+  #render(): void {
+    this.#renderLevels();
+    this.#renderPrograms();
+    this.#element.hidden = this.#skip.hidden && this.#choice.hidden;
+  }
+
+  #renderLevels(): void {
+    const { blockSkip } = this.#inText;
+    for (const level of blockSkip) if (!this.#buttons.has(level)) this.#buttons.set(level, this.#button(level));
+    for (const [level, button] of this.#buttons) {
+      button.setAttribute('aria-label', WORDS[this.#shell.language].blockSkipLevel(mark(level)));
+      button.setAttribute('aria-checked', String(this.#set.blockSkip.includes(level)));
+      button.hidden = !blockSkip.includes(level);
+    }
+    const inOrder = [...this.#buttons].sort(([a], [b]) => a - b).map(([, button]) => button);
+    if (inOrder.length > this.#levels.childElementCount) this.#levels.replaceChildren(...inOrder);
+    this.#skip.hidden = blockSkip.length === 0;
+  }
+
+  #button(level: number): HTMLButtonElement {
+    const button = make('button', { type: 'button', className: 'level', role: 'switch' }, mark(level));
+    button.addEventListener('click', () => {
+      const { blockSkip } = this.#set;
+      const others = blockSkip.filter((one) => one !== level);
+      const levels = others.length < blockSkip.length ? others : [...others, level].sort((a, b) => a - b);
+      this.#shell.turn({ blockSkip: levels.join(',') });
+    });
+    return button;
+  }
+
+  #renderPrograms(): void {
+    const { programs } = this.#inText;
+    const wanted = this.#set.program;
+    const options = programs.map(({ number, name }) => ({ number, name }));
+    // One that is wanted and not there can be seen, and left.
+    if (wanted !== undefined && options.every(({ number }) => number !== wanted)) {
+      options.push({ number: wanted, name: `O${String(wanted).padStart(4, '0')} ?` });
+    }
+    const written = options.map(({ name }) => name).join('\n');
+    if (written !== this.#options) {
+      this.#options = written;
+      this.#program.replaceChildren(...options.map(({ number, name }) => make('option', { value: String(number) }, name)));
+    }
+    this.#program.value = String(wanted ?? programs[0]?.number ?? '');
+    this.#choice.hidden = options.length < 2;
+  }
+}
+
+/** As it is written in a program. */
+function mark(level: number): string {
+  return level === 1 ? '/' : `/${level}`;
+}
+
+const WORDS = words({
+  en: {
+    blockSkip: 'Block skip',
+    blockSkipHint: 'When on, blocks marked with this slash are left out',
+    /** `mark` as it is written in a program: `/2`. */
+    blockSkipLevel: (mark: string) => `Block skip ${mark}`,
+    programToRun: 'Program to run',
+  },
+  zh: {
+    blockSkip: '程序段跳过',
+    blockSkipHint: '打开后，跳过带此斜杠的程序段',
+    blockSkipLevel: (mark) => `程序段跳过 ${mark}`,
+    programToRun: '要运行的程序',
+  },
+  ru: {
+    blockSkip: 'Пропуск кадров',
+    blockSkipHint: 'Если включено, кадры с этой косой чертой пропускаются',
+    blockSkipLevel: (mark) => `Пропуск кадров ${mark}`,
+    programToRun: 'Выполняемая программа',
+  },
+});

@@ -1,0 +1,177 @@
+// The row over the pictures: which of them are shown, the turret's side, and the part that later ones are compared with.
+//
+// In: what there is to see, and the width there is. Must not know: how anything is drawn or compared.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Comparison, ViewsState } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import { shown } from './dimension';
+import type { Panel, PanelKind, Shell } from './panel';
+
+/** Narrower than this, CSS pixels, there is room for one picture only. */
+const ROOM_FOR_BOTH = 620;
+
+type Pictures = 'section' | 'face' | 'both';
+
+export const views: PanelKind = { make: (shell) => new Views(shell) };
+
+class Views implements Panel {
+  readonly #shell: Shell;
+  readonly #row: HTMLElement;
+  readonly #choice = make('div', { className: 'choice', role: 'radiogroup', hidden: true });
+  readonly #buttons: Readonly<Record<Pictures, HTMLButtonElement>>;
+  readonly #turret = make('button', { type: 'button', className: 'level' });
+  readonly #keep = make('button', { type: 'button', className: 'small' });
+  readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
+  readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
+  #state: ViewsState = { face: false, turret: 'rear', comparison: undefined };
+  #wanted: Pictures = 'both';
+  #told: Pictures = 'section';
+
+  readonly places = { views: [this.#choice, this.#turret, this.#keep, this.#end, this.#differences] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#row = shell.region('views');
+    const button = (pictures: Pictures): HTMLButtonElement => {
+      const made = make('button', { type: 'button', className: 'level', role: 'radio' });
+      made.addEventListener('click', () => this.#choose(pictures));
+      made.addEventListener('keydown', (event) => this.#key(event));
+      return made;
+    };
+    this.#buttons = { section: button('section'), face: button('face'), both: button('both') };
+    this.#choice.append(...Object.values(this.#buttons));
+    this.#turret.addEventListener('click', () =>
+      shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }));
+    this.#keep.addEventListener('click', () => shell.send({ kind: 'keep' }));
+    this.#end.addEventListener('click', () => {
+      shell.send({ kind: 'end-comparison' });
+      this.#keep.focus();
+    });
+    new ResizeObserver(() => {
+      // What floats over the pictures stands below this row.
+      this.#row.parentElement?.style.setProperty('--views-size', `${this.#row.offsetHeight}px`);
+      this.#show();
+    }).observe(this.#row);
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#row.setAttribute('aria-label', texts.views);
+    this.#choice.setAttribute('aria-label', texts.view);
+    for (const pictures of ['section', 'face', 'both'] as const) this.#buttons[pictures].textContent = texts[pictures];
+    this.#turret.textContent = texts.frontTurret;
+    this.#turret.title = texts.frontTurretHint;
+    this.#keep.textContent = texts.keep;
+    this.#keep.title = texts.keepHint;
+    this.#end.textContent = texts.endComparison;
+    this.#show();
+  }
+
+  heard(event: Heard): void {
+    const state = event.kind === 'views' ? event.views : event.kind === 'report' ? event.report.views : undefined;
+    if (state === undefined) return;
+    this.#state = state;
+    this.#show();
+  }
+
+  #choose(pictures: Pictures): void {
+    this.#wanted = pictures;
+    this.#show();
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    const order = (['section', 'face', 'both'] as const).filter((pictures) => !this.#buttons[pictures].hidden);
+    const next = order[(order.indexOf(this.#told) + step + order.length) % order.length];
+    if (next === undefined) return;
+    this.#choose(next);
+    this.#buttons[next].focus();
+    event.preventDefault();
+  }
+
+  #show(): void {
+    const { face, turret, comparison } = this.#state;
+    const wide = this.#row.getBoundingClientRect().width >= ROOM_FOR_BOTH;
+    const pictures = !face ? 'section' : this.#wanted === 'both' && !wide ? 'face' : this.#wanted;
+    this.#choice.hidden = !face;
+    this.#buttons.both.hidden = !wide;
+    for (const [own, button] of Object.entries(this.#buttons)) {
+      button.setAttribute('aria-checked', String(own === pictures));
+      button.tabIndex = own === pictures ? 0 : -1;
+    }
+    this.#turret.setAttribute('aria-pressed', String(turret === 'front'));
+    this.#keep.hidden = comparison !== undefined;
+    this.#end.hidden = this.#differences.hidden = comparison === undefined;
+    if (comparison !== undefined) this.#differences.replaceChildren(...this.#tell(comparison));
+    if (pictures !== this.#told) {
+      this.#told = pictures;
+      this.#shell.service('choosePictures')(pictures);
+    }
+  }
+
+  #tell({ differences, radial, axial }: Comparison): (Node | string)[] {
+    const texts = WORDS[this.#shell.language];
+    if (radial === undefined || axial === undefined) return [texts.same];
+    const key = (side: 'first' | 'second', text: string): Node[] =>
+      differences.some(({ only }) => only === side)
+        ? [make('span', { className: 'only' }, make('span', { className: `patch ${side}` }), text)]
+        : [];
+    const largest = texts.largest(shown(radial.length), shown(radial.from.z), shown(axial.length), shown(axial.from.x));
+    return [...key('first', texts.onlyKept), ...key('second', texts.onlyNow), make('span', {}, largest)];
+  }
+}
+
+const WORDS = words({
+  en: {
+    views: 'Views',
+    view: 'View',
+    section: 'Section',
+    face: 'Face',
+    both: 'Both',
+    frontTurret: 'Front turret',
+    frontTurretHint: 'The turret stands in front of the spindle: X+ is drawn downwards',
+    keep: 'Keep this part to compare',
+    keepHint: 'Keep this part, then change the program or open another one: the difference is marked and measured',
+    endComparison: 'End comparison',
+    same: 'Same as the kept part',
+    onlyKept: 'only in the kept part',
+    onlyNow: 'only in this one',
+    largest: (radial: string, z: string, axial: string, x: string) => `Largest: ${radial} mm in radius at Z${z}; ${axial} mm along Z at X${x}`,
+  },
+  zh: {
+    views: '视图',
+    view: '视图',
+    section: '剖面',
+    face: '端面',
+    both: '两者',
+    frontTurret: '前置刀架',
+    frontTurretHint: '刀架在主轴前方：X+ 向下画',
+    keep: '保留此零件用于比较',
+    keepHint: '保留此零件，然后修改程序或打开另一个程序：差异会标出并测量',
+    endComparison: '结束比较',
+    same: '与保留的零件相同',
+    onlyKept: '仅保留的零件有',
+    onlyNow: '仅当前零件有',
+    largest: (radial, z, axial, x) => `最大差异：Z${z} 处半径 ${radial} mm；X${x} 处沿 Z ${axial} mm`,
+  },
+  ru: {
+    views: 'Виды',
+    view: 'Вид',
+    section: 'Разрез',
+    face: 'Торец',
+    both: 'Оба',
+    frontTurret: 'Передняя револьверная головка',
+    frontTurretHint: 'Резцедержатель стоит перед осью шпинделя: X+ направлен вниз',
+    keep: 'Запомнить деталь для сравнения',
+    keepHint: 'Запомните деталь, затем измените программу или откройте другую: различие будет отмечено и измерено',
+    endComparison: 'Закончить сравнение',
+    same: 'Как запомненная деталь',
+    onlyKept: 'только в запомненной',
+    onlyNow: 'только в этой',
+    largest: (radial, z, axial, x) => `Наибольшее: ${radial} мм по радиусу при Z${z}; ${axial} мм вдоль Z при X${x}`,
+  },
+});

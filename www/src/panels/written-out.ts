@@ -1,0 +1,175 @@
+// The button "Write out" and its dialog: the program with every cycle as plain moves, to read, copy or take over.
+//
+// In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes it over.
+// Must not know: how a cycle is written out.
+
+import { defaultKeymap } from '@codemirror/commands';
+import { EditorState } from '@codemirror/state';
+import { drawSelection, EditorView, keymap, lineNumbers } from '@codemirror/view';
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import { marks, showTokens } from '../editor/marks';
+import { editorTheme } from '../editor/theme';
+import type { WrittenOut } from '../protocol/protocol';
+import type { Panel, PanelKind, Shell } from './panel';
+
+const COPIED_FOR_MS = 2_000;
+
+export const writtenOut: PanelKind = { make: (shell) => new WrittenOutPanel(shell) };
+
+class WrittenOutPanel implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'written-out-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #text = make('div', { className: 'text' });
+  readonly #copy = make('button', { type: 'button', className: 'framed' });
+  readonly #take = make('button', { type: 'button', className: 'framed' });
+  readonly #news = make('span', { className: 'unseen', role: 'log' });
+  readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#take, this.#news]);
+  #view: EditorView | undefined;
+  #copied: ReturnType<typeof setTimeout> | undefined;
+
+  readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.addEventListener('click', () => void this.#open());
+    this.#copy.addEventListener('click', () => void this.#copyAll());
+    this.#take.addEventListener('click', () => this.#takeOver());
+    this.#dialog.element.addEventListener('close', () => this.#clear());
+    this.available = false;
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#button.textContent = texts.writeOut;
+    this.#button.title = texts.writeOutHint;
+    this.#dialog.name(texts.writtenOut, COMMON[language].close);
+    this.#take.textContent = texts.takeOver;
+    this.#showCopy('copy');
+  }
+
+  /** Whether there is a finished run with motions to write out. */
+  set available(available: boolean) {
+    this.#button.disabled = !available;
+  }
+
+  get takesKeys(): boolean {
+    return this.#dialog.open;
+  }
+
+  get #words(): (typeof WORDS)['en'] {
+    return WORDS[this.#shell.language];
+  }
+
+  async #open(): Promise<void> {
+    const { editor } = this.#shell;
+    this.#shell.flush();
+    const { revision } = editor;
+    const written = await this.#shell.ask('expand', undefined);
+    if (written !== undefined && editor.revision === revision) this.#show(written, editor.text);
+  }
+
+  /** `before` is the program as it stands in the editor. */
+  #show(written: WrittenOut, before: string): void {
+    const changed = written.text.trimEnd() !== before.trimEnd();
+    this.#dialog.about = changed ? this.#words.writtenOutAbout : this.#words.nothingToWriteOut;
+    this.#take.hidden = !changed;
+    this.#view?.destroy();
+    this.#view = new EditorView({
+      parent: this.#text,
+      root: this.#shell.root,
+      state: EditorState.create({
+        doc: written.text.trimEnd(),
+        extensions: [
+          EditorState.readOnly.of(true), EditorView.editable.of(false), lineNumbers(), drawSelection(), marks, editorTheme,
+          keymap.of(defaultKeymap),
+          EditorView.contentAttributes.of({
+            tabindex: '0', lang: 'en', 'aria-label': this.#words.writtenOut, 'aria-readonly': 'true',
+          }),
+        ],
+      }),
+    });
+    this.#view.dispatch({ effects: showTokens.of(written.tokens) });
+    this.#dialog.show();
+    this.#view.requestMeasure();
+    this.#view.focus();
+  }
+
+  #takeOver(): void {
+    const text = this.#view?.state.doc.toString();
+    this.#dialog.close();
+    if (text === undefined) return;
+    this.#shell.rewrite(`${text}\n`);
+    this.#shell.service('notice')(this.#words.tookOver, 'program');
+    this.#shell.editor.focus();
+  }
+
+  async #copyAll(): Promise<void> {
+    const view = this.#view;
+    if (view === undefined) return;
+    try {
+      await navigator.clipboard.writeText(`${view.state.doc.toString()}\n`);
+      this.#showCopy('copied');
+      this.#copied = setTimeout(() => this.#showCopy('copy'), COPIED_FOR_MS);
+    } catch {
+      // Not allowed here: what the reader's own Ctrl C needs is a selection.
+      view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
+      view.focus();
+      this.#news.textContent = '';
+      this.#dialog.about = this.#words.copyYourself;
+    }
+  }
+
+  #showCopy(state: 'copy' | 'copied'): void {
+    clearTimeout(this.#copied);
+    this.#copy.textContent = state === 'copied' ? this.#words.copied : this.#words.copy;
+    this.#news.textContent = state === 'copied' ? this.#words.copied : '';
+  }
+
+  #clear(): void {
+    this.#showCopy('copy');
+    this.#view?.destroy();
+    this.#view = undefined;
+  }
+}
+
+const WORDS = words({
+  en: {
+    writeOut: 'Write out',
+    writeOutHint: 'Show the program with every cycle written out as plain moves',
+    writtenOut: 'The program, written out',
+    writtenOutAbout: 'Every cycle, corner and compensation as plain moves. The tool path is the same.',
+    nothingToWriteOut: 'This program has nothing but plain moves: there is nothing to write out.',
+    copy: 'Copy',
+    copied: 'Copied',
+    copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
+    takeOver: 'Put into the editor',
+    tookOver: 'The program is written out. Ctrl Z in the editor brings yours back.',
+  },
+  zh: {
+    writeOut: '展开循环',
+    writeOutHint: '显示将所有循环展开为普通移动指令后的程序',
+    writtenOut: '展开后的程序',
+    writtenOutAbout: '循环、倒角和刀尖补偿均已写成普通移动指令，刀具轨迹不变。',
+    nothingToWriteOut: '此程序只有普通移动指令，没有可展开的内容。',
+    copy: '复制',
+    copied: '已复制',
+    copyYourself: '此处不允许自动复制。已全部选中，请按 Ctrl C。',
+    takeOver: '放入编辑器',
+    tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
+  },
+  ru: {
+    writeOut: 'Расписать',
+    writeOutHint: 'Показать программу, в которой каждый цикл расписан простыми перемещениями',
+    writtenOut: 'Расписанная программа',
+    writtenOutAbout: 'Циклы, фаски, скругления и коррекция записаны простыми перемещениями. Траектория та же.',
+    nothingToWriteOut: 'В этой программе только простые перемещения: расписывать нечего.',
+    copy: 'Копировать',
+    copied: 'Скопировано',
+    copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
+    takeOver: 'Поместить в редактор',
+    tookOver: 'Программа расписана. Ctrl Z в редакторе вернёт прежнюю.',
+  },
+});

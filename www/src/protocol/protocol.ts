@@ -1,0 +1,236 @@
+// What the page and the worker say to each other: the only things that cross between the two threads.
+//
+// Down go commands (state, no answer) and questions (each with an id and exactly one answer); up come events. Every change of
+// text or setup begins a run with a number of its own, and whatever comes up names the run it belongs to: what belongs to an
+// earlier one than the page has asked for is dropped by core-client.ts, the one place where it arrives.
+// The interpreter's own types are taken from its generated package, never written again.
+// Must not know: how either side does its work.
+
+import type {
+  Codes, Comparison, Diagnostic, Dimension, Fitted, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  StepUnit, StopSwitch, Stroke, Summary,
+} from '../../pkg/gcode_playground.js';
+
+export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
+export type { Fitted, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
+export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../../pkg/gcode_playground.js';
+
+/** A size in CSS pixels and the device pixels each of them has. */
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+  readonly pixelRatio: number;
+}
+
+/** On which side of the spindle the turret is drawn. */
+export type TurretSide = 'front' | 'rear';
+
+/** What happens to a picture; lengths and places in CSS pixels. */
+export type CanvasCommand =
+  /** Pictures of this size are wanted from now on. */
+  | { readonly kind: 'canvas'; readonly size: Size }
+  | { readonly kind: 'resize'; readonly size: Size }
+  | { readonly kind: 'fit' }
+  | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
+  | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
+
+export type Command =
+  /** What happens to one of the pictures. */
+  | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
+  | { readonly kind: 'palette'; readonly palette: Palette }
+  | { readonly kind: 'language'; readonly tag: string }
+  | BeginRun
+  /** The last picture is on the page: there is room for the next one. */
+  | { readonly kind: 'shown' }
+  /** Ends the run under way. */
+  | { readonly kind: 'stop' }
+  | { readonly kind: 'cursor'; readonly offset: number | undefined }
+  | { readonly kind: 'hover'; readonly motion: number | undefined }
+  | { readonly kind: 'turret'; readonly side: TurretSide }
+  /** Keeps the part, to lay later ones over it. */
+  | { readonly kind: 'keep' }
+  | { readonly kind: 'end-comparison' }
+  /** The pointer has left the edge that is marked. */
+  | { readonly kind: 'leave-edge' };
+
+/** How a change came: of what was put in at once the interpreter concludes anew how its numbers are meant. */
+export type Came = 'typed' | 'at-once';
+
+/** What of text and setup has changed since the run before; numbers of runs grow. */
+export interface BeginRun extends RunChange {
+  readonly kind: 'run';
+  readonly run: number;
+}
+
+export interface RunChange {
+  /** JSON. */
+  readonly setup: string | undefined;
+  readonly text: TextCommand | undefined;
+  readonly came: Came;
+  readonly cursor: number | undefined;
+  /** Another program is shown whole, wherever the one before was looked at. */
+  readonly framing: 'fit' | 'keep';
+}
+
+/** Offsets are those of the text before; of several changes the last in the text comes first. */
+export interface TextChange {
+  readonly from: number;
+  readonly to: number;
+  readonly insert: string;
+}
+
+/** How the text of the worker becomes that of the editor. */
+export type TextCommand =
+  /** All of it; a piece ends behind a line end. */
+  | { readonly kind: 'text'; readonly pieces: readonly string[] }
+  | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
+
+/** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
+export type Pace = { readonly kind: 'times'; readonly factor: number } | { readonly kind: 'whole'; readonly seconds: number };
+
+/** The program with every cycle written out; `tokens` as for `tokens`, none when the text is very long. */
+export interface WrittenOut {
+  readonly text: string;
+  readonly tokens: Uint32Array;
+}
+
+/** The kinds of files the page can save, in the order of its menu. */
+export const FILE_FORMATS = ['card', 'svg', 'png', 'csv', 'dxf', 'stl', 'program'] as const;
+export type FileFormat = (typeof FILE_FORMATS)[number];
+
+/** Every question with what it asks and what it is answered. */
+export interface Questions {
+  ping: { ask: undefined; answer: true };
+  /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
+  tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
+  pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
+  /** The edge of the part in the section. */
+  dimension: { ask: { readonly x: number; readonly y: number }; answer: Dimension | undefined };
+  /** The tool goes on for so many seconds, or to a stop. */
+  play: {
+    ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly stops: StopSwitch };
+    answer: Readout | undefined;
+  };
+  /** The tool is put where so much of the animation has been shown, 0 to 1; without that, the whole path is shown. */
+  seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
+  step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  /** Where the tool is, in the language of now. */
+  readout: { ask: undefined; answer: Readout | undefined };
+  /** `x` a diameter; `other` is Z in the section, C on the face; all mm. The answer is CSS pixels from the picture's top left corner. */
+  locate: {
+    ask: { readonly picture: PictureName; readonly x: number; readonly other: number };
+    answer: { readonly x: number; readonly y: number };
+  };
+  expand: { ask: undefined; answer: WrittenOut };
+  /** What can be written as a cycle; offsets of the reader's selection. */
+  rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
+  codes: { ask: undefined; answer: Codes };
+  /** The bytes of a file; none where there is nothing to put into it. */
+  export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };
+  /** The half-section of the part at the moment that is shown. */
+  section: { ask: undefined; answer: readonly SectionPiece[] };
+  /** The programs found in a text, and one of them in pieces. */
+  'programs-in': { ask: { readonly text: string }; answer: FoundPrograms };
+  'pieces-of': { ask: { readonly program: number; readonly language: string }; answer: readonly FoundPiece[] };
+  'setup-form': { ask: undefined; answer: SetupForm };
+  'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
+  'read-setup': { ask: SetupTyped; answer: SetupAnswer };
+}
+
+/** The texts in the fields of the setup form; `json` is the setup of the page as it is. */
+export interface SetupTyped {
+  readonly keys: readonly string[];
+  readonly texts: readonly string[];
+  readonly keep: SetupPlace;
+  readonly json: string;
+}
+
+export type QuestionKind = keyof Questions;
+
+/** Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The others' hold as they are. */
+export const OF_THE_RUN = {
+  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, expand: true, rewritings: true, section: true,
+  dimension: true, 'read-setup': true,
+  ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
+  'setup-form': false, 'another-tool': false,
+} as const satisfies Readonly<Record<QuestionKind, boolean>>;
+
+export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true ? Questions[K]['answer'] | undefined : Questions[K]['answer'];
+
+export interface Question<K extends QuestionKind = QuestionKind> {
+  readonly kind: 'question';
+  readonly id: number;
+  readonly about: K;
+  readonly ask: Questions[K]['ask'];
+}
+
+/** What there is to see beside the section. */
+export interface ViewsState {
+  /** Something moves on the end face. */
+  readonly face: boolean;
+  readonly turret: TurretSide;
+  /** While a part is kept. */
+  readonly comparison: Comparison | undefined;
+}
+
+export interface ProgramHead {
+  readonly number: number;
+  /** As it is written: `O0002`. */
+  readonly name: string;
+}
+
+export interface SwitchesInText {
+  /** Levels in order, each once; a slash without a number is 1. */
+  readonly blockSkip: readonly number[];
+  /** In the order of the text, each once. */
+  readonly programs: readonly ProgramHead[];
+}
+
+/** What takes a noticeable time: the program is run, then the material taken off. */
+export type Work = 'run' | 'part';
+
+/** What a run has found: all of it, so that nothing of an earlier report is needed. */
+export interface Report {
+  readonly summary: Summary;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly fitted: Fitted;
+  /** How numbers without a point are read, where the reader has to know. */
+  readonly decimal: string | undefined;
+  /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before; or what was told, in another language. */
+  readonly stage: 'whole' | 'path' | 'part' | 'again';
+  /** Why the setup that was sent last is not the one it ran under. */
+  readonly setupRejected: string | undefined;
+  /** Known once all material is off. */
+  readonly views: ViewsState | undefined;
+  /** Known once all of the text was looked at; a long one is told of later. */
+  readonly switches: SwitchesInText | undefined;
+}
+
+/** What was painted; a picture that has not changed is left out. */
+export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
+
+/** What is told of the worker itself. */
+export type LifeEvent =
+  | { readonly kind: 'ready' }
+  | { readonly kind: 'load-failed'; readonly reason: string }
+  /** The interpreter threw: this worker is of no further use. */
+  | { readonly kind: 'crashed'; readonly reason: string };
+
+/** What is told of a run. */
+export type RunEvent =
+  | { readonly kind: 'report'; readonly report: Report }
+  /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
+  | { readonly kind: 'progress'; readonly work: Work; readonly done: number }
+  | { readonly kind: 'views'; readonly views: ViewsState }
+  | { readonly kind: 'switches'; readonly inText: SwitchesInText }
+  | { readonly kind: 'pictures'; readonly pictures: Pictures }
+  /** The run has ended, all material is off, and its last picture is shown; so many messages of the page were heard by then. */
+  | { readonly kind: 'settled'; readonly heard: number }
+  | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
+
+export type WorkerEvent = LifeEvent | (RunEvent & { readonly run: number });
+
+/** Whether a message may change what is shown: these are counted on both sides, so that the page knows what was heard. */
+export function counts(message: Command | Question): boolean {
+  return message.kind !== 'shown' && !(message.kind === 'question' && message.about === 'ping');
+}

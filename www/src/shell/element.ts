@@ -1,0 +1,240 @@
+// <gcode-playground>: a lathe program, its drawing, its problems, and the tool moving along it.
+//
+//   <script type="module" src="element.js"></script>
+//   <gcode-playground control="fanuc" setup='{"stock": {"diameter": 60, "length": 80}}'>
+//     G00 X62 Z2
+//     G90 X50 Z-30 F0.2
+//   </gcode-playground>
+//
+// Its own text is the program it starts with. Attributes (each is a property too):
+//   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
+//   setup     JSON: start point, tools, stock, dialect switches
+//   language  en | zh | ru             of the page and of the messages
+//   theme     auto | light | dark
+//   block-skip  "1,2"                  the levels of block skip that are on; overrides `blockSkip` of the setup
+//   program   2                        the O number that is run; overrides `program` of the setup
+// The last two follow the reader, who finds a switch for each where the text has a use for it.
+// Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the text as it is
+// in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for
+// automation
+//   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language, size and colours of
+//                              now is shown, the part with all its material off included; with the number of the run. Numbers
+//                              grow with every change of text or setup. Nothing settles in a tab that nobody sees.
+//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window; locateOnFace(x, c) of the face.
+// Events (bubbling, only for what the reader did, and `report` for each finished run):
+//   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
+//   gcode-settled detail {run}: as `settled`, each time
+//   gcode-switch  detail {blockSkip, program}      gcode-setup  detail {setup}: the attribute follows the form
+// Slot: `intro` above the program.
+// CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
+// the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
+// setup views assumptions playback play readout doing status notice written-out rewrite codes solid export-menu paste help.
+//
+// What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
+
+import { languageOf, type Language } from '../dom/language';
+import { programText, type ProgramFile } from '../editor/file';
+import { ENCODINGS } from '../files/encodings';
+import { PANELS } from '../panels/index';
+import type { ClientPlace } from '../panels/panel';
+import { Settling } from './settling';
+import { PlaygroundShell } from './shell';
+import { initialProgram } from './start';
+import colours from '../colours.css?inline';
+import styles from './styles.css?inline';
+
+const sheets = [colours, styles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(text);
+  return sheet;
+});
+
+export interface OpenedProgram {
+  readonly text: string;
+  readonly file: ProgramFile | undefined;
+}
+
+export class GcodePlayground extends HTMLElement {
+  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme'];
+
+  /** Made when the element is first in a document. */
+  #made: PlaygroundShell | undefined;
+  /** What was set before. */
+  #early: OpenedProgram | undefined;
+  readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
+
+  connectedCallback(): void {
+    (this.#made ??= this.#make()).connect();
+  }
+
+  disconnectedCallback(): void {
+    this.#made?.disconnect();
+  }
+
+  attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
+    if (before === now) return;
+    if (attribute === 'language') this.#made?.languageChanged();
+    else if (attribute === 'theme') this.#made?.coloursChanged();
+    else this.#made?.setupChanged();
+  }
+
+  /** Resolved with the number of the run once all there is to show of it is shown. */
+  get settled(): Promise<number> {
+    return this.#settling.promise;
+  }
+
+  get value(): string {
+    return this.#made?.editor.text ?? this.#early?.text ?? '';
+  }
+
+  set value(text: string) {
+    this.opened = { text, file: undefined };
+  }
+
+  /** UTF-16 units of the program, every line end counted as one. */
+  get length(): number {
+    return this.#made?.editor.length ?? this.value.length;
+  }
+
+  /** The file the program came from. */
+  get file(): ProgramFile | undefined {
+    return this.#made?.editor.file ?? this.#early?.file;
+  }
+
+  /** The program and the file it came from; the text has the file's own line ends. */
+  get opened(): OpenedProgram {
+    const editor = this.#made?.editor;
+    if (editor === undefined) return this.#early ?? { text: '', file: undefined };
+    return { text: editor.textWithLineEnds, file: editor.file };
+  }
+
+  set opened(opened: OpenedProgram) {
+    const { text, file } = opened;
+    if (this.#made === undefined) {
+      this.#early = opened;
+      return;
+    }
+    this.#made.put(programText(text), file !== undefined && ENCODINGS.includes(file.encoding) ? file : undefined);
+  }
+
+  get language(): Language {
+    return languageOf(this.getAttribute('language') ?? this.closest('[lang]')?.getAttribute('lang'));
+  }
+
+  set language(language: Language) {
+    this.setAttribute('language', language);
+  }
+
+  get control(): string | null {
+    return this.getAttribute('control');
+  }
+
+  set control(control: string | null) {
+    this.#setOrRemove('control', control);
+  }
+
+  get setup(): string | null {
+    return this.getAttribute('setup');
+  }
+
+  set setup(json: string | null) {
+    this.#setOrRemove('setup', json);
+  }
+
+  get blockSkip(): string | null {
+    return this.getAttribute('block-skip');
+  }
+
+  set blockSkip(levels: string | null) {
+    this.#setOrRemove('block-skip', levels);
+  }
+
+  get program(): string | null {
+    return this.getAttribute('program');
+  }
+
+  set program(number: string | null) {
+    this.#setOrRemove('program', number);
+  }
+
+  get theme(): string {
+    return this.getAttribute('theme') ?? 'auto';
+  }
+
+  set theme(theme: string) {
+    this.setAttribute('theme', theme);
+  }
+
+  play(): void {
+    this.#shell.service('play')();
+  }
+
+  pause(): void {
+    this.#shell.service('pause')();
+  }
+
+  override focus(): void {
+    this.#made?.editor.focus();
+  }
+
+  /** Where the place X (a diameter), Z in mm is drawn, in the window's CSS pixels. */
+  async locate(x: number, z: number): Promise<ClientPlace> {
+    return this.#shell.service('locate')(x, z);
+  }
+
+  /** The same of the end face: X a diameter, C in mm. */
+  async locateOnFace(x: number, c: number): Promise<ClientPlace> {
+    return this.#shell.service('locateOnFace')(x, c);
+  }
+
+  /** Opens a file as the program; what it replaces can be brought back with undo. */
+  async openFile(file: File): Promise<void> {
+    return this.#shell.service('openFile')(file);
+  }
+
+  /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
+  saveFile(): void {
+    this.#shell.service('saveFile')();
+  }
+
+  get #shell(): PlaygroundShell {
+    if (this.#made === undefined) throw new Error('the playground is not in a document');
+    return this.#made;
+  }
+
+  #make(): PlaygroundShell {
+    const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
+    root.adoptedStyleSheets = sheets;
+    const shell = new PlaygroundShell(root, this, {
+      fire: (type, detail) => this.#fire(type, detail),
+      changed: () => this.#changed(),
+      unsettled: () => this.#settling.unsettle(),
+      settled: (run) => this.#settling.settle(run),
+    });
+    this.addEventListener('keydown', (event) => shell.pressed(event), { capture: true });
+    const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
+    shell.start(text, file);
+    return shell;
+  }
+
+  #changed(): void {
+    const element = this;
+    // Made only for who asks: a program can be 20 MB long, and this follows each key.
+    this.#fire('gcode-change', {
+      get value() {
+        return element.value;
+      },
+    });
+  }
+
+  #fire<Detail>(type: string, detail: Detail): void {
+    this.dispatchEvent(new CustomEvent<Detail>(type, { detail, bubbles: true, composed: true }));
+  }
+
+  #setOrRemove(attribute: string, value: string | null): void {
+    if (value === null) this.removeAttribute(attribute);
+    else this.setAttribute(attribute, value);
+  }
+}
+
+if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);

@@ -1,0 +1,195 @@
+// The runs of the program: what has changed since the last one was begun, and the line to the worker.
+//
+// In: changes of text and setup. Out: what the worker tells of the newest run. What is changed in one go is run in one go; what
+// is typed quickly goes together. A worker that is lost is replaced. Must not know: panels, attributes, or what a setup holds.
+
+import type { Editor } from '../editor/editor';
+import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';
+import { CoreClient, Newest, type Heard, type Loss } from '../worker/core-client';
+import type { NewestQuestion } from '../panels/panel';
+
+const SEND_AFTER_MS = 30;
+
+export interface RunsEvents {
+  /** The setup as JSON; nothing where it cannot be read. */
+  setup(): string | undefined;
+  heard(event: Heard): void;
+  pictures(pictures: Pictures): void;
+  /** Text or setup have changed; the run before is outdated. */
+  outdated(): void;
+  /** A run of another text begins at the end of this turn. */
+  textChanged(): void;
+  /** What was typed has been sent. */
+  sent(): void;
+  /** There is a worker that knows nothing yet. */
+  connected(client: CoreClient): void;
+  lost(loss: Loss): void;
+  unsettled(): void;
+  settled(run: number): void;
+}
+
+export class Runs {
+  readonly #editor: Editor;
+  readonly #events: RunsEvents;
+  #client: CoreClient | undefined;
+  /** What follows a new worker: the questions of which only the newest counts. */
+  readonly #followers: ((client: CoreClient | undefined) => void)[] = [];
+  /** What was typed waits to be sent. */
+  #sending: ReturnType<typeof setTimeout> | undefined;
+  /** What has changed since the last run was begun. */
+  #changes: { readonly framing: 'fit' | 'keep' } | undefined;
+  /** The worker knows the setup as it is. */
+  #setupSent = false;
+  /** How the newest change of the text came. */
+  #came: Came = 'typed';
+  /** The reader has put the cursor where it is. */
+  #cursorKnown = false;
+
+  constructor(editor: Editor, events: RunsEvents) {
+    this.#editor = editor;
+    this.#events = events;
+  }
+
+  // ---- the worker ---------------------------------------------------------------------------------
+
+  /** The line to the worker, which then knows all that was changed before. */
+  get client(): CoreClient | undefined {
+    this.#begin();
+    return this.#client;
+  }
+
+  connect(): void {
+    const events = this.#events;
+    const client = (this.#client = new CoreClient({
+      event: (event) => events.heard(event),
+      pictures: (pictures) => events.pictures(pictures),
+      unsettled: () => events.unsettled(),
+      settled: (run) => events.settled(run),
+      lost: (loss) => this.#lost(loss),
+    }));
+    for (const follow of this.#followers) follow(client);
+    this.#editor.unsend();
+    this.#setupSent = false;
+    events.connected(client);
+  }
+
+  end(): void {
+    this.#client?.end();
+    this.#leave();
+  }
+
+  newest<K extends QuestionKind>(about: K, answered: (answer: Answer<K>) => void): NewestQuestion<K> {
+    let newest: Newest<K> | undefined;
+    const follow = (client: CoreClient | undefined): void => {
+      newest = client === undefined ? undefined : new Newest(client, about, answered);
+    };
+    this.#followers.push(follow);
+    follow(this.#client);
+    return { ask: (ask: Questions[K]['ask']) => newest?.ask(ask), forget: () => newest?.forget() };
+  }
+
+  #leave(): void {
+    this.#client = undefined;
+    for (const follow of this.#followers) follow(undefined);
+  }
+
+  /** A new worker waits for the reader's next change: the same text would only fail again. */
+  #lost(loss: Loss): void {
+    if (loss.kind === 'load-failed') this.#leave();
+    else this.connect();
+    this.#events.lost(loss);
+  }
+
+  // ---- changes ------------------------------------------------------------------------------------
+
+  /** The reader has typed: a run begins soon. */
+  typed(): void {
+    this.#cursorKnown = true;
+    // What comes of the text as it was is of no use from here on.
+    this.#outdate();
+    clearTimeout(this.#sending);
+    this.#sending = setTimeout(() => this.send(), SEND_AFTER_MS);
+  }
+
+  /** What was typed a moment ago is run now. */
+  flush(): void {
+    if (this.#sending !== undefined) this.send();
+  }
+
+  /** The text as it is, is run now. */
+  send(): void {
+    this.textChanged('keep');
+    this.#begin();
+    this.#events.sent();
+  }
+
+  /** The text is another one: at the end of this turn a run of it begins. */
+  textChanged(framing: 'fit' | 'keep'): void {
+    clearTimeout(this.#sending);
+    this.#sending = undefined;
+    this.wanted(framing);
+    this.#events.textChanged();
+  }
+
+  setupChanged(): void {
+    this.#setupSent = false;
+    this.wanted('keep');
+  }
+
+  wanted(framing: 'fit' | 'keep'): void {
+    const before = this.#changes;
+    this.#changes = { framing: before?.framing === 'fit' ? 'fit' : framing };
+    this.#outdate();
+    if (before === undefined) queueMicrotask(() => this.#begin());
+  }
+
+  cameAtOnce(): void {
+    this.#came = 'at-once';
+  }
+
+  /** Another text has taken the place of the one that the cursor was put into. */
+  forgetCursor(): void {
+    this.#cursorKnown = false;
+  }
+
+  cursorMoved(): void {
+    this.#cursorKnown = true;
+    if (this.#sending === undefined) this.client?.send({ kind: 'cursor', offset: this.#editor.cursor });
+  }
+
+  /** The reader has chosen a place of the text by other means. */
+  cursorAt(offset: number): void {
+    this.#cursorKnown = true;
+    this.client?.send({ kind: 'cursor', offset });
+  }
+
+  /** What belongs to the run that was shown must not meet the text or the setup of now. */
+  #outdate(): void {
+    this.#client?.outdate();
+    this.#events.outdated();
+  }
+
+  #begin(): void {
+    const [changes, client, editor] = [this.#changes, this.#client, this.#editor];
+    if (changes === undefined || client === undefined) return;
+    this.#changes = undefined;
+    const setup = this.#setupSent ? undefined : this.#events.setup();
+    this.#setupSent = true;
+    const text = editor.takeUnsent();
+    const came = this.#came;
+    this.#came = 'typed';
+    client.begin({ setup, text, came, framing: changes.framing, cursor: this.#cursorKnown ? editor.cursor : undefined });
+    if (text !== undefined) void this.askTokens();
+  }
+
+  async askTokens(): Promise<void> {
+    const [client, editor] = [this.#client, this.#editor];
+    // While an edit waits to be sent, the worker would colour older text.
+    if (client === undefined || this.#sending !== undefined) return;
+    const lines = editor.linesInSight;
+    if (lines === undefined) return;
+    const { revision } = editor;
+    const tokens = await client.ask('tokens', lines);
+    if (tokens !== undefined && editor.revision === revision) editor.tokens = tokens;
+  }
+}

@@ -1,0 +1,80 @@
+// What the element starts from: its light-DOM text and its setup.
+//
+// In: the element, its attributes. Out: the program's text; the setup as one JSON text.
+// Must not know: what a setup may hold beyond the keys that are attributes too.
+
+import type { SwitchesSet } from '../panels/panel';
+
+/** The element's own text, without slotted children, without the blank first and last line and the common indent. */
+export function initialProgram(element: HTMLElement): string {
+  const own = [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
+  const lines = own.map((node) => (node.nodeType === Node.COMMENT_NODE ? '' : (node.textContent ?? ''))).join('').split('\n');
+  while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
+  while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
+  const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
+  const indent = indents.length === 0 ? 0 : Math.min(...indents);
+  return lines.map((line) => line.slice(indent)).join('\n');
+}
+
+export type MergedSetup =
+  | { readonly kind: 'setup'; readonly json: string }
+  | { readonly kind: 'unreadable'; readonly reason: string };
+
+/** A setup that says nothing but the control, for a program that has nothing to do with the one before it. */
+export function neutralSetup(json: string | null): string | null {
+  try {
+    const { dialect } = Object(JSON.parse(json ?? '{}')) as { readonly dialect?: { readonly control?: unknown } };
+    const control = dialect?.control;
+    return typeof control === 'string' ? JSON.stringify({ dialect: { control } }) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Attributes that stand for keys of the setup; null where the setup itself decides. */
+export interface SetupAttributes {
+  readonly control: string | null;
+  readonly blockSkip: string | null;
+  readonly program: string | null;
+}
+
+/** The `setup` attribute with the other attributes put in their places. */
+export function mergedSetup(json: string | null, { control, blockSkip, program }: SetupAttributes): MergedSetup {
+  if (control === null && blockSkip === null && program === null) return { kind: 'setup', json: json ?? '{}' };
+  let setup: unknown;
+  try {
+    setup = JSON.parse(json ?? '{}');
+  } catch (error) {
+    return { kind: 'unreadable', reason: error instanceof Error ? error.message : String(error) };
+  }
+  // Anything but an object is the interpreter's to refuse.
+  if (typeof setup !== 'object' || setup === null || Array.isArray(setup)) return { kind: 'setup', json: json ?? '{}' };
+  const merged: Record<string, unknown> = { ...setup };
+  if (control !== null) {
+    const dialect = merged['dialect'];
+    merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
+  }
+  if (blockSkip !== null) merged['blockSkip'] = blockSkip.split(/[\s,]+/).filter((part) => part !== '').map(numberOrText);
+  if (program !== null) merged['program'] = numberOrText(program);
+  return { kind: 'setup', json: JSON.stringify(merged) };
+}
+
+/** What is no number is the interpreter's to refuse. */
+function numberOrText(text: string): number | string {
+  return /^\d+$/.test(text) ? Number(text) : text;
+}
+
+export function switchesSet(merged: MergedSetup): SwitchesSet {
+  if (merged.kind === 'unreadable') return { blockSkip: [], program: undefined };
+  let setup: unknown;
+  try {
+    setup = JSON.parse(merged.json);
+  } catch {
+    return { blockSkip: [], program: undefined };
+  }
+  const { blockSkip, program } = Object(setup) as { readonly blockSkip?: unknown; readonly program?: unknown };
+  return {
+    blockSkip: Array.isArray(blockSkip) ? blockSkip.filter((level) => typeof level === 'number') : [],
+    program: typeof program === 'number' ? program : undefined,
+  };
+}

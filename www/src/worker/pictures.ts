@@ -1,0 +1,49 @@
+// The worker's half of the pictures: the section and the end face, each on a canvas of its own.
+//
+// In: what happens to a picture. Out: images, and what there is to see beside the section. Must not know: when things are drawn.
+
+import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
+import type { CanvasCommand, Pictures, ViewsState } from '../protocol/protocol';
+
+const PICTURES: readonly PictureName[] = ['section', 'face'];
+
+type OnCanvas<K extends CanvasCommand['kind']> = (core: Playground, picture: PictureName, what: Extract<CanvasCommand, { readonly kind: K }>) => void;
+
+const ON_CANVAS: { readonly [K in CanvasCommand['kind']]: OnCanvas<K> } = {
+  canvas(core, picture, { size }) {
+    core.attachCanvas(picture, new OffscreenCanvas(1, 1));
+    core.resize(picture, size.width, size.height, size.pixelRatio);
+  },
+  resize: (core, picture, { size }) => core.resize(picture, size.width, size.height, size.pixelRatio),
+  fit: (core, picture) => core.fit(picture),
+  pan: (core, picture, { dx, dy }) => core.pan(picture, dx, dy),
+  zoom: (core, picture, { factor, x, y }) => core.zoom(picture, factor, x, y),
+};
+
+export function changePicture(core: Playground, picture: PictureName, what: CanvasCommand): void {
+  (ON_CANVAS[what.kind] as OnCanvas<typeof what.kind>)(core, picture, what);
+}
+
+/** Shows all of each picture. */
+export function fitAll(core: Playground): void {
+  for (const picture of PICTURES) core.fit(picture);
+}
+
+/** Paints the pictures of the run that is current; the first that is not done says what is still to be done. */
+export function drawAll(core: Playground): Drawn {
+  return PICTURES.map((picture) => core.draw(picture)).find((drawn) => drawn !== Drawn.All) ?? Drawn.All;
+}
+
+/** Takes what was painted since the last time. */
+export function takePictures(core: Playground): Pictures | undefined {
+  const taken: Partial<Record<PictureName, ImageBitmap>> = {};
+  for (const picture of PICTURES) {
+    const image = core.takeImage(picture);
+    if (image !== undefined) taken[picture] = image;
+  }
+  return Object.keys(taken).length === 0 ? undefined : taken;
+}
+
+export function viewsState(core: Playground): ViewsState {
+  return { face: core.hasFace(), turret: core.turret(), comparison: core.comparison() };
+}

@@ -1,0 +1,59 @@
+// Which switches of the operator's panel a text gives something to do.
+//
+// In: a text, a part at a time. Out: the levels of the blocks marked with a slash, and the programs that begin in it. A quick look, not a
+// reading: a switch shown in vain does nothing. Must not know: what is done with a marked block or a chosen program.
+
+import type { ProgramHead, SwitchesInText } from '../protocol/protocol';
+
+/** Nobody chooses among more. */
+const PROGRAMS_LIMIT = 500;
+/** What stands further along a line is not looked at. */
+const LINE_LIMIT = 1_000;
+
+const INTERESTING = /\/|[Oo:][ \t]*\d/;
+const COMMENT = /\([^)]*\)?/g;
+const HEAD = /^\s*(?:\/\d?\s*)*[O:]\s*(\d{1,8})/i;
+const SLASH_AT_HEAD = /^\s*(?:N\s*\d+\s*)?\/([1-9])?/i;
+const SLASH = /\/([1-9])?/g;
+/** Where a slash is a division, unless it stands at the head. */
+const EXPRESSION = /[#[=]/;
+
+/** Whether some lines may say anything at all about switches; most do not. */
+export function mayTellOfSwitches(lines: string): boolean {
+  return INTERESTING.test(lines);
+}
+
+export class SwitchFinder {
+  readonly #levels = new Set<number>();
+  readonly #programs = new Map<number, ProgramHead>();
+
+  /** Looks at the next whole lines of the text. */
+  look(lines: string): void {
+    if (!mayTellOfSwitches(lines)) return;
+    for (let from = 0; from < lines.length; ) {
+      const at = lines.indexOf('\n', from);
+      const end = at < 0 ? lines.length : at;
+      this.#lookAtLine(lines.slice(from, Math.min(end, from + LINE_LIMIT)));
+      from = end + 1;
+    }
+  }
+
+  /** What has been found so far. */
+  get found(): SwitchesInText {
+    return { blockSkip: [...this.#levels].sort((a, b) => a - b), programs: [...this.#programs.values()] };
+  }
+
+  #lookAtLine(line: string): void {
+    if (!mayTellOfSwitches(line)) return;
+    for (const block of line.replace(COMMENT, ' ').split(';')) {
+      for (const slash of EXPRESSION.test(block) ? [SLASH_AT_HEAD.exec(block)] : block.matchAll(SLASH)) {
+        if (slash !== null) this.#levels.add(Number(slash[1] ?? 1));
+      }
+      const head = HEAD.exec(block);
+      if (head === null || this.#programs.size >= PROGRAMS_LIMIT) continue;
+      const digits = head[1] ?? '';
+      const number = Number(digits);
+      if (!this.#programs.has(number)) this.#programs.set(number, { number, name: `O${digits}` });
+    }
+  }
+}

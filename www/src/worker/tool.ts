@@ -1,0 +1,27 @@
+// What the worker answers about the tool: it is put somewhere, and read off there.
+//
+// In: the interpreter and a question. Out: the read-out. Must not know: how the tool gets there.
+
+import type { Playground, Readout } from '../../pkg/gcode_playground.js';
+import type { Questions } from '../protocol/protocol';
+
+type About = 'play' | 'seek' | 'step' | 'readout';
+
+export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Readout | undefined } = {
+  play(core, { from, seconds, pace, stops }) {
+    if (from === 'start') core.seek(0);
+    const factor = pace.kind === 'times' ? pace.factor : core.animationSeconds() / pace.seconds;
+    core.play(seconds * factor, stops);
+    return core.readout();
+  },
+  seek(core, { share }) {
+    if (share === undefined) core.showWhole();
+    else core.seek(share);
+    return core.readout();
+  },
+  step(core, { unit, direction }) {
+    core.step(unit, direction);
+    return core.readout();
+  },
+  readout: (core) => core.readout(),
+};

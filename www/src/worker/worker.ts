@@ -1,0 +1,413 @@
+// The interpreter's own thread: owns the `Playground`, its text and the canvas it draws on.
+//
+// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to: `tell` is the only
+// door. A program is run in slices, and between slices the messages that have come in are read, so newer text ends an older run
+// at once. Pictures cross as images, one at a time: the next one leaves when the page has shown the last, so that "settled" is
+// what the page shows, not what was painted here.
+// Must not know: the page, the editor, or anything of what the program means.
+
+import init, { Drawn, Playground } from '../../pkg/gcode_playground.js';
+import { ANSWERS, type AnswerRow } from './answers';
+import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import {
+  counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
+  type Work } from '../protocol/protocol';
+import { handIn } from './text-in';
+import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
+
+const BLOCKS_PER_SLICE = 20_000;
+/** The reader can stop a run any time; this is for when nobody is there. */
+const RUN_LIMIT_MS = 60_000;
+/** Lines looked at for switches in one go. */
+const LINES_PER_LOOK = 20_000;
+/** Longer changes are not looked at for switches: all of the text is. */
+const LOOK_LIMIT = 100_000;
+/** Motions whose material is taken off in one go, and how long a report waits for the part. */
+const MOTIONS_PER_SLICE = 20;
+const WAIT_FOR_PART_MS = 8;
+/** Longer than this nobody looks at the picture of the run before: the path is shown without the part. */
+const SHOW_PATH_AFTER_MS = 300;
+const PROGRESS_AFTER_MS = 150;
+const PROGRESS_EVERY_MS = 100;
+
+/** How long something has been going on, and when that was told last. */
+interface Going {
+  readonly startedAt: number;
+  lastProgressAt: number;
+}
+
+/** How far the current run is. */
+type Stage =
+  | ({ readonly kind: 'running' } & Going)
+  /** Material is being taken off; whether the path has been reported before the part is there, and its picture shown. */
+  | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
+  | { readonly kind: 'done' };
+
+/** Whether a picture is wanted: once there is one of the whole run, or of as much as there is. */
+type Wanted = 'no' | 'when-whole' | 'now';
+
+let core: Playground | undefined;
+/** The number of the current run, as the page counts them. */
+let run = 0;
+let stage: Stage = { kind: 'done' };
+/** Why the setup that was sent last was not taken. */
+let setupRejected: string | undefined;
+/** Looks for switches in the text; undefined when all of it was looked at. */
+let looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
+let switches: SwitchesInText | undefined;
+let drawWanted: Wanted = 'no';
+let frameAsked = false;
+/** A picture of very many strokes is under way. */
+let drawing = false;
+/** The page has not shown the last picture yet. */
+let onTheWay = false;
+/** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
+let heard = 0;
+let settledAt = -1;
+/** What has to wait until there is all of the part. */
+const onceWhole: (() => void)[] = [];
+
+/** Messages that came before the interpreter was loaded. */
+const early: (Command | Question)[] = [];
+const slices = new MessageChannel();
+let sliceQueued = false;
+
+self.onmessage = (event: MessageEvent<Command | Question>) => {
+  if (core === undefined) early.push(event.data);
+  else guarded(() => receive(event.data));
+};
+slices.port1.onmessage = () => {
+  sliceQueued = false;
+  guarded(slice);
+};
+
+void load();
+
+async function load(): Promise<void> {
+  try {
+    await init({ module_or_path: new URL('../../pkg/gcode_playground_bg.wasm', import.meta.url) });
+    core = new Playground();
+  } catch (error) {
+    tellOfLife({ kind: 'load-failed', reason: describe(error) });
+    return;
+  }
+  tellOfLife({ kind: 'ready' });
+  for (const message of early.splice(0)) guarded(() => receive(message));
+}
+
+function receive(message: Command | Question): void {
+  if (core === undefined) return;
+  if (counts(message)) heard++;
+  if (message.kind === 'question') {
+    ask(core, message);
+    return;
+  }
+  const row = COMMANDS[message.kind] as CommandRow<Command['kind']>;
+  row.act(core, message);
+  if (row.draws !== 'no') wantDraw(row.draws);
+}
+
+interface CommandRow<K extends Command['kind']> {
+  /** What was there stays until the run is whole, unless the reader moves it. */
+  readonly draws: Wanted;
+  act(playground: Playground, command: Extract<Command, { readonly kind: K }>): void;
+}
+
+const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
+  picture: { draws: 'now', act: (playground, { picture, what }) => changePicture(playground, picture, what) },
+  palette: { draws: 'now', act: (playground, { palette }) => playground.setPalette(palette) },
+  language: {
+    draws: 'when-whole',
+    act(playground, { tag }) {
+      playground.setLanguage(tag);
+      if (isTold()) report(playground, 'again');
+    },
+  },
+  run: { draws: 'no', act: begin },
+  shown: {
+    draws: 'no',
+    act(playground) {
+      onTheWay = false;
+      present(playground);
+    },
+  },
+  stop: { draws: 'when-whole', act: stop },
+  cursor: { draws: 'when-whole', act: (playground, { offset }) => playground.setCursor(offset) },
+  hover: { draws: 'when-whole', act: (playground, { motion }) => playground.setHover(motion) },
+  turret: {
+    draws: 'now',
+    act(playground, { side }) {
+      playground.setTurret(side);
+      tellViews(playground);
+    },
+  },
+  keep: {
+    draws: 'when-whole',
+    act: (playground) =>
+      whenWhole(() => {
+        if (core === undefined) return;
+        playground.keep();
+        tellViews(playground);
+      }),
+  },
+  'end-comparison': {
+    draws: 'when-whole',
+    act(playground) {
+      playground.endComparison();
+      tellViews(playground);
+    },
+  },
+  'leave-edge': { draws: 'when-whole', act: (playground) => playground.leaveEdge() },
+};
+
+function tellViews(playground: Playground): void {
+  if (stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
+}
+
+function ask(playground: Playground, question: Question): void {
+  const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
+  const now = (): void => void reply(question.id, row.answer(playground, question.ask));
+  if (row.draws !== undefined) wantDraw(row.draws);
+  if (row.waits === undefined) now();
+  else whenWhole(now);
+}
+
+function whenWhole(act: () => void): void {
+  if (stage.kind === 'done') act();
+  else onceWhole.push(act);
+}
+
+/** What is there at once is sent at once: answers keep the order of their questions. */
+function reply(id: number, answer: unknown): void | Promise<void> {
+  if (!(answer instanceof Promise)) return tell({ kind: 'answer', id, answer });
+  return answer.then((late: unknown) => tell({ kind: 'answer', id, answer: late }));
+}
+
+// ---- from one run to the next ---------------------------------------------------------------------
+
+function begin(playground: Playground, change: BeginRun): void {
+  run = change.run;
+  // A setup that is not taken leaves the run as it was, and so the tool in its place.
+  playground.showWhole();
+  if (change.framing === 'fit') fitAll(playground);
+  if (change.setup !== undefined) changeSetup(playground, change.setup);
+  if (change.text !== undefined) changeText(playground, change.text, change.came);
+  playground.setCursor(change.cursor);
+  const now = performance.now();
+  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
+  // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
+  drawing = false;
+  drawWanted = 'no';
+  queueSlice();
+}
+
+function changeSetup(playground: Playground, json: string): void {
+  try {
+    playground.setSetup(json);
+    setupRejected = undefined;
+  } catch (reason) {
+    if (reason instanceof WebAssembly.RuntimeError) throw reason;
+    setupRejected = describe(reason);
+  }
+}
+
+function changeText(playground: Playground, text: TextCommand, came: Came): void {
+  if (text.kind === 'edit') {
+    for (const change of text.changes) edit(playground, change);
+    if (came === 'at-once') playground.decideDecimalRule();
+  } else {
+    handIn(playground, text.pieces);
+    lookForSwitches();
+  }
+}
+
+function edit(playground: Playground, { from, to, insert }: TextChange): void {
+  // Lines that are still to be looked at may stand elsewhere then.
+  const anew = looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
+  const touched = (end: number): string => playground.linesAsWritten(playground.lineAt(from), playground.lineAt(end) + 1);
+  const before = anew ? '' : touched(to);
+  playground.edit(from, to, insert);
+  if (anew || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) lookForSwitches();
+}
+
+function lookForSwitches(): void {
+  switches = undefined;
+  looking = { finder: new SwitchFinder(), nextLine: 0 };
+}
+
+/** Looks at some more lines; a short text is looked at in one go. */
+function lookOn(playground: Playground): void {
+  if (looking === undefined) return;
+  const { finder, nextLine } = looking;
+  const lines = playground.linesAsWritten(nextLine, nextLine + LINES_PER_LOOK);
+  finder.look(lines);
+  looking.nextLine += LINES_PER_LOOK;
+  if (playground.linesAsWritten(looking.nextLine, looking.nextLine + 1) !== '') return;
+  looking = undefined;
+  switches = finder.found;
+  // A report that is still to come tells of them.
+  if (isTold()) tell({ kind: 'switches', inText: switches });
+}
+
+// ---- the run --------------------------------------------------------------------------------------
+
+function stop(playground: Playground): void {
+  if (stage.kind === 'machining') {
+    playground.stopMachining();
+    machine(playground, stage);
+  } else if (stage.kind === 'running') {
+    playground.stop(Math.round((performance.now() - stage.startedAt) / 100) / 10);
+    end(playground);
+  }
+}
+
+function queueSlice(): void {
+  if (sliceQueued) return;
+  sliceQueued = true;
+  slices.port2.postMessage(undefined);
+}
+
+function slice(): void {
+  if (core === undefined) return;
+  if (stage.kind === 'running') advance(core, stage);
+  else if (drawing) draw(core);
+  else if (stage.kind === 'machining') machine(core, stage);
+  else lookOn(core);
+  if (stage.kind !== 'done' || drawing || looking !== undefined) queueSlice();
+}
+
+function advance(playground: Playground, going: Going): void {
+  const ended = playground.advance(BLOCKS_PER_SLICE);
+  const now = performance.now();
+  if (ended) end(playground);
+  else if (now - going.startedAt > RUN_LIMIT_MS) stop(playground);
+  else tellProgress(going, 'run', () => playground.progress());
+}
+
+function tellProgress(going: Going, work: Work, done: () => number): void {
+  const now = performance.now();
+  if (now - going.startedAt <= PROGRESS_AFTER_MS || now - going.lastProgressAt <= PROGRESS_EVERY_MS) return;
+  going.lastProgressAt = now;
+  tell({ kind: 'progress', work, done: done() });
+}
+
+function end(playground: Playground): void {
+  lookOn(playground);
+  const now = performance.now();
+  const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
+  stage = machining;
+  machine(playground, machining);
+}
+
+/** Takes some more material off; the part, and what runs into what, are there when all of it is. */
+function machine(playground: Playground, machining: Stage & { kind: 'machining' }): void {
+  const enough = performance.now() + WAIT_FOR_PART_MS;
+  let done = false;
+  do done = playground.machine(MOTIONS_PER_SLICE);
+  while (!done && performance.now() < enough);
+  if (done) {
+    stage = { kind: 'done' };
+    for (const late of onceWhole.splice(0)) late();
+    report(playground, machining.pathTold ? 'part' : 'whole');
+    wantDraw('now');
+    return;
+  }
+  // What takes longer than a blink is told of when it is there.
+  if (!machining.pathTold) {
+    machining.pathTold = true;
+    report(playground, 'path');
+  }
+  if (!machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) wantDraw('now');
+  tellProgress(machining, 'part', () => playground.machiningProgress());
+  queueSlice();
+}
+
+/** The current run has been reported. */
+function isTold(): boolean {
+  return stage.kind === 'done' ? run > 0 : stage.kind === 'machining' && stage.pathTold;
+}
+
+function report(playground: Playground, told: Report['stage']): void {
+  tell({
+    kind: 'report',
+    report: {
+      summary: playground.summary(),
+      diagnostics: playground.diagnostics(),
+      fitted: playground.fitting(),
+      decimal: playground.decimalNotice(),
+      stage: told,
+      setupRejected,
+      views: stage.kind === 'done' ? viewsState(playground) : undefined,
+      switches,
+    },
+  });
+}
+
+// ---- the rest -------------------------------------------------------------------------------------
+
+function wantDraw(how: Exclude<Wanted, 'no'>): void {
+  if (drawWanted !== 'now') drawWanted = how;
+  if (frameAsked) return;
+  frameAsked = true;
+  requestAnimationFrame(() => {
+    frameAsked = false;
+    const wanted = drawWanted;
+    drawWanted = 'no';
+    const ready = stage.kind === 'done' || (stage.kind === 'machining' && stage.pathShown);
+    guarded(() => {
+      if (core !== undefined && (wanted === 'now' || (wanted === 'when-whole' && ready))) draw(core);
+    });
+  });
+}
+
+function draw(playground: Playground): void {
+  if (stage.kind === 'machining') stage.pathShown = true;
+  const drawn = drawAll(playground);
+  drawing = drawn === Drawn.Part;
+  if (drawing) queueSlice();
+  if (drawn === Drawn.Moved) wantDraw('now');
+  present(playground);
+}
+
+/** Hands what was painted to the page, unless it has not shown the last picture yet. */
+function present(playground: Playground): void {
+  if (onTheWay) return;
+  const pictures = takePictures(playground);
+  if (pictures === undefined) return;
+  onTheWay = true;
+  tell({ kind: 'pictures', pictures }, Object.values(pictures));
+}
+
+/** Once nothing is left to do, and the page has shown all there is. */
+function settle(): void {
+  const busy = stage.kind !== 'done' || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
+  if (core === undefined || busy || settledAt === heard) return;
+  settledAt = heard;
+  tell({ kind: 'settled', heard });
+}
+
+/** A panic leaves the interpreter unusable: say so once, and take no further message. */
+function guarded(step: () => void): void {
+  try {
+    step();
+    settle();
+  } catch (error) {
+    core = undefined;
+    stage = { kind: 'done' };
+    drawing = false;
+    tellOfLife({ kind: 'crashed', reason: describe(error) });
+  }
+}
+
+function describe(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/** Whatever is told of a run names it. */
+function tell(event: RunEvent, images: ImageBitmap[] = []): void {
+  self.postMessage({ ...event, run }, { transfer: images });
+}
+
+function tellOfLife(event: LifeEvent): void {
+  self.postMessage(event);
+}
