@@ -25,7 +25,7 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
 /// documents.
-const NOT_RUN: [(&str, &str); 9] = [
+const NOT_RUN: [(&str, &str); 8] = [
     (
         "cargo install --path .",
         "an optimised build of minutes; that the program builds is shown by every test of it",
@@ -38,10 +38,6 @@ const NOT_RUN: [(&str, &str); 9] = [
     (
         "cargo rustc --crate-type cdylib",
         "part of every `cargo xtask test`, which builds the module of the page",
-    ),
-    (
-        "npx playwright test",
-        "it needs the built page and a browser; `cargo xtask test` calls it with all tests",
     ),
     ("gzip -9", "how sizes are counted; xtask weighs the module in this way"),
     ("# rapid-through-stock", "a sketch of a rule file; the build reads all of them"),

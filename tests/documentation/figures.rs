@@ -42,11 +42,6 @@ pub const FIGURES: &[Figure] = &[
         "all of it in 20 s",
         Held::Stated("www/src/panels/playback.ts", "const WHOLE: readonly number[] = [20, 60];"),
     ),
-    figure(
-        "tests/browser/README.md",
-        "stays at version 24, the last that runs on Node 20",
-        Held::Stated("www/package.json", "\"puppeteer-core\": \"24."),
-    ),
     figure("README.md", "(20 or newer)", Held::Stated("xtask/src/setup.rs", "const NODE_MIN: u32 = 20;")),
     figure(
         "www/docs/command-line.md",
