@@ -314,7 +314,7 @@ impl Current {
         change(view, &scene);
     }
 
-    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool is there, told as
+    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool is there, given as
     /// in the section.
     pub fn pick(&mut self, plane: Plane, at: Pixel, reach: f64) -> Option<(usize, Point)> {
         let Picture { scene, view, .. } = self.picture(plane)?;

@@ -35,7 +35,7 @@ export interface Panel {
 
   /** A key that no dialog takes; says whether it was the panel's own. */
   pressed?(key: Key): 'own' | 'not-own';
-  /** What the worker tells of the newest run. */
+  /** What the worker reports of the newest run. */
   heard?(event: Heard): void;
   /** Pictures of the newest run; the images are the panel's. */
   showPictures?(pictures: Pictures): void;
@@ -121,19 +121,19 @@ export interface Shell {
   // ---- the program ----
   /** What was typed a moment ago is run now. */
   flush(): void;
-  /** A panel has edited the text: it is run now, and the page around is told. */
+  /** A panel has edited the text: it is run now, and `gcode-change` is fired. */
   edited(): void;
   /** The same program written differently: undo brings back what was there. */
   rewrite(text: string): void;
   /** A program takes the place of the one in the editor; the setup of the one before goes with `another`. */
   take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void;
-  /** The program's file or encoding is another one: the page around is told. */
+  /** The program's file or encoding is another one: `gcode-change` is fired. */
   changed(): void;
   /** The next change of the text is put in at once, not typed. */
   cameAtOnce(): void;
   /** The reader has chosen a stroke: its block is selected. */
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
-  /** Tells all panels where the tool is. */
+  /** Lets all panels know where the tool is. */
   toolMoved(place: Readout | undefined): void;
 
   // ---- the setup ----

@@ -102,7 +102,7 @@ class Pictures implements Panel {
     return { kind: 'palette', palette: this.#drawings.section.palette };
   }
 
-  /** What each picture tells, the same for all of them. */
+  /** The events of each picture, the same for all of them. */
   #events(picture: PictureName): DrawingEvents {
     const shell = this.#shell;
     const stroke = shell.newest('pick', (stroke) => this.#showHovered(picture, stroke));

@@ -1,6 +1,6 @@
 // The shell: the editor, the panels around it, and what they ask of each other, of the worker and of the page around.
 //
-// In: what the reader does, what the worker tells. Out: the panels, told of it; attributes and events of the element, its host.
+// In: what the reader does, what the worker reports. Out: the same to the panels; attributes and events of the element, its host.
 // Which panels there are, it knows from `panels/index.ts` alone. Must not know: G-code. What is written and what it means is the
 // interpreter's business, behind core-client.ts.
 
@@ -26,7 +26,7 @@ export interface Host {
   program: string | null;
 }
 
-/** What the page around is told. */
+/** Events for the page around. */
 export interface ShellEvents {
   fire<Detail>(type: string, detail: Detail): void;
   /** The reader has made another program, or another file, of it. */

@@ -245,7 +245,7 @@ function lookOn(playground: Playground): void {
   if (playground.linesAsWritten(looking.nextLine, looking.nextLine + 1) !== '') return;
   looking = undefined;
   switches = finder.found;
-  // A report that is still to come tells of them.
+  // A report that is still to come contains them.
   if (isTold()) tell({ kind: 'switches', inText: switches });
 }
 
