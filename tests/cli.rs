@@ -422,7 +422,7 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
         String::from_utf8(run(&["check", "--lang", language, "-"], program).stdout).expect("UTF-8")
     };
     assert!(said("zh").contains("毛坯为假定，未检查碰撞"), "{}", said("zh"));
-    assert!(said("ru").contains("заготовка принята, столкновения не проверялись"), "{}", said("ru"));
+    assert!(said("ru").contains("заготовка по умолчанию, столкновения не проверялись"), "{}", said("ru"));
     // With the comment it is held against the work: nothing is left to tell.
     let named = String::from_utf8_lossy(program).replace("T0101", "(STOCK D=44 LENGTH=25)\nT0101");
     assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"");

@@ -1,5 +1,4 @@
-//! Words that stand beside something: how grave a message is and whose matter; the setup form: what each field is
-//! called, and what is wrong with what was entered.
+//! Short labels: severity and category of a message; the setup form: names of fields, and errors in entries.
 //!
 //! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
 
@@ -22,7 +21,7 @@ impl Language {
     }
 }
 
-/// How grave a message is.
+/// The name of a severity.
 pub fn severity(severity: Severity, language: Language) -> &'static str {
     language.among(match severity {
         Severity::Off => ["Off", "关闭", "Выключено"],
@@ -32,10 +31,10 @@ pub fn severity(severity: Severity, language: Language) -> &'static str {
     })
 }
 
-/// Whose matter a message is.
+/// The name of a category of messages.
 pub fn matter(kind: Kind, language: Language) -> &'static str {
     language.among(match kind {
-        Kind::Wrong => ["fault in the program", "程序有误", "ошибка в программе"],
+        Kind::Wrong => ["error in the program", "程序有误", "ошибка в программе"],
         Kind::Unsupported => ["not supported here", "此处不支持", "здесь не поддерживается"],
         Kind::Machine => ["depends on the machine", "取决于机床", "зависит от станка"],
     })
@@ -46,7 +45,7 @@ pub fn stock_assumed(note: &str, language: Language) -> String {
     let said = language.among([
         "stock assumed, collisions not checked. This stock in the program:",
         "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",
-        "заготовка принята, столкновения не проверялись. Эта заготовка в программе:",
+        "заготовка по умолчанию, столкновения не проверялись. Эта заготовка в программе:",
     ]);
     format!("{said} {note}")
 }
@@ -58,12 +57,12 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::Bore => ["Bore diameter", "内孔直径", "Диаметр отверстия"],
         Name::Length => ["Length", "长度", "Длина"],
         Name::Face => ["Z of the front face", "前端面 Z", "Z переднего торца"],
-        Name::Grip => ["Held by the jaws", "卡爪夹持长度", "Зажато в кулачках"],
+        Name::Grip => ["Clamping length", "夹持长度", "Длина зажима"],
         Name::Kind => ["Kind", "类型", "Вид"],
         Name::Side => ["Side of the work", "加工部位", "Сторона детали"],
         Name::Insert => ["Insert (ISO)", "刀片（ISO）", "Пластина (ISO)"],
-        Name::NoseRadius => ["Nose radius", "刀尖圆弧半径", "Радиус вершины"],
-        Name::Tip => ["Tip number", "刀尖方位号", "Номер вершины"],
+        Name::NoseRadius => ["Nose radius", "刀尖圆弧半径", "Радиус при вершине"],
+        Name::Tip => ["Tool-tip direction", "刀尖方位号", "Положение вершины"],
         Name::EnteringAngle => ["Entering angle κr", "主偏角 κr", "Главный угол в плане κr"],
         Name::PointAngle => ["Point angle", "刀尖角", "Угол при вершине"],
         Name::EdgeLength => ["Edge length", "切削刃长度", "Длина кромки"],
@@ -78,13 +77,13 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::StartZ => ["Z", "Z", "Z"],
         Name::CenterZ => ["Z of the centre's point", "顶尖 Z", "Z острия центра"],
         Name::QuillDiameter => ["Quill diameter", "套筒直径", "Диаметр пиноли"],
-        Name::RapidX => ["Rapid along X", "X 快移速度", "Ускоренный ход X"],
-        Name::RapidZ => ["Rapid along Z", "Z 快移速度", "Ускоренный ход Z"],
-        Name::MaxSpeed => ["Highest spindle speed", "主轴最高转速", "Наибольшие обороты"],
-        Name::LeastX => ["Least X (diameter)", "X 最小（直径）", "Наименьший X (диаметр)"],
-        Name::GreatestX => ["Greatest X (diameter)", "X 最大（直径）", "Наибольший X (диаметр)"],
-        Name::LeastZ => ["Least Z", "Z 最小", "Наименьший Z"],
-        Name::GreatestZ => ["Greatest Z", "Z 最大", "Наибольший Z"],
+        Name::RapidX => ["Rapid traverse X", "X 快速移动速度", "Ускоренное перемещение X"],
+        Name::RapidZ => ["Rapid traverse Z", "Z 快速移动速度", "Ускоренное перемещение Z"],
+        Name::MaxSpeed => ["Maximum spindle speed", "主轴最高转速", "Наибольшая частота вращения"],
+        Name::LeastX => ["X min (diameter)", "X 最小值（直径）", "X мин. (диаметр)"],
+        Name::GreatestX => ["X max (diameter)", "X 最大值（直径）", "X макс. (диаметр)"],
+        Name::LeastZ => ["Z min", "Z 最小值", "Z мин."],
+        Name::GreatestZ => ["Z max", "Z 最大值", "Z макс."],
         Name::Turret => ["Turret", "刀架", "Револьверная головка"],
         Name::Decimal => ["Number without a point", "无小数点的数", "Число без точки"],
         Name::Classroom => ["Classroom checklist", "课堂检查清单", "Учебный контрольный список"],
@@ -97,7 +96,7 @@ pub fn group(group: &str, language: Language) -> &'static str {
         "stock" => ["Stock", "毛坯", "Заготовка"],
         "start" => ["Start of the tool tip", "刀尖起点", "Начальная точка вершины"],
         "machine" => ["Machine", "机床", "Станок"],
-        "control" => ["Control", "数控系统", "Стойка"],
+        "control" => ["Control", "数控系统", "Система ЧПУ"],
         "rules" => ["Rules", "规则", "Правила"],
         "tailstock" => ["Tailstock", "尾座", "Задняя бабка"],
         _ => ["Tool", "刀具", "Инструмент"],
@@ -114,17 +113,17 @@ pub fn tool(name: &str, language: Language) -> String {
     }
 }
 
-/// What a unit is written as.
+/// How a unit is written.
 pub fn unit(unit: Unit, language: Language) -> &'static str {
     language.among(match unit {
         Unit::Millimetre => ["mm", "mm", "мм"],
         Unit::Degree => ["°", "°", "°"],
         Unit::MillimetrePerMinute => ["mm/min", "mm/min", "мм/мин"],
-        Unit::TurnsPerMinute => ["1/min", "r/min", "об/мин"],
+        Unit::TurnsPerMinute => ["rpm", "r/min", "об/мин"],
     })
 }
 
-/// What a unit of length is written as behind a number.
+/// How a unit of length is written after a number.
 pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
@@ -141,7 +140,7 @@ pub fn kind(kind: ToolKind, language: Language) -> &'static str {
         ToolKind::Threading => ["threading", "螺纹刀", "резьбовой"],
         ToolKind::Drill => ["drill", "钻头", "сверло"],
         ToolKind::Tap => ["tap", "丝锥", "метчик"],
-        ToolKind::Endmill => ["live end mill", "动力铣刀", "приводная фреза"],
+        ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
     })
 }
 
@@ -151,14 +150,14 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Side, "outside") => language.among(["outside", "外圆", "снаружи"]),
         (Name::Side, "inside") => language.among(["bore", "内孔", "отверстие"]),
         (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
-        (Name::Turret, "rear") => language.among(["behind the spindle", "后置", "за шпинделем"]),
-        (Name::Turret, "front") => language.among(["in front of it", "前置", "перед шпинделем"]),
-        (Name::Decimal, "auto") => language.among(["as the program shows", "按程序判断", "по программе"]),
+        (Name::Turret, "rear") => language.among(["rear", "后置", "за шпинделем"]),
+        (Name::Turret, "front") => language.among(["front", "前置", "перед шпинделем"]),
+        (Name::Decimal, "auto") => language.among(["inferred from the program", "按程序判断", "по программе"]),
         (Name::Decimal, "calculator") => {
-            language.among(["counts mm or inches", "按 mm 或英寸计", "в мм или дюймах"])
+            language.among(["in mm or inches", "按 mm 或英寸计", "в мм или дюймах"])
         }
         (Name::Decimal, "leastIncrement") => language.among([
-            "counts 0.001 mm or 0.0001 in",
+            "in 0.001 mm or 0.0001 in",
             "按 0.001 mm 或 0.0001 in 计",
             "в 0,001 мм или 0,0001 дюйма",
         ]),
@@ -175,15 +174,15 @@ pub fn slip(slip: Slip, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
     match slip {
         Slip::Unread(Unread::NotANumber) => {
-            language.among(["Not a number", "不是数字", "Это не число"]).into()
+            language.among(["Not a number", "不是数字", "Не число"]).into()
         }
         Slip::Unread(Unread::NotWhole) => {
             language.among(["Must be a whole number", "必须是整数", "Нужно целое число"]).into()
         }
         Slip::Unread(Unread::NotKnown) => {
-            language.among(["Not known here", "无法识别", "Здесь такого нет"]).into()
+            language.among(["Unknown value", "无法识别", "Неизвестное значение"]).into()
         }
-        Slip::Missing => language.among(["Needed", "必填", "Нужно указать"]).into(),
+        Slip::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
         Slip::Need(Need::Positive) => {
             language.among(["Must be greater than zero", "必须大于零", "Должно быть больше нуля"]).into()
         }

@@ -25,7 +25,7 @@ impl Language {
         }
     }
 
-    /// The language of a tag such as `zh` or `zh-CN`; English for one that is not spoken here.
+    /// The language of a tag such as `zh` or `zh-CN`; English for a language that is not supported.
     pub fn from_tag(tag: &str) -> Self {
         Self::ALL
             .into_iter()

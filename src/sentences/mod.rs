@@ -1,4 +1,4 @@
-//! What is said, in all languages: the sentences of the messages, and the words that are shown beside them.
+//! All texts in all languages: the sentences of the messages, and the words shown beside them.
 
 pub mod codes;
 pub mod labels;

@@ -1,4 +1,4 @@
-//! What a stroke of the picture is, and the titles of repairs and rewritings, as templates of every language.
+//! What a stroke of the picture is, and the titles of fixes and rewritings, as templates of every language.
 
 mod en;
 mod ru;
@@ -26,7 +26,7 @@ macro_rules! phrases {
 }
 
 phrases! {
-    // Titles of repairs
+    // Titles of fixes
     CloseComment, DecimalPoint, LetterO, Minus, Write, Delete, Insert,
     // Moves that are a cycle
     AsCycle, AsCyclePasses,
@@ -64,7 +64,7 @@ impl Repair {
     }
 }
 
-/// What writing the moves of so many passes as the cycle of a code does.
+/// The title of the change that writes the moves of `passes` passes as a cycle.
 pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String {
     let phrase = if passes == 1 { Phrase::AsCycle } else { Phrase::AsCyclePasses };
     let arguments: Arguments =
@@ -139,7 +139,7 @@ fn step(step: Step) -> Phrase {
     }
 }
 
-/// Where a motion ends, in the words of a block; behind an arrow the place of the machine, where the program counts
+/// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the program counts
 /// in a virtual plane.
 fn end_of(motion: &Motion) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {

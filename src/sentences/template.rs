@@ -17,7 +17,7 @@ impl Language {
     }
 }
 
-/// What is said of a message.
+/// The text of a message.
 pub struct Sentence {
     /// One sentence that stands alone.
     pub message: String,
@@ -26,7 +26,7 @@ pub struct Sentence {
 }
 
 impl Diagnostic {
-    /// What is said of it in a language, lengths in its unit.
+    /// The text of the diagnostic in a language, lengths in its unit.
     pub fn sentence(&self, language: Language) -> Sentence {
         self.message.sentence_in(language, self.unit)
     }

@@ -30,7 +30,7 @@ impl Function {
 }
 
 impl Effect {
-    /// What is said of it in a language; nothing of what is carried out.
+    /// The note beside a code in a language; empty for a code that is carried out.
     pub fn note(self, language: Language) -> &'static str {
         match language {
             Language::English => en::note(self),
