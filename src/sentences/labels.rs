@@ -152,7 +152,9 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
         (Name::Turret, "rear") => language.among(["rear", "后置", "за шпинделем"]),
         (Name::Turret, "front") => language.among(["front", "前置", "перед шпинделем"]),
-        (Name::Decimal, "auto") => language.among(["inferred from the program", "按程序判断", "по программе"]),
+        (Name::Decimal, "auto") => {
+            language.among(["inferred from the program", "按程序判断", "по программе"])
+        }
         (Name::Decimal, "calculator") => {
             language.among(["in mm or inches", "按 mm 或英寸计", "в мм или дюймах"])
         }
@@ -173,9 +175,7 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
 pub fn slip(slip: Slip, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
     match slip {
-        Slip::Unread(Unread::NotANumber) => {
-            language.among(["Not a number", "不是数字", "Не число"]).into()
-        }
+        Slip::Unread(Unread::NotANumber) => language.among(["Not a number", "不是数字", "Не число"]).into(),
         Slip::Unread(Unread::NotWhole) => {
             language.among(["Must be a whole number", "必须是整数", "Нужно целое число"]).into()
         }
