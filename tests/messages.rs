@@ -400,28 +400,28 @@ fn numbers_and_words_are_named_as_they_are_written() {
     has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be larger than zero.");
     has(
         "G30 P2",
-        "G30 names no axis: on FANUC controls nothing moves; others send all axes there. Nothing is drawn.",
+        "G30 contains no axis: on FANUC controls nothing moves; others move all axes. Nothing is drawn.",
     );
     let reversed = "N10 G1 X20\nN20 Z-5\nG71 U1 R1\nG71 P20 Q10";
-    has(&format!("{start}{reversed}"), "The block that `Q10` names stands before N20, which P names.");
+    has(&format!("{start}{reversed}"), "The block that `Q10` names comes before N20, which P names.");
     has(
         &format!("{start}G2 X60 Z-5 I0 K0"),
         "I and K are zero: the centre is the start point, so the arc has no radius.",
     );
-    has(&format!("{start}G0 X40 ,R2"), "`,R2`: there is no corner in this block.");
+    has(&format!("{start}G0 X40 ,R2"), "`,R2`: this block has no corner.");
     // At the crest itself.
     has(
         "M3 S500 F100\nG0 X30 Z5\nG76 P010060 Q100 R0.05\nG76 X28 Z-20 P1000 Q300 F1.5",
-        "G76 starts at X30, just where its P puts the crest of the thread.",
+        "G76 starts at X30, exactly where its P puts the crest of the thread.",
     );
     has(
         "M3 S500\nG0 X30 Z6\nG34 Z-30 F4 K-0.3",
-        "With `K-0.3` the lead of G34 is zero after 26.67 mm, and the thread is 36 mm long.",
+        "With `K-0.3` the lead of G34 is zero after 26.67 mm, but the thread is 36 mm long.",
     );
     // At the end itself.
     has(
         "M3 S500\nG0 X30 Z6\nG34 Z-34 F4 K-.2",
-        "With `K-.2` the lead of G34 is zero after 40 mm, and the thread is 40 mm long.",
+        "With `K-.2` the lead of G34 is zero after 40 mm, but the thread is 40 mm long.",
     );
 }
 
@@ -450,7 +450,7 @@ fn codes_that_exclude_each_other() {
     check("G97 G98 G40 M3 S500 M8");
     let analysis = analyze(b"M05 M03 S500", &Setup::default());
     let said = analysis.diagnostics[0].message.sentence(Default::default()).message;
-    assert_eq!(said, "`M03` and `M05` exclude each other; `M05` counts.");
+    assert_eq!(said, "`M03` and `M05` belong to the same modal group; `M05` takes effect.");
 }
 
 #[test]

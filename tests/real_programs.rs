@@ -67,7 +67,7 @@ fn a_setup_that_says_otherwise_is_followed_and_the_number_told() {
     let analysis = analyze(text.as_bytes(), &setup);
     let told = analysis.diagnostics.iter().find(|found| found.message.slug() == "too-large-without-point");
     let said = told.expect("told").sentence(Language::English).message;
-    assert_eq!(said, "`X2000` counts as 2000 s here, too long to be meant.");
+    assert_eq!(said, "Here `X2000` is read as 2000 s, which is too long.");
     let note = format!("(DIALECT DECIMAL=LEASTINCREMENT)\n{text}");
     let analysis = analyze(note.as_bytes(), &setup);
     assert!(analysis.diagnostics.iter().all(|found| found.message.code() == "W-NO-END"));
@@ -78,7 +78,7 @@ fn a_setup_that_says_otherwise_is_followed_and_the_number_told() {
 fn inch_programs_are_told_of_in_inches() {
     let head = "G20 G99 M3 S500\nG0 X2. Z.1\n";
     for (rest, message) in [
-        ("G1 X1. F.5\n", "`F.5` under G99 is 0.5 in per turn of the spindle."),
+        ("G1 X1. F.5\n", "`F.5` under G99 is 0.5 in/rev."),
         (
             "G1 X1. F.01\nG2 X2. Z-1. R.1\n",
             "`R.1` is too small: start and end of the arc are 1.2083 in apart.",
@@ -89,7 +89,7 @@ fn inch_programs_are_told_of_in_inches() {
             "G1 X1. F.01\nZ-1.\nX1.2\nX1.3\nG1 Z-90.\n",
             "`Z-90.` leads to Z-90, far beyond the rest of the program",
         ),
-        ("G98 G1 X1. F5.\nG99 X.9\n", "After G99 the old feed of 5 now counts as in per turn."),
+        ("G98 G1 X1. F5.\nG99 X.9\n", "After G99 the old feed rate 5 is now read in in/rev."),
     ] {
         let found = said(&format!("{head}{rest}"));
         assert!(found.iter().any(|found| found.contains(message)), "{message}\nis not in\n{found:#?}");

@@ -224,7 +224,7 @@ test('taking off the material of a long program shows how far it is, and can be 
   }));
   await openFile(page, 'long.nc', Buffer.from(`T0101 S800 M3\nG0 X62 Z2\n${passes.join('\n')}\nM30\n`));
   expect(await told).toContain('Part');
-  await expect(problems(page).getByText(/The part was stopped after \d+ of 15001 motions/)).toBeVisible();
+  await expect(problems(page).getByText(/The material removal was stopped after \d+ of 15001 motions/)).toBeVisible();
   await expect(page.getByRole('button', { name: 'Stop', exact: true })).toBeHidden();
 });
 
@@ -241,7 +241,7 @@ test('how numbers without a point are read stands in the status line, and can be
   await expect(choice).toBeFocused();
   await choice.selectOption('calculator');
   await form(page).getByRole('button', { name: 'Apply' }).click();
-  await expect(status(page)).toContainText('W2000 counts as 2000 in here');
+  await expect(status(page)).toContainText('W2000 is read as 2000 in');
 });
 
 test('the reading of numbers is decided for a file that is opened, not for what is typed', async ({ page }) => {
@@ -251,7 +251,7 @@ test('the reading of numbers is decided for a file that is opened, not for what 
   await page.keyboard.press('Control+Home');
   await page.keyboard.press('End');
   await page.keyboard.type('\nG04 X2000');
-  await expect(status(page)).toContainText('X2000 counts as 2000 s here');
+  await expect(status(page)).toContainText('X2000 is read as 2000 s');
   await openFile(page, 'dwell.nc', Buffer.from(`O0001\nG04 X2000\n${rest}`));
   await expect(status(page)).toContainText('X2000 is 2 s');
 });
