@@ -1,7 +1,7 @@
 //! Tool nose radius compensation: G41, G42, G40.
 //!
 //! In: the programmed moves of one plane, one after the other. Out: the same moves as the tip shows them while the
-//! nose, a circle, rolls along the programmed path (semantics §4). A move is given out when the next one is known,
+//! nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is given out when the next one is known,
 //! for its end depends on the corner between them. Works in millimetres in any plane whose first axis is called
 //! `z` (to the right) and whose second is called `x` (upwards): Z and X radius for turning, the virtual X and C of
 //! polar interpolation with tip 0. Knows nothing of words, blocks and offset tables.
@@ -179,7 +179,7 @@ impl Compensator {
     }
 
     /// The next programmed element. Gives out the one before, and the moves around the corner between them. A
-    /// straight element without length is no move and is passed over.
+    /// straight element without length is no move and is ignored.
     pub fn push(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
         if element.is_still() {
             return;
@@ -352,7 +352,7 @@ impl Compensator {
         }
     }
 
-    /// Gives out a waiting element whose centre ends at `end` from its programmed end; tells whether it could.
+    /// Gives out a waiting element whose centre ends at `end` from its programmed end; returns whether it could.
     fn finish(&mut self, waiting: &Waiting, end: Vector, out: &mut impl FnMut(Outcome)) -> bool {
         let element = &waiting.element;
         let begin = match waiting.begin {

@@ -1,4 +1,4 @@
-//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them (semantics §8.3).
+//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them.
 //!
 //! In: the words of a block and where it stands. Out: the place of the next block.
 
@@ -11,7 +11,7 @@ use crate::control::program::program_and_repeats;
 pub struct Here {
     /// Its own beginning.
     pub at: Resume,
-    /// The beginning of the block behind it.
+    /// The beginning of the block after it.
     pub next: Resume,
 }
 

@@ -63,7 +63,7 @@ impl Interpreter {
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
-    /// Y and V: at Y0 they change nothing. Elsewhere it is told once, and the motion of X and Z is drawn as an uncertain one.
+    /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is drawn as an uncertain one.
     #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
         let reading = self.reading();
@@ -89,7 +89,7 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Y]));
     }
 
-    /// G01, with its corner and angle words (semantics §3.2).
+    /// G01, with its corner and angle words.
     pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let (x, z) = self.plane_targets(text, words);
         let angle = self.angle(text, block, request, words);
@@ -336,7 +336,7 @@ impl Interpreter {
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
                 self.travel(block, motion, joint);
             }
-            // It goes along Y, which was told.
+            // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) => {}
             Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
             Err(fault) => {
@@ -356,7 +356,7 @@ impl Interpreter {
         }
     }
 
-    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (semantics §3.5).
+    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (seeds 001 and 002, GSK980TDb p. 122).
     #[inline(never)]
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let code = match self.state.motion {

@@ -1,4 +1,4 @@
-//! G70 to G76 as blocks call them (semantics §7): what is the same in all, and the cycles along a contour. G74 and G75 are in
+//! G70 to G76 as blocks call them (seed 003): what is the same in all, and the cycles along a contour. G74 and G75 are in
 //! `pecks`, G76 in `threads`.
 //!
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
@@ -29,16 +29,16 @@ impl Interpreter {
         cycle: Multiple,
     ) {
         if self.recorded.is_some() {
-            // Told already: no cycle may stand in a contour.
+            // Reported already: no cycle may stand in a contour.
             request.drop = true;
             return;
         }
         if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
-            // Roughing, pecking and threads run without compensation (semantics §4.4).
+            // Roughing, pecking and threads run without compensation (GSK980TDb p. 102).
             if self.state.told.first(Once::CompensationIdle) {
                 let code = cycle.cycle().code();
                 let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
-                // Newer controls rough with compensation that was on before (semantics §4.4).
+                // Newer controls rough with compensation that was on before (GSK980TDb p. 102).
                 let rough =
                     matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
                 self.tell(if rough { told.graded(Severity::Info) } else { told });
@@ -76,12 +76,12 @@ impl Interpreter {
         Some(())
     }
 
-    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (semantics §7.8).
+    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
     fn watch_finish(&mut self, block: &Block, shape: &Shape) {
         let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
         let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
         let message = match roughed {
-            // A cycle that could not run was told.
+            // A cycle that could not run was reported.
             None if self.asked_to_rough.contains(&own.named) => return,
             None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
             Some(other) if other.start.distance(own.start) > 0.001 && !clears(own.start, other, shape) => {
@@ -158,7 +158,7 @@ impl Interpreter {
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
-            // A depth that is wrong in the first block was told there.
+            // A depth that is wrong in the first block was reported there.
             if let Some(word) = words.get(b'D') {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 let message = depth.map_or(Message::DepthMissing { code }, |depth| {
@@ -199,7 +199,7 @@ impl Interpreter {
         Some(())
     }
 
-    /// Roughs as type I or II (the table of semantics §7.2; for G72 with X and Z exchanged).
+    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged).
     #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
     fn rough(
         &mut self,
@@ -233,7 +233,7 @@ impl Interpreter {
         }
         let most = self.moves_left();
         let mut how = *how;
-        // GSK runs along the contour behind its pockets only when asked to (TAC p. 100).
+        // GSK runs along the contour after its pockets only when asked to (GSK980TDb p. 100).
         if pockets && self.dialect.control == Control::Gsk && words.get(b'J').and_then(plain) != Some(1.0) {
             how.last_pass = roughing::LastPass::Nothing;
         }
@@ -266,7 +266,7 @@ impl Interpreter {
             self.refuse_long_cycle(block, code, most, most);
             return None;
         };
-        // At the block of the contour, which is where it can be mended.
+        // At the block of the contour, which is where it can be fixed.
         let place = match fault {
             roughing::Fault::NotMonotoneAlong { piece }
             | roughing::Fault::NotMonotoneAcross { piece }
@@ -322,7 +322,7 @@ impl Interpreter {
             let old = parameters.pattern_passes.filter(|&passes| passes >= 1.0);
             parameters.pattern_passes = words.get(b'R').and_then(plain).or(old);
             let passes = self.pattern_passes(words, b'R');
-            // What is missing is told here, and not again of the second block.
+            // What is missing is reported here, and not again for the second block.
             self.state.parameters.pattern_passes.get_or_insert(0.0);
             return passes.map(|_| ());
         }

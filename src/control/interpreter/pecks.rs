@@ -108,13 +108,13 @@ impl Interpreter {
         None
     }
 
-    /// Width of the blade of the tool in force, mm, if the setup names one.
+    /// Width of the grooving insert of the tool in force, mm, if the setup names one.
     pub(super) fn blade_width(&self) -> Option<f64> {
         let (station, offset) = self.state.tool;
         self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
     }
 
-    /// What P and Q count (semantics §7.6), and both as lengths, mm.
+    /// What P and Q count (GSK980TDb pp. 119, 135), and both as lengths, mm.
     pub(super) fn amounts(
         &mut self,
         text: &[u8],
