@@ -108,7 +108,7 @@ pub const WORDS_PER_BLOCK: usize = 64;
 /// Most digits of a number (PS0003).
 pub const DIGITS: u8 = 8;
 
-/// Largest value of a variable (semantics §8.4).
+/// Largest value of a variable.
 pub const LARGEST_VARIABLE: f64 = 1e47;
 
 /// Most brackets inside each other, those of functions and of `#[…]` among them (PS0118).

@@ -26,7 +26,7 @@ impl Unit {
         10f64.powi(-i32::from(self.decimals()))
     }
 
-    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (semantics §3.11).
+    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (FANUC 16/18-T B-62754EN p. 127).
     pub fn surface_metres(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,

@@ -1,4 +1,4 @@
-//! What blocks do, one rule a test, in the notation of the semantics: `R(x,z)` rapid, `F` feed, `T` thread,
+//! What blocks do, one rule a test, in a short notation: `R(x,z)` rapid, `F` feed, `T` thread,
 //! `A+`/`A-` arc counter-clockwise and clockwise with its centre, `D` dwell; X a diameter.
 #![cfg(not(target_arch = "wasm32"))]
 

@@ -1,5 +1,5 @@
-//! What is uncertain after something that was not carried out, and what makes it certain again: in the notation of the
-//! semantics, `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks what is uncertain.
+//! What is uncertain after something that was not carried out, and what makes it certain again: in a short
+//! notation, `R(x,z)` rapid, `F` feed, `T` thread, `A` arc; a `?` marks what is uncertain.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;

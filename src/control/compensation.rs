@@ -1,7 +1,7 @@
 //! Tool nose radius compensation: G41, G42, G40.
 //!
 //! In: the programmed moves of one plane, one after the other. Out: the same moves as the tip shows them while the
-//! nose, a circle, rolls along the programmed path (semantics §4). A move is given out when the next one is known,
+//! nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is given out when the next one is known,
 //! for its end depends on the corner between them. Works in millimetres in any plane whose first axis is called
 //! `z` (to the right) and whose second is called `x` (upwards): Z and X radius for turning, the virtual X and C of
 //! polar interpolation with tip 0. Knows nothing of words, blocks and offset tables.

@@ -46,7 +46,7 @@ impl Target {
     }
 }
 
-/// What G90, G92 and G94 remember between blocks (semantics §6.2).
+/// What G90, G92 and G94 remember between blocks (seeds 000 and 001).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CycleMemory {
     /// X or U.
@@ -119,7 +119,7 @@ impl CycleMemory {
 }
 
 /// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
-/// before any first block are those of semantics §2.2).
+/// before any first block are the defaults).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CycleParameters {
     /// Depth of a pass of G71 (radius) and G72 (length), mm.
@@ -212,7 +212,7 @@ pub struct Joint {
     pub word: String,
 }
 
-/// The moves that may form a corner with the one before (semantics §3.2.1).
+/// The moves that may form a corner with the one before (GSK980TDi p. 96, GSK980TDb p. 78).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follower {
     /// G01 alone: FANUC.
@@ -344,7 +344,7 @@ pub struct Spindle {
 
 impl Spindle {
     /// Speed with the tip at radius `x`, turns a minute: `n = 1000·v / (π·D)` under G96, within the limits of
-    /// G50 (semantics §3.11). `None` at the axis without a limit.
+    /// G50 (FANUC 16/18-T B-62754EN p. 127). `None` at the axis without a limit.
     pub fn speed_at(&self, x: f64) -> Option<f64> {
         if !self.surface {
             return Some(self.rpm);

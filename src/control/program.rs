@@ -94,7 +94,7 @@ impl Labels {
     }
 
     /// The block of a sequence number: the first match behind byte `from`, then from the head of the same O
-    /// program (semantics §1.1 rule 7).
+    /// program.
     pub fn find(&self, sequence: u32, from: u32) -> Option<Resume> {
         let head = || self.first_from(sequence, from, 0);
         self.first_from(sequence, from, from + 1).or_else(head)
@@ -159,7 +159,7 @@ fn whole(word: &Word) -> Option<u64> {
 }
 
 /// What P of M98 names: up to four digits are the program, more hold the repeats in front of the last four
-/// (`P51002` is five times O1002; semantics §8.3).
+/// (`P51002` is five times O1002).
 pub fn program_and_repeats(value: u64) -> (u32, u32) {
     match value {
         0..=9999 => (value as u32, 1),

@@ -1,7 +1,7 @@
 //! Pecking: along Z with columns side by side in X (G74), and the same with the axes exchanged (G75).
 //!
 //! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. Signs alone tell the
-//! directions apart (seed 003, semantics §7.5). Knows nothing of words: see `units` for what P and Q count.
+//! directions apart (seed 003). Knows nothing of words: see `units` for what P and Q count.
 //! Zero-length moves are left in: whoever stores motions drops them.
 
 use super::{Move, sign};

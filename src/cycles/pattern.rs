@@ -2,7 +2,7 @@
 //!
 //! In: the contour of blocks ns to nf, the relief of the first pass and the number of passes. Out: the moves.
 //! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)`, arcs and all: nothing is asked
-//! of its shape (seed 003, semantics §7.4). Knows nothing of words.
+//! of its shape (seed 003). Knows nothing of words.
 
 use super::{Contour, Move};
 use crate::geometry::Point;
@@ -42,7 +42,7 @@ pub enum Fault {
 impl Pattern {
     /// How far the contour of a pass (from 1) is moved: `x` a radius, mm.
     ///
-    /// A single pass is the last one and has no relief (semantics §7.4).
+    /// A single pass is the last one and has no relief (seed 003).
     pub fn shift(&self, pass: u32) -> Point {
         let left = f64::from(self.passes.saturating_sub(pass));
         let steps = match self.intervals {

@@ -134,7 +134,7 @@ pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec
     if tool.moves.len() > most_moves { Err(Fault::TooManyMoves) } else { Ok(tool.moves) }
 }
 
-/// The axes in which the allowance points into the finished shape (table of semantics §7.2).
+/// The axes in which the allowance points into the finished shape (GSK980TDb p. 100).
 pub fn allowance_into_material(contour: &Contour, how: &Roughing) -> Vec<Axis> {
     let Some(frame) = Frame::new(contour, how) else { return Vec::new() };
     let inward = frame.turned(how.allowance);

@@ -1,7 +1,7 @@
 //! Threads: one pass with its pull-out, as G92 makes it, and the many passes of G76.
 //!
 //! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E lies
-//! nearer to the axis than A, internal when farther; signs alone tell the quadrants apart (semantics §6.1, §7.7).
+//! nearer to the axis than A, internal when farther; signs alone tell the quadrants apart (seeds 001 and 003, GSK980TDb p. 135).
 //! Knows nothing of words and leads. Zero-length moves are left in: whoever stores motions drops them.
 
 use super::{Move, sign};
@@ -51,7 +51,7 @@ impl Pass {
     }
 
     /// Where the pull-out begins and ends: it is no longer than the thread and goes no farther than the X of
-    /// `home`, keeping its angle (semantics §6.1).
+    /// `home`, keeping its angle (seeds 000, 001 and 004).
     fn leave(&self, home: Point, pull_out: PullOut) -> (Point, Point) {
         let length = self.end.z - self.begin.z;
         let along = pull_out.along.min(length.abs());
@@ -166,7 +166,7 @@ impl MultiThread {
 
     /// Where the cut of a pass begins along Z, mm from A towards E: it advances with the depth, so that one flank
     /// is left alone. Cutting with both edges in turn, every second pass keeps to the other flank; both meet at
-    /// full depth (semantics §7.7; the zero of the shift is not the same on all controls).
+    /// full depth (GSK980TDb p. 138; the zero of the shift differs between controls).
     fn advance(&self, number: u32, depth: f64) -> f64 {
         let across = match self.edge {
             Edge::InTurn if number.is_multiple_of(2) => 2.0 * self.height - depth,

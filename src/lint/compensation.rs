@@ -1,4 +1,4 @@
-//! Nose radius compensation: the side that belongs to a cut (semantics §4, §13.5).
+//! Nose radius compensation: the side that belongs to a cut.
 
 use crate::control::codes::Compensation;
 use crate::geometry::Point;

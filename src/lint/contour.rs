@@ -1,4 +1,4 @@
-//! Contours of the multiple cycles: where they begin and end, and what is left (semantics §13.4).
+//! Contours of the multiple cycles: where they begin and end, and what is left.
 
 use crate::cycles::Contour;
 use crate::geometry::Point;

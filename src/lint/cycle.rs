@@ -1,4 +1,4 @@
-//! Single and multiple cycles: passes that cut nothing, starts that are too far or too near (semantics §13.1, §13.4).
+//! Single and multiple cycles: passes that cut nothing, starts that are too far or too near.
 
 use crate::control::modal::DeepestPass;
 use crate::cycles::single::Single;

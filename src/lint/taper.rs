@@ -1,7 +1,7 @@
 //! Tapers cut with G90 and G94.
 //!
 //! The first move of these cycles is a rapid, so the start point lies outside the blank and the cut begins
-//! before the cone of the drawing does. R must be extended in proportion (seed 004, semantics §6.3).
+//! before the cone of the drawing does. R must be extended in proportion (seeds 001 and 004).
 
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;

@@ -1,4 +1,4 @@
-//! Threads: what an instructor would remark of a pass (semantics §13.3).
+//! Threads: what an instructor would remark of a pass.
 
 use crate::control::modal::ThreadPass;
 use crate::message::{Diagnostic, Message, Severity};

@@ -338,7 +338,7 @@ impl Dialect {
         CodeList::new(self.control, self.g_system)
     }
 
-    /// The switches of a choice, those not said taken from its control (semantics §0.4). Numbers without a point are units
+    /// The switches of a choice, those not said taken from its control. Numbers without a point are units
     /// where the choice leaves that to the program: a run puts what it has decided into the choice.
     pub fn new(choice: &DialectChoice) -> Self {
         let gsk = choice.control == Control::Gsk;

@@ -11,7 +11,7 @@ use super::thread_insert::ThreadInsert;
 pub struct Tool {
     /// Nose radius, mm; of a grooving blade that of its corners.
     pub nose_radius: Option<f64>,
-    /// Tip direction, 0 to 9 (semantics §4.1).
+    /// Tip direction, 0 to 9 (FANUC 16/18-T B-62754EN p. 224).
     pub tip: Option<u8>,
     /// Radius of a live cutter, mm.
     pub tool_radius: Option<f64>,

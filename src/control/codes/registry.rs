@@ -2,7 +2,7 @@
 //!
 //! In: a number, and the control's list. Out: what the code asks for; for the table of supported codes, its
 //! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code without
-//! a row is not recognised (semantics §2.1, §8.1, §9, §10).
+//! a row is not recognised.
 
 use super::*;
 

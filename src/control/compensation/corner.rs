@@ -1,4 +1,4 @@
-//! Where the centre of the nose goes at the corner between two elements (semantics §4.3).
+//! Where the centre of the nose goes at the corner between two elements (FANUC 16/18-T B-62754EN p. 225).
 //!
 //! In: the two elements, the end of the first being the start of the second, and the radius. Out: vectors from the
 //! corner to the centre. Knows nothing of tips.

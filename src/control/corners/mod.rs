@@ -2,7 +2,7 @@
 //!
 //! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the moves
 //! shortened, the piece inserted between them, or end points; else the [`Fault`]. Knows nothing of letters, but
-//! in [`check_signed`], nor of which control reads which form (semantics §3.2.1, §3.2.2).
+//! in [`check_signed`], nor of which control reads which form (GSK980TDi p. 96, NCT 2000M p. 120).
 
 mod angles;
 mod join;

@@ -1,4 +1,4 @@
-//! One block: what it is, what its words ask for, and where the program goes on (order of semantics §1.3).
+//! One block: what it is, what its words ask for, and where the program goes on.
 //!
 //! In: a block. Out: its [`Request`] carried out.
 
@@ -308,7 +308,7 @@ impl Interpreter {
         }
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
-                // Spelled again, the code forgets its taper but not its end point (seed 000, semantics §6.2).
+                // Spelled again, the code forgets its taper but not its end point (seed 000).
                 state.memory.taper = 0.0;
                 if new != old {
                     state.told.forget(Once::PassNotDeeper);

@@ -1,4 +1,4 @@
-//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them (semantics §8.3).
+//! Where the program goes on: subprograms (M97, M98, M99) and what bounds them.
 //!
 //! In: the words of a block and where it stands. Out: the place of the next block.
 

@@ -1,4 +1,4 @@
-//! The contour between blocks ns and nf of G70 to G73 (semantics §7.1).
+//! The contour between blocks ns and nf of G70 to G73 (GSK980TDb p. 102).
 //!
 //! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the motion
 //! list, so that everything a block can say about a path can be said in a contour too.
@@ -320,7 +320,7 @@ impl Interpreter {
     }
 
     /// The program goes on behind a contour that stands behind its cycle block; one that stands before it has
-    /// been run already (semantics §7.1 rule 7).
+    /// been run already (GSK980TDb p. 102).
     pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
         if begins > block.span.start {
             self.jump = Some(ends);
@@ -352,7 +352,7 @@ impl Interpreter {
         first
     }
 
-    /// Only moves may stand in a contour (semantics §7.1 rule 3, PS0325). A retreat or setting in between is passed
+    /// Only moves may stand in a contour (alarm PS0325). A retreat or setting in between is passed
     /// over unless the control is strict: many programs name the block behind the contour as its last.
     fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> Stands {
         let skips = !self.dialect.strict;

@@ -1,4 +1,4 @@
-//! Hole cycles as blocks call them: G83 to G85 along Z, G87 to G89 along X, G80 (semantics §10).
+//! Hole cycles as blocks call them: G83 to G85 along Z, G87 to G89 along X, G80.
 //!
 //! In: the words of a block. Out: the moves of a hole at each place the block names. The geometry is in
 //! `cycles::drilling`; here are the words, their memory and their alarms.

@@ -1,5 +1,4 @@
-//! Macro statements, values from variables, and macro calls (G65, G66, G67) as blocks use them (semantics §8.4,
-//! §8.5).
+//! Macro statements, values from variables, and macro calls (G65, G66, G67) as blocks use them.
 //!
 //! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
@@ -63,7 +62,7 @@ impl Interpreter {
                 let words = within(message);
                 let end = block.statement_end.max(if words.is_empty() { 0 } else { words.end + 1 });
                 let (words, span) = (shortened(&words.quote(text)), Span { end: end.min(span.end), ..span });
-                // What a control shows (semantics §8.4).
+                // What a control shows.
                 let number = number.saturating_add(3000);
                 self.tell_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
                 Flow::End

@@ -4,7 +4,7 @@
 //! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain until what they
 //! depend on is known again.
 //!
-//! Order within a block (semantics §1.3): plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
+//! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
 
 mod block;

@@ -89,7 +89,7 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Y]));
     }
 
-    /// G01, with its corner and angle words (semantics §3.2).
+    /// G01, with its corner and angle words.
     pub(super) fn line(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let (x, z) = self.plane_targets(text, words);
         let angle = self.angle(text, block, request, words);
@@ -356,7 +356,7 @@ impl Interpreter {
         }
     }
 
-    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (semantics §3.5).
+    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (seeds 001 and 002, GSK980TDb p. 122).
     #[inline(never)]
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let code = match self.state.motion {

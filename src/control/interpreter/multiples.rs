@@ -1,4 +1,4 @@
-//! G70 to G76 as blocks call them (semantics §7): what is the same in all, and the cycles along a contour. G74 and G75 are in
+//! G70 to G76 as blocks call them (seed 003): what is the same in all, and the cycles along a contour. G74 and G75 are in
 //! `pecks`, G76 in `threads`.
 //!
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
@@ -34,11 +34,11 @@ impl Interpreter {
             return;
         }
         if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
-            // Roughing, pecking and threads run without compensation (semantics §4.4).
+            // Roughing, pecking and threads run without compensation (GSK980TDb p. 102).
             if self.state.told.first(Once::CompensationIdle) {
                 let code = cycle.cycle().code();
                 let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
-                // Newer controls rough with compensation that was on before (semantics §4.4).
+                // Newer controls rough with compensation that was on before (GSK980TDb p. 102).
                 let rough =
                     matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
                 self.tell(if rough { told.graded(Severity::Info) } else { told });
@@ -76,7 +76,7 @@ impl Interpreter {
         Some(())
     }
 
-    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (semantics §7.8).
+    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
     fn watch_finish(&mut self, block: &Block, shape: &Shape) {
         let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
         let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
@@ -199,7 +199,7 @@ impl Interpreter {
         Some(())
     }
 
-    /// Roughs as type I or II (the table of semantics §7.2; for G72 with X and Z exchanged).
+    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged).
     #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
     fn rough(
         &mut self,

@@ -114,7 +114,7 @@ impl Interpreter {
         self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)
     }
 
-    /// What P and Q count (semantics §7.6), and both as lengths, mm.
+    /// What P and Q count (GSK980TDb pp. 119, 135), and both as lengths, mm.
     pub(super) fn amounts(
         &mut self,
         text: &[u8],

@@ -1,4 +1,4 @@
-//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (semantics §3.8); and what G10 writes (§3.10).
+//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (seed 002); and what G10 writes (FANUC 16i/18i-TB B-63524EN p. 285).
 //!
 //! In: the words of a block. Out: rapids, and changed tables.
 

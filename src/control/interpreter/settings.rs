@@ -111,7 +111,7 @@ impl Interpreter {
         }
     }
 
-    /// The T word: station and offset (semantics §8.2).
+    /// The T word: station and offset (seed 001).
     #[inline(never)]
     pub(super) fn tool(&mut self, text: &[u8], word: &Word) {
         let Value::Number { number, .. } = word.value else { return };
@@ -193,7 +193,7 @@ impl Interpreter {
         }
     }
 
-    /// G50: coordinate setting and speed limits (semantics §3.9).
+    /// G50: coordinate setting and speed limits (seed 002, FANUC 16/18-T B-62754EN p. 127).
     pub(super) fn setting(&mut self, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));

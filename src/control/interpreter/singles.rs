@@ -1,4 +1,4 @@
-//! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (semantics §6).
+//! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (seeds 000, 001 and 004).
 
 use super::*;
 use crate::control::compensation::{Axis, cycle_shift};
@@ -9,7 +9,7 @@ use crate::lint;
 const LONGEST_WORD: usize = 12;
 
 impl Interpreter {
-    /// G90, G92, G94 (semantics §6).
+    /// G90, G92, G94 (seeds 000, 001 and 004).
     #[inline(never)]
     pub(super) fn cycle(
         &mut self,
@@ -247,7 +247,7 @@ impl Interpreter {
     }
 
     /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed line
-    /// (semantics §4.4); nothing without compensation or radius.
+    /// (GSK980TDb p. 102); nothing without compensation or radius.
     fn nose_shift(&self, from: Point, to: Point, along: Axis) -> f64 {
         let Some(side) = self.side() else { return 0.0 };
         cycle_shift(side, self.nose(), from, to, along).unwrap_or(0.0)

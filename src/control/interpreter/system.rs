@@ -1,4 +1,4 @@
-//! System variables (#1000 and up): what a program can ask of the control and tell it (semantics §8.4).
+//! System variables (#1000 and up): what a program can ask of the control and tell it.
 //!
 //! In: numbers of variables. Out: values as a program writes them: X a diameter, lengths in the program's unit.
 
@@ -187,7 +187,7 @@ impl Interpreter {
         }
     }
 
-    /// Ten times the G code in force of a modal group (semantics §2.1).
+    /// Ten times the G code in force of a modal group.
     fn modal_code(&self, group: u32) -> u32 {
         let state = &self.state;
         10 * match group {

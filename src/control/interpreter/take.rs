@@ -124,7 +124,7 @@ impl Interpreter {
             }
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
-            // Roughing cycles pass over compensation in their contour (semantics §7.1 rule 5).
+            // Roughing cycles pass over compensation in their contour (GSK980TDb p. 102).
             G::Compensation(_) if self.purpose == Some(contours::Purpose::Roughing) => {}
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;

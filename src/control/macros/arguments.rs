@@ -1,4 +1,4 @@
-//! The words of a G65 or G66 block as local variables of the macro that is called (semantics §8.5).
+//! The words of a G65 or G66 block as local variables of the macro that is called.
 
 use super::FaultKind;
 use super::variables::{LOCALS, Locals};

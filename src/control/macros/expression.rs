@@ -13,7 +13,7 @@
 //! ```
 //!
 //! In: text and the memory of the variables. Out: a value, or the [`Fault`]. The text is read once, but for a
-//! look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion (semantics §8.4).
+//! look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion.
 
 use std::ops::Range;
 

@@ -15,7 +15,7 @@ pub const LOCALS: usize = 33;
 /// The local variables of one level; #1 stands first.
 pub type Locals = [Option<f64>; LOCALS];
 
-/// Most levels: the main program and five calls inside each other (semantics §8.5).
+/// Most levels: the main program and five calls inside each other.
 pub const MOST_LEVELS: usize = 1 + MACRO_LEVELS;
 
 /// Common variables lost at power off: #100 to #199.
@@ -161,7 +161,7 @@ impl Variables {
 
 /// What is not known: the arguments of a macro that was not called, and what comes of them.
 impl Variables {
-    /// Whether a vacant variable may be an argument that a call hands over by its letter (semantics §8.5).
+    /// Whether a vacant variable may be an argument that a call hands over by its letter.
     pub fn may_be_argument(variable: u32) -> bool {
         matches!(variable, 1..=9 | 11 | 13 | 17..=26)
     }
