@@ -45,7 +45,7 @@ struct Case {
     file: String,
     setup: &'static str,
     bytes: usize,
-    /// Code and line of the message that must be told.
+    /// Code and line of the message that must be reported.
     code: &'static str,
     line: u32,
     /// Whether it was.
@@ -56,7 +56,7 @@ struct Case {
 }
 
 fn main() -> io::Result<()> {
-    // cargo puts options of its own behind ours.
+    // cargo puts options of its own after ours.
     let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
     let folder = PathBuf::from(folder.unwrap_or_else(|| "target/hostile".into()));
     fs::create_dir_all(&folder)?;
@@ -92,7 +92,7 @@ fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {
     })
 }
 
-/// Everything a page asks for at once: milliseconds, whether the message was told, and how many motions there are.
+/// Everything a page asks for at once: milliseconds, whether the message was reported, and how many motions there are.
 fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     let watch = Watch::start();
     let mut run = Run::new(case.text.clone(), setup.clone());
@@ -111,7 +111,7 @@ fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     (taken, told.iter().any(|row| row.code == case.code && row.line == case.line), summary.motions)
 }
 
-/// Measures what a piece of work takes: on a busy machine the time it was given a processor, where the system tells it.
+/// Measures what a piece of work takes: on a busy machine the time it was given a processor, where the system reports it.
 struct Watch {
     begun: Instant,
     computed: Option<f64>,
@@ -131,7 +131,7 @@ impl Watch {
     }
 }
 
-/// Milliseconds this thread has computed, as Linux tells it.
+/// Milliseconds this thread has computed, as Linux reports it.
 fn computed() -> Option<f64> {
     let told = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     told.split_whitespace().next()?.parse::<f64>().ok().map(|nanoseconds| nanoseconds / 1e6)

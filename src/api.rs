@@ -55,7 +55,7 @@ pub struct Diagnostic {
     pub code: String,
     /// Stable name of the fault.
     pub slug: String,
-    /// How grave it is.
+    /// Its severity.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"error\" | \"warning\" | \"info\""))]
     pub severity: String,
     /// Whether the program is wrong, the playground does not do it, or it depends on the machine.
@@ -175,11 +175,11 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub seconds: Option<f64>,
-    /// Feed along the path where it ends, mm a minute.
+    /// Feed along the path where it ends, mm/min.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed: Option<f64>,
-    /// Turns of the spindle a minute where it ends.
+    /// Spindle speed, rpm, where it ends.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,
@@ -374,7 +374,7 @@ pub struct Difference {
     pub area: f64,
     /// Least and greatest diameter, mm.
     pub x: [f64; 2],
-    /// Least and greatest Z, mm.
+    /// Minimum and maximum Z, mm.
     pub z: [f64; 2],
     /// Where it is thickest across the spindle axis.
     pub radial: Measure,
@@ -514,11 +514,11 @@ pub struct Totals {
     pub cut: f64,
     /// Path at rapid, mm.
     pub rapid: f64,
-    /// Least X and Z of its cuts.
+    /// Minimum X and Z of its cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub low: Option<Place>,
-    /// Greatest X and Z of its cuts.
+    /// Maximum X and Z of its cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub high: Option<Place>,
@@ -590,7 +590,7 @@ pub struct CodeRow {
 
 /// The table of supported codes in a language, a list of codes first.
 pub fn codes(first: CodeList, language: Language) -> Codes {
-    // The others keep their order behind it.
+    // The others keep their order after it.
     let others = CodeList::ALL.into_iter().filter(|&list| list != first);
     let lists = [first].into_iter().chain(others);
     let columns = lists.map(|list| CodeColumn { key: column_key(list), name: list.name() }).collect();

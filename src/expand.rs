@@ -1,12 +1,12 @@
-//! A program with every cycle, corner, compensation, subprogram and macro written out as plain G00, G01, G02, G03
+//! A program with every cycle, corner, compensation, subprogram and macro expanded to plain G00, G01, G02, G03
 //! and G32 blocks.
 //!
 //! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same motions to
 //! 0.001 mm under G40, at the same feed and speed. It is written in the order of execution: a subprogram stands where it
 //! was called, a loop as often as it ran. Blocks that are plain already stay as they were typed, but that their lengths
-//! get a point where other moves are written out with one; what a cycle block commands besides (S, T, M, other G
+//! get a point where other moves are expanded with one; what a cycle block commands besides (S, T, M, other G
 //! codes) stays on a line of its own, and so does what the blocks of its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that
-//! was passed over is left out; a cycle that could not run stays as it is.
+//! was ignored is left out; a cycle that could not run stays as it is.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -26,14 +26,14 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
-/// Writes out a program.
+/// Expands a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
     let mut run = Run::new(text.to_vec(), setup.clone()).traced();
     while !run.advance(usize::MAX) {}
     write_out(text, &run.into_analysis())
 }
 
-/// Writes out a program whose run kept its blocks.
+/// Expands a program whose run kept its blocks.
 pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
     let as_typed = write_with(text, analysis, Points::AsTyped);
     if as_typed.any_written {
@@ -68,7 +68,7 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
     }
     let own = motions_of(trace, &analysis.motions);
     let jumps = trace.iter().any(|executed| executed.steers);
-    // What lies between a block and the next one was passed over: a contour, unless the program jumps about.
+    // What lies between a block and the next one was ignored: a contour, unless the program jumps about.
     let gap = |index: usize, end: Resume| -> Range<usize> {
         let next = trace.get(index + 1).map_or(end.byte, |next| next.at.byte);
         if jumps { 0..0 } else { end.byte as usize..(next as usize).max(end.byte as usize) }
@@ -87,7 +87,7 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
     for (index, executed) in trace.iter().enumerate() {
         end = read(executed.at, &mut block);
         let range = own[index].clone();
-        // What stands behind THEN is a block of its own; a macro statement with values writes to a table.
+        // What stands after THEN is a block of its own; a macro statement with values writes to a table.
         let words = |values: &&String| block.kind == BlockKind::Words || !values.starts_with('#');
         if let Some(values) = executed.values.as_ref().filter(words) {
             with_values(&mut block, values);
@@ -196,16 +196,16 @@ struct Writer<'a> {
     inch: bool,
     /// G91 of systems B and C.
     incremental: bool,
-    /// Between G12.1 and G13.1, or on a cylinder: nothing is written out there.
+    /// Between G12.1 and G13.1, or on a cylinder: nothing is expanded there.
     in_plane: bool,
-    /// The block before was written out as moves of the path: the start of this one may have moved.
+    /// The block before was expanded to moves of the path: the start of this one may have moved.
     moved_start: bool,
     /// A contour cycle could not run: first blocks are kept, for its sake.
     any_failed: bool,
     /// Feed, spindle and tool as the text written so far leaves them; of the feed, G98 or G99 alone counts.
     process: Option<Process>,
     points: Points,
-    /// Moves were written out.
+    /// Moves were expanded.
     any_written: bool,
 }
 
@@ -252,7 +252,7 @@ impl Writer<'_> {
             matches!(code, G::Compensation(codes::Compensation::Left | codes::Compensation::Right))
         });
         if own.is_empty() {
-            // A first block of a cycle sets only what the cycle is written out with.
+            // A first block of a cycle sets only what the expansion of the cycle uses.
             let word = |address: u8| block.words.iter().any(|word| word.address == address);
             let first = multiple
                 .is_some_and(|cycle| cycle == codes::Multiple::Threading || !(word(b'P') || word(b'Q')));
@@ -324,7 +324,7 @@ impl Writer<'_> {
             );
             let has_feed = block.words.iter().any(|word| word.address == b'F');
             if cuts && !has_feed && feed.is_some() && feed != self.feed {
-                // A thread written out before left its lead as F.
+                // A thread expanded before left its lead as F.
                 let unit = if self.inch { 25.4 } else { 1.0 };
                 let _ =
                     write!(self.out, "F{} ", feed.map_or_else(String::new, |feed| fine_decimal(feed / unit)));
@@ -334,7 +334,7 @@ impl Writer<'_> {
         let remark =
             block.faults.iter().any(|fault| matches!(fault.message, Message::TextAfterSemicolon { .. }));
         if remark && self.out.ends_with('\n') {
-            // Prose behind a `;` is a remark only on the line of its block, which was written out.
+            // Prose after a `;` is a remark only on the line of its block, which was expanded.
             self.comments(block);
             return;
         }
@@ -487,7 +487,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A block that steers the program, as a remark; its own moves are written out.
+    /// A block that steers the program, as a remark; its own moves are expanded.
     fn steer(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let values = executed.values.as_deref();
         if let Some(values) = values.filter(|_| block.kind == BlockKind::Macro && own.is_empty()) {
@@ -537,7 +537,7 @@ impl Writer<'_> {
         let _ = writeln!(self.out, "{delete}{number}({})", source.trim());
     }
 
-    /// A block as plain moves. `leaves`: feed, spindle and tool behind it.
+    /// A block as plain moves. `leaves`: feed, spindle and tool after it.
     fn write(&mut self, block: &Block, executed: &Executed, own: Range<usize>, leaves: Process) {
         let mut before = String::new();
         let mut after = String::new();
@@ -607,7 +607,7 @@ impl Writer<'_> {
             let is_thread = motion.cycle.is_some_and(first_cut);
             self.motion(&motion, angle.as_deref().filter(|_| is_thread));
         }
-        // M05 of the block itself comes behind its moves.
+        // M05 of the block itself comes after its moves.
         let stops = block.words.iter().any(|word| word.address == b'M' && plain(word) == Some(5.0));
         let behind = Process { turn: if stops { executed.ready.turn } else { leaves.turn }, ..leaves };
         self.follow(&behind, if inch { Units::Millimetres } else { Units::OfProgram });
@@ -661,7 +661,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The comments of a part of the text that was passed over.
+    /// The comments of a part of the text that was ignored.
     fn comments_between(&mut self, part: Range<usize>) {
         let mut parser = Parser::resume(&self.text[..part.end], Resume::inside(part.start as u32, 0));
         let mut block = Block::default();
@@ -722,7 +722,7 @@ fn code(word: &Word, list: CodeList) -> Option<G> {
     codes::g_code(tenths, list).map(|found| found.code)
 }
 
-/// The sequence number of a block as it was typed, with a blank behind it.
+/// The sequence number of a block as it was typed, with a blank after it.
 fn sequence_as_written(text: &[u8], block: &Block) -> String {
     let quoted = block.span.quote(text);
     let from = quoted.find(['N', 'n']).unwrap_or(0);

@@ -10,7 +10,7 @@ use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::source::Span;
 
-/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has told.
+/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has reported.
 pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     told.extend(shop.full().map(|full| {
@@ -25,7 +25,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
     told.extend(not_shown(shop.fitting(), motions));
     for finding in shop.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
-        // A thread that starts below its own crest was told so.
+        // A thread that starts below its own crest was reported so.
         let is_known = |other: &Diagnostic| {
             matches!(other.message, Message::ThreadStartInside { .. } | Message::ThreadStartAtCrest { .. })
                 && span.contains(other.span)
@@ -41,7 +41,7 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
 }
 
-/// What is not taken off and not looked at behind a block that was not carried out, at the first motion behind it.
+/// What is not taken off and not looked at after a block that was not carried out, at the first motion after it.
 fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
     let first = motions.first_incomplete().filter(|_| shop.full().is_none())?;
     let cuts = motions.uncertain_cuts();
@@ -51,7 +51,7 @@ fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
-/// What the part is not made of: cuts in a work frame whose zero nobody gave, told at the first; and each tool that is not known, at
+/// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each tool that is not known, at
 /// its first cut. Nothing where no part could be shown anyway.
 pub fn not_shown(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = fitting.stock().is_some();

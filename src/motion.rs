@@ -27,7 +27,7 @@ pub enum MotionKind {
     ArcCounterclockwise = 3,
     /// Straight cut locked to the spindle: a thread.
     Thread = 4,
-    /// The tool stands still for a time.
+    /// The tool dwells.
     Dwell = 5,
 }
 
@@ -210,16 +210,16 @@ pub struct CycleStep {
 pub enum Feed {
     /// No F word yet.
     Unset,
-    /// Millimetres a minute (G98).
+    /// Millimetres per minute (G98).
     PerMinute(f64),
-    /// Millimetres a turn of the spindle (G99).
+    /// Millimetres per revolution (G99).
     PerTurn(f64),
 }
 
 /// How the spindle turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpindleSpeed {
-    /// Turns a minute (G97); 0 while no S was given.
+    /// Spindle speed, rpm (G97); 0 while no S was given.
     Constant(f64),
     /// Cutting speed held (G96), metres a minute, between the lowest and highest speed of G50.
     Surface {
@@ -240,7 +240,7 @@ pub enum SpindleTurn {
 }
 
 impl SpindleTurn {
-    /// The other way; a spindle that stands still has none.
+    /// The other way; a stopped spindle has none.
     pub fn reversed(self) -> Self {
         match self {
             Self::Stopped => Self::Stopped,
@@ -259,9 +259,9 @@ pub struct Process {
     pub speed: SpindleSpeed,
     /// Spindle direction.
     pub turn: SpindleTurn,
-    /// Highest spindle speed (G50 S), turns a minute, if one is set.
+    /// Highest spindle speed (G50 S), rpm, if one is set.
     pub clamp: Option<f64>,
-    /// Lowest spindle speed (G50 Q), turns a minute, if one is set.
+    /// Lowest spindle speed (G50 Q), rpm, if one is set.
     pub lowest: Option<f64>,
     /// Turret station and offset number of the T word in force.
     pub tool: (u16, u16),
@@ -306,7 +306,7 @@ impl StopKind {
 /// The program waits for the operator before a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
-    /// Whether it can be passed over.
+    /// Whether it can be ignored.
     pub kind: StopKind,
     /// Bytes of its block.
     pub span: Span,
@@ -345,7 +345,7 @@ pub struct Motion {
     pub to: Point,
     /// Arc centre, of arcs only.
     pub center: Option<Point>,
-    /// Thread lead, mm a turn along the long axis; of threads and the other motions of a thread cycle.
+    /// Thread lead, mm/rev along the long axis; of threads and the other motions of a thread cycle.
     pub lead: Option<f64>,
     /// Seconds the tool waits, of dwells only.
     pub seconds: Option<f64>,
@@ -820,7 +820,7 @@ impl Motions {
         self.chunks.iter().flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
     }
 
-    /// The first motion behind a block that could not be carried out.
+    /// The first motion after a block that could not be carried out.
     pub fn first_incomplete(&self) -> Option<usize> {
         let found =
             self.chunks.iter().zip(&self.before).find(|(chunk, _)| {

@@ -61,7 +61,7 @@ impl Analysis {
         Shop::fitted(self.fitting().clone(), &self.motions, &self.setup)
     }
 
-    /// Adds what is to be told of what happens at the machine: what runs into what, where a blank or a machine is given to hold it
+    /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a machine is given to hold it
     /// against, and which tools are not known.
     pub fn look_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
@@ -102,7 +102,7 @@ pub struct TextEdit {
     pub insert: Vec<u8>,
 }
 
-/// Tells a run from every other one of this process.
+/// Distinguishes a run from every other one of this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RunId(u64);
 
@@ -155,7 +155,7 @@ pub struct Run {
     meeting: u32,
 }
 
-/// Where a text comes from, as far as it can be told.
+/// Where a text comes from, as far as it can be determined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Origin {
     foreign: Option<Foreign>,
@@ -282,14 +282,14 @@ impl Run {
         true
     }
 
-    /// What is to be told of numbers without a decimal point; nothing where nobody has to be told.
+    /// What is to be reported about numbers without a decimal point; nothing where nothing has to be reported.
     pub fn decimal_message(&self) -> Option<Diagnostic> {
         let (bare, rule) = (self.bare_number()?, self.decimal_rule());
         let message = bare.message(rule, words::quote(&self.text, bare.span));
         Some(Diagnostic::new(message, bare.span))
     }
 
-    /// A number of the text that shows what numbers without a point count; nothing where none has to be told.
+    /// A number of the text that shows what numbers without a point count; nothing where none has to be reported.
     fn bare_number(&self) -> Option<Bare> {
         let numbers = self.numbers.unwrap_or_else(|| origin::numbers(&self.text));
         match self.decimal_rule() {
@@ -457,7 +457,7 @@ impl Run {
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
-        // What was told before the first block.
+        // What was reported before the first block.
         let of_setup = |told: &&Diagnostic| {
             matches!(
                 told.message,
@@ -501,7 +501,7 @@ impl Run {
         self.interpreter.run(text, &self.block, here)
     }
 
-    /// An O number: the head of the main program, of one that is called, or of one that stands behind them.
+    /// An O number: the head of the main program, of one that is called, or of one that stands after them.
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
             self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
@@ -566,11 +566,11 @@ impl Run {
         self.finish();
     }
 
-    /// Tells what numbers without a point count, where that was concluded or looks wrong.
+    /// Reports what numbers without a point count, where that was concluded or looks wrong.
     fn tell_decimal_rule(&mut self) {
         let Some(told) = self.decimal_message() else { return };
         let is_known = self.sorted.iter().any(|old| old.is_about(told.span));
-        // Where the rule is wrong, what it leads to may have been told of the same word.
+        // Where the rule is wrong, what it leads to may have been reported for the same word.
         if is_known && self.decimal_rule() == DecimalRule::Calculator {
             return;
         }

@@ -57,7 +57,7 @@ fn hostile_programs_end_with_their_message() {
     }
 }
 
-/// Each bound is met by a program that stays just within it, and told of one that goes one step further.
+/// Each bound is met by a program that stays just within it, and reported for one that goes one step further.
 #[test]
 fn every_bound_is_exact() {
     for bound in bounds() {
@@ -104,7 +104,7 @@ fn the_reference_lists_every_limit() {
     }
 }
 
-/// Why a run ends is told even behind as many messages as are kept.
+/// Why a run ends is reported even after as many messages as are kept.
 #[test]
 fn the_reason_for_the_end_is_always_told() {
     let limits = Limits { messages: 2, repeated_blocks: 99, motions: 2, ..Limits::default() };

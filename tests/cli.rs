@@ -272,7 +272,7 @@ fn fix_writes_the_files_back() {
     assert_eq!(std::fs::read(&path).expect("fix.nc"), after);
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(told.lines().count() == 2 && told.starts_with(&format!("{name}:2: ")), "{told}");
-    // What has to be asked for is left, and told.
+    // What has to be asked for is left, and reported.
     let left: Vec<_> = rows(&output).iter().map(|row| row["slug"].as_str().unwrap().to_owned()).collect();
     assert_eq!(left, ["short-tool-word", "unknown-g-code"]);
     assert_eq!(output.status.code(), Some(1));
@@ -307,7 +307,7 @@ fn expand_keeps_the_encoding_and_every_comment() {
         assert_eq!(output.stdout, bytes, "{encoding} {text}");
         assert!(output.stderr.is_empty());
     }
-    // A cycle is written out; the comment of its block is not harmed. (粗车) in GB18030.
+    // A cycle is expanded; the comment of its block is not harmed. (粗车) in GB18030.
     let cycle = b"M3 S1\r\nG0 X50 Z2 (\xb4\xd6\xb3\xb5)\r\nG90 X40 Z-9 F0.2 (\xb4\xd6\xb3\xb5)\r\nM30\r\n";
     let expanded = run(&["expand", "-"], cycle).stdout;
     let comments = expanded.windows(6).filter(|six| six == b"(\xb4\xd6\xb3\xb5)").count();
@@ -423,7 +423,7 @@ fn an_assumed_stock_is_told_and_that_collisions_were_not_checked() {
     };
     assert!(said("zh").contains("毛坯为假定，未检查碰撞"), "{}", said("zh"));
     assert!(said("ru").contains("заготовка по умолчанию, столкновения не проверялись"), "{}", said("ru"));
-    // With the comment it is held against the work: nothing is left to tell.
+    // With the comment it is held against the work: nothing is left to report.
     let named = String::from_utf8_lossy(program).replace("T0101", "(STOCK D=44 LENGTH=25)\nT0101");
     assert_eq!(run(&["check", "-"], named.as_bytes()).stdout, b"");
     let crash = named.replace("G0 X100 Z100", "G0 Z-22 X30\nG0 X100 Z100");

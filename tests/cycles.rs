@@ -512,7 +512,7 @@ fn rough_program(shape: &Shape, roughing: Roughing) -> Program {
 }
 
 /// Some of the contours end below A. The way home from there leads through what an allowance along L leaves
-/// behind the contour, so there is none.
+/// after the contour, so there is none.
 fn lowered(mut shape: Shape, mut roughing: Roughing, below: i64) -> (Shape, Roughing) {
     if below >= 3000 {
         shape.first[0] -= below;

@@ -75,7 +75,7 @@ fn not_run(text: &str) -> bool {
 
 // ---- files ----------------------------------------------------------------------------------------
 
-/// All files of the project, with `/`, from its root. What builds leave behind is none of them.
+/// All files of the project, with `/`, from its root. Build outputs are not included.
 fn files() -> Vec<String> {
     fn walk(folder: &Path, found: &mut Vec<String>) {
         for entry in fs::read_dir(folder).expect("a folder").flatten() {

@@ -224,7 +224,7 @@ proptest! {
     }
 }
 
-/// What is told of rules changes with their comment, behind snapshots that were made under another one.
+/// The messages of rules change with their comment, after snapshots that were made under another one.
 #[test]
 fn a_changed_comment_of_rules_counts_for_the_whole_program() {
     let limits = Limits { stride: 20, ..Limits::default() };

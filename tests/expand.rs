@@ -1,5 +1,5 @@
 //! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same tool, the
-//! spindle turning the same way; and nobody is told more of it.
+//! spindle turning the same way; and nothing more is reported.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[allow(dead_code, reason = "texts and setups alone are read here")]
@@ -20,7 +20,7 @@ use gcode_playground::{analyze, api};
 use proptest::prelude::*;
 use serde_json::{Map, Value};
 
-/// Rows of the motions as they leave the crate, without what tells where they come from.
+/// Rows of the motions as they leave the crate, without what shows where they come from.
 fn rows(analysis: &Analysis) -> Vec<Map<String, Value>> {
     let row = |row| match serde_json::to_value(row).expect("row") {
         Value::Object(mut row) => {
@@ -53,7 +53,7 @@ fn alike(one: &Value, other: &Value) -> bool {
     }
 }
 
-/// The one door: what is different once a program is written out. Nothing, that is.
+/// The one door: what is different once a program is expanded. Nothing, that is.
 fn difference(program: &str, setup: &Setup) -> Option<String> {
     let plain = expand(program.as_bytes(), setup);
     let (before, after) = (analyze(program.as_bytes(), setup), analyze(plain.as_bytes(), setup));
@@ -85,7 +85,7 @@ fn difference(program: &str, setup: &Setup) -> Option<String> {
     if own.len() != written.len() {
         return why(format!("{} motions, not {}", written.len(), own.len()));
     }
-    // A cycle that comes back at feed is not asked for its sign; its moves, written out, are.
+    // A cycle that comes back at feed is not asked for its sign; its expanded moves are.
     let returns = before.motions.iter().any(|motion| {
         motion.kind == MotionKind::Feed && motion.cycle.is_some_and(|step| step.step == Step::Retract)
     });

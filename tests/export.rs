@@ -31,7 +31,7 @@ fn parts() -> Vec<(String, Region)> {
     parts
 }
 
-/// Parted off with blades whose corners are round, ball ends and points: each ends on the axis or beside it.
+/// Parted off with grooving inserts whose corners are round, ball ends and points: each ends on the axis or beside it.
 fn at_the_axis() -> Vec<(String, String, String)> {
     let tool = |tool: &str| {
         format!(r#"{{"stock": {{"diameter": 30, "length": 60}}, "tools": {{"T0101": {{{tool}}}}}}}"#)

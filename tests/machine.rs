@@ -127,7 +127,7 @@ fn jaws_and_travel() {
 
 #[test]
 fn holders_slopes_and_the_axis() {
-    // A blade that reaches 8 mm.
+    // A grooving insert that reaches 8 mm.
     check_danger("T0303\nG00 X62 Z-30\nG01 X46 F1\nX62", &[]);
     check_danger("T0303\nG00 X62 Z-30\nG01 X42 F1\nX62", &[("HolderInStock", 3), ("HolderInStock", 4)]);
     // 45° behind the tip: no rhombus of 80°, but one of 35° follows.
@@ -145,7 +145,7 @@ fn the_tailstock_stands_in_front_of_the_face() {
     check_danger_with(tailstock, "T0101\nG00 X6 Z5", &[("IntoTailstock", 2)]);
 }
 
-/// Real programs change tools behind a bare G28, which moves nothing here, and are cut with inserts that nobody has named.
+/// Real programs change tools after a bare G28, which moves nothing here, and are cut with inserts that nobody has named.
 #[test]
 fn what_nobody_knows_is_no_danger() {
     let changed = "T0101\nG00 X62 Z2\nG01 X58 F1\nZ-20\nG00 X62\nZ2\nX10\nT0404\nG00 X64 Z-30\nX62";

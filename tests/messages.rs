@@ -1,4 +1,4 @@
-//! Messages at their exact place: the carets under a line mark the span, the code stands behind them.
+//! Messages at their exact place: the carets under a line mark the span, the code stands after them.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
@@ -529,12 +529,12 @@ fn a_setup_and_a_comment_say_how_grave_a_rule_is() {
         program,
         &[(end.0, Error)],
     );
-    // A comment goes before the setup, rule by rule, wherever other comments of the setup stand.
+    // A comment overrides the setup, rule by rule, wherever other comments of the setup stand.
     let noted = format!("O0001\n(Rules unknown-g-code=Warning)\n{program}");
     check_levels(lower, &noted, &[("unknown-g-code", Warning), end]);
     check_levels(r#"{"rules": {"no-program-end": "off"}}"#, &noted, &[("unknown-g-code", Warning)]);
     check_levels("{}", "(RULES UNKNOWN-G-CODE=OFF NO-PROGRAM-END=OFF)\nG777", &[]);
-    // What is told of the setup itself, and of where a program comes from, has levels as well.
+    // What is reported for the setup itself, and about where a program comes from, has levels as well.
     check_levels("{}", "(RULES SETUP-COMMENT=ERROR QQQ=1)\nM30", &[("setup-comment", Error)]);
     check_levels(
         r#"{"rules": {"program-for-another-control": "warning"}}"#,
@@ -573,7 +573,7 @@ fn a_level_changes_no_motion() {
     assert_eq!(ends(&quiet), ends(&usual));
 }
 
-/// What is off takes no room from what is told.
+/// Rules that are off do not count against the limit of messages.
 #[test]
 fn what_is_off_is_not_counted() {
     let program = "G777\n".repeat(50) + "Z1..2\nM30";
@@ -587,7 +587,7 @@ fn what_is_off_is_not_counted() {
     assert_eq!(told(r#"{"unknown-g-code": "off"}"#), ["second-decimal-point"]);
 }
 
-/// A control clears the offset on the way to a place of the machine and takes it up again behind it.
+/// A control clears the offset on the way to a place of the machine and takes it up again after it.
 #[test]
 fn compensation_left_on_is_told_where_the_tool_goes_home() {
     let told = |end: &str| -> Vec<String> {
@@ -601,7 +601,7 @@ fn compensation_left_on_is_told_where_the_tool_goes_home() {
     for home in ["G28", "G30", "G53", "G27"] {
         let words = if home == "G53" { "X300 Z300" } else { "U0 W0" };
         assert_eq!(told(&format!("{home} {words}")), [home]);
-        // Once: what is told there is not told at the end as well.
+        // Once: what is reported there is not reported at the end as well.
         assert_eq!(told(&format!("{home} {words}\nT0202")), [home]);
         assert_eq!(told(&format!("G40 G0 X70\n{home} {words}")), [""; 0]);
         assert_eq!(told(&format!("G40 {home} {words}")), [""; 0]);

@@ -100,7 +100,7 @@ impl Correct {
             let key = (told.message.slug(), line(text, told.span.start as usize));
             let grows = text.matches('\n').count() - self.text.matches('\n').count();
             let before = (key.0, key.1.saturating_sub(grows));
-            // What is said once of a program may have moved to another block.
+            // What is reported once in a program may have moved to another block.
             let moved = count(key.0, told_all) <= self.known.iter().filter(|known| known.0 == key.0).count();
             told.severity > Severity::Info
                 && !moved

@@ -319,7 +319,7 @@ fn linuxcnc_1785_g42_with_g70_stays_outside_the_profile() {
             let apart = profile.iter().map(|place| (z - place.0).hypot(x - place.1)).fold(f64::MAX, f64::min);
             assert!(x > radius_at(z), "{motion:?} is inside at {tip:?}");
             assert!(apart >= NOSE - 0.001, "{motion:?} cuts {} mm too deep at {tip:?}", NOSE - apart);
-            // Around the outer corner behind the cone the offset lines meet a little farther out.
+            // Around the outer corner after the cone the offset lines meet a little farther out.
             let at_corner = (z + 30.0).hypot(x - 15.0) < 1.04 * NOSE;
             if cuts && z < 0.0 && !at_corner {
                 assert!(apart <= NOSE + 0.001, "{motion:?} leaves {} mm at {tip:?}", apart - NOSE);
@@ -371,7 +371,7 @@ fn candle_9_arcs_are_never_drawn_straight() {
             let analysis = run_with("{}", &program);
             let outline = Outline::of(&analysis.motions);
             let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
-            // The arc stands in the fifth line, behind three lines of the head.
+            // The arc stands in the fifth line, after three lines of the head.
             let mark = r#"<path data-line="5" class="feed" d=""#;
             let d = picture.split(mark).nth(1).and_then(|rest| rest.split('"').next()).expect("a path");
             assert!(d.contains('A') && !d.contains(['L', 'H', 'V']), "{program}: {d}");

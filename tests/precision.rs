@@ -1,4 +1,4 @@
-//! How often what is told is true: judged programs, and judged messages of real programs.
+//! How often messages are right: judged programs, and judged messages of real programs.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "precision/harmless.rs"]

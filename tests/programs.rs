@@ -53,7 +53,7 @@ fn messages_are_the_expected_ones() {
     }
 }
 
-/// A program written out without cycles makes the same motions.
+/// A program expanded without cycles makes the same motions.
 #[test]
 fn expanded_programs_make_the_same_motions() {
     for program in all() {

@@ -139,7 +139,7 @@ fn words(letters: &'static str) -> impl Strategy<Value = String> {
     prop::collection::vec(word, 0..4).prop_map(move |words| words.into_iter().map(written).collect())
 }
 
-/// One of some codes, with some words behind it.
+/// One of some codes, with some words after it.
 fn coded(codes: &'static [&'static str], letters: &'static str) -> impl Strategy<Value = String> {
     (prop::sample::select(codes), words(letters)).prop_map(|(code, words)| format!("{code} {words}"))
 }
@@ -383,7 +383,7 @@ proptest! {
         prop_assert!(whole.motions.len() <= SMALL.motions);
         prop_assert!(whole.diagnostics.len() <= SMALL.messages + 3);
         check_analysis(text.as_bytes(), &whole);
-        // Written out, it can be read and run again.
+        // Expanded, it can be read and run again.
         let plain = expand(text.as_bytes(), &Setup { limits: SMALL, ..setup.clone() });
         let _ = run_small(&plain, &setup, usize::MAX);
     }

@@ -160,7 +160,7 @@ fn sequence_numbers_may_be_bare_twice_or_out_of_order() {
     let reaches = format!("{head}G71 P1 Q4 U.4\n{contour}\nG0 X60 Z2\nN3 G71 P1 Q2\nN4 G0 X90");
     check(&reaches, &["PS0325"], (90.0, 2.0));
     check(&format!("{head}G71 P1 Q2\n{contour}\nG70 P1 Q5\nG0 X90"), &["W-NS-NOT-FOUND"], (90.0, 2.0));
-    // A number that stands twice: G70 follows what roughing found.
+    // A number that appears twice: G70 follows what roughing found.
     check(&format!("N1 T0101\n{head}G71 P1 Q2\n{contour}\nG70 P1 Q2"), &[], (60.0, 2.0));
 }
 
@@ -218,7 +218,7 @@ fn macros_as_people_write_them() {
     let text = "#7=6\nM3 S500 F.2\nG0 X60 Z2\nG71 U[#7/3] R[#7/3]\nG71 P1 Q2 U.4\nN1 G0 X20\nG1 Z-20\nN2 X60";
     check(text, &[], (60.0, 2.0));
     check("G0 X50 Z5\nIF [1 EQ 1] THEN #3000=10 (TOOL MISSING)\nG0 X90", &["E-MACRO-ALARM"], (50.0, 5.0));
-    // A switch of the machine maker's: told as a hint, and passed over.
+    // A switch of the machine maker's: reported as a hint, and ignored.
     check("#[#10036+1400]=1\nG0 X50 Z5", &[], (50.0, 5.0));
 }
 

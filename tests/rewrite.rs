@@ -45,7 +45,7 @@ fn check_none_with(setup: &str, program: &str) {
 }
 
 /// What a machine does, apart from how it was asked to: kind, ends, centre, feed or lead, speed and tool of each motion.
-/// Told here anew, so that the comparison in the crate is held against another one.
+/// Worked out again here, so that the comparison in the crate is held against another one.
 #[track_caller]
 fn same(before: &str, after: &str, setup: &Setup) {
     let rows = |text: &str| -> Vec<(MotionKind, Vec<i64>, String)> {
@@ -323,7 +323,7 @@ fn an_offer_says_what_it_does() {
     assert_eq!(offer.written(text.as_bytes()), "G90 X26 Z-30 F0.1\nX24");
 }
 
-/// Whatever the program, an offer changes no motion; a written out program gives its cycles back.
+/// Whatever the program, an offer changes no motion; an expanded program gives its cycles back.
 #[test]
 fn no_offer_changes_a_motion() {
     let (mut tried, mut back) = (0, 0);
@@ -344,7 +344,7 @@ fn no_offer_changes_a_motion() {
     assert!(tried >= 10 && back >= 8, "only {tried} offers, {back} of written out programs");
 }
 
-/// Pieces of programs that are often, but not always, a cycle; with what may stand between and behind them.
+/// Pieces of programs that are often, but not always, a cycle; with what may stand between and after them.
 fn piece() -> impl Strategy<Value = String> {
     let depth = prop::sample::select(vec![
         "G0 X50",

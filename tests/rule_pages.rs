@@ -1,6 +1,6 @@
 //! The pages of the rules: every rule has one, its examples do what it says, and the HTML made of them holds together.
 //!
-//! Everything that is wrong with all pages is told at once. `RULE_PAGES=slug,slug` looks at these only.
+//! All errors of all pages are reported together. `RULE_PAGES=slug,slug` looks at these only.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "../examples/rule-pages/book.rs"]

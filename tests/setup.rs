@@ -55,7 +55,7 @@ prop_compose! {
     }
 }
 
-/// Rules are told otherwise that have nothing to say of these programs.
+/// Rules that these programs do not trigger are set to another severity.
 fn rules() -> impl Strategy<Value = Levels> {
     let names =
         proptest::sample::select(vec!["classroom", "coolant-off", "arc-without-way", "rule-of-stock"]);
@@ -123,7 +123,7 @@ proptest! {
     }
 }
 
-/// The one door to bad setups: what a JSON is answered with, or what is told of it.
+/// All checks of bad setups: the answer to a JSON, or what is reported for it.
 #[track_caller]
 fn refused(json: &str, words: &[&str]) {
     let told = match Setup::from_json(json) {

@@ -19,7 +19,7 @@ fn run(machine: &str, program: &str) -> (Vec<Motion>, Machine) {
     (motions, setup.machine)
 }
 
-/// Turns a minute, written anew.
+/// Spindle speed, rpm, calculated independently.
 fn turns_a_minute(motion: &Motion, machine: &Machine, radius: f64) -> f64 {
     let most = machine.max_speed.unwrap_or(f64::INFINITY);
     match motion.process.speed {
@@ -154,7 +154,7 @@ fn cutting_speed_in_feet() {
         speed_at(&motions.last().expect(program).process, &machine, radius).expect(program)
     };
     assert!((speed_of(facing, 25.4) - 572.958).abs() < 0.001);
-    // The limits count turns a minute, whatever the unit.
+    // The limits are in rpm, whatever the unit.
     assert!((speed_of(facing, 1.0) - 5000.0).abs() < 1e-9);
     // S keeps what it meant when it was given.
     let after = "G20 G96 S300 M3\nG21 G0 X50.8 Z0\nG1 Z-10 F.2";

@@ -158,7 +158,7 @@ fn uncertain_cuts_are_not_taken_off_the_part() {
     assert!((with - without).abs() < 1e-6, "{with}, not {without}");
 }
 
-/// Behind a block that was left out it is not known what of the work still stands, but the chuck stands.
+/// After a block that was left out it is not known what of the work still stands, but the chuck stands.
 /// One pass that cannot be read does not make a riddle of the tool, nor take the part away.
 #[test]
 fn a_pass_that_cannot_be_read_leaves_the_part() {

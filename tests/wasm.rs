@@ -234,7 +234,7 @@ fn endless_cycles_are_refused_at_once() {
     }
 }
 
-/// Each limit is a setting here as well, and is told of a program that goes one step further.
+/// Each limit is a setting here as well, and is reported for a program that goes one step further.
 #[wasm_bindgen_test]
 fn every_bound_is_exact() {
     for bound in bounds() {
@@ -266,7 +266,7 @@ fn a_long_contour_called_again_and_again_ends_with_a_message() {
     assert!(messages.iter().any(|row| row["code"] == "E-TOO-MUCH-WORK"), "{seconds} s");
 }
 
-/// JavaScript does not tell 2 from 2.0.
+/// JavaScript does not distinguish 2 from 2.0.
 fn numbers_as_doubles(value: &Value) -> Value {
     match value {
         Value::Number(number) => Value::from(number.as_f64().expect("number")),

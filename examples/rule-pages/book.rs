@@ -240,7 +240,7 @@ fn listing(program: &str, marks: &[Mark], severity: Severity) -> String {
     out
 }
 
-/// What stands behind `#` in the address of the playground with a program.
+/// What stands after `#` in the address of the playground with a program.
 fn address(program: &str, setup: &str, language: Language) -> String {
     let encoded = |text: &str| {
         text.bytes().fold(String::new(), |mut out, byte| {

@@ -21,7 +21,7 @@ const SENTENCES: [(&str, &str); 3] = [
 ];
 
 fn main() -> ExitCode {
-    // cargo puts options of its own behind ours.
+    // cargo puts options of its own after ours.
     let folder = env::args().skip(1).find(|argument| !argument.starts_with('-'));
     match write(&PathBuf::from(folder.unwrap_or_else(|| "target/rules".into()))) {
         Ok(count) => {

@@ -1,6 +1,6 @@
 //! What a program of a page gives.
 //!
-//! In: a program and its setup. Out: its messages, as `gcode-playground check` tells them, and its picture.
+//! In: a program and its setup. Out: its messages, as `gcode-playground check` reports them, and its picture.
 
 use gcode_playground::findings;
 use gcode_playground::machine::{Machining, Shop};

@@ -29,15 +29,15 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub c: Option<f64>,
-    /// Feed along the path, mm a minute; left out at rapid, or where it cannot be known.
+    /// Feed along the path, mm/min; left out at rapid, or where it cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed: Option<f64>,
-    /// Feed or lead as it is programmed, mm a turn of the spindle.
+    /// Feed or lead as it is programmed, mm/rev.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub feed_per_turn: Option<f64>,
-    /// Turns of the spindle a minute; 0 while it stands, left out where it cannot be known.
+    /// Spindle speed, rpm; 0 while it stands, left out where it cannot be known.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub rpm: Option<f64>,

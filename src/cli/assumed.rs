@@ -1,4 +1,4 @@
-//! What was assumed of a program, and therefore not checked: told behind the messages.
+//! What was assumed of a program, and therefore not checked: reported after the messages.
 //!
 //! In: a program that was run. Out: a line of text, or a JSON object with `note`; nothing where the setup names a stock, or
 //! nothing is cut.

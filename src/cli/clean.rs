@@ -1,4 +1,4 @@
-//! `clean`: the programs inside a text, listed or written out one by one.
+//! `clean`: the programs inside a text, listed or saved one by one.
 //!
 //! In: a file of any kind of text. Out: the cleaned program; on standard error what was changed and what only the reader
 //! can know.

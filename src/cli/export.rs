@@ -22,13 +22,13 @@ pub(super) enum FileFormat {
     Svg,
     /// All motions, as a table.
     Csv,
-    /// The program card, as HTML that prints well.
+    /// The setup sheet, as HTML that prints well.
     Card,
     /// The profile of the part, for drawing programs.
     Dxf,
     /// The part as a solid, for other programs.
     Stl,
-    /// The program with every cycle written out.
+    /// The program with every cycle expanded.
     Program,
 }
 

@@ -48,7 +48,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Check programs and tell what is wrong with them.
+    /// Check programs and report what is wrong with them.
     Check {
         /// Programs; `-` reads standard input.
         #[arg(required = true)]
@@ -61,10 +61,10 @@ enum Command {
         /// Text with carets, or one JSON object a line.
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
-        /// Make all repairs that cannot change the meaning for the worse, and write the files back; what is left is told.
+        /// Make all repairs that do not change what the program does, and write the files back; what is left is reported.
         #[arg(long)]
         fix: bool,
-        /// With `--fix`: print the repaired programs instead, and tell what is left on standard error.
+        /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
         #[arg(long, requires = "fix")]
         dry_run: bool,
     },
@@ -93,7 +93,7 @@ enum Command {
         file: PathBuf,
         #[command(flatten)]
         with: With,
-        /// Language of what is told on standard error.
+        /// Language of what is reported on standard error.
         #[arg(long, value_enum, default_value = "en")]
         lang: LanguageName,
         /// Where to write it; standard output when left out.
@@ -112,9 +112,9 @@ enum Command {
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
     },
-    /// List the rules: slug, severity, code, alarm, whose matter it is.
+    /// List the rules: slug, severity, code, alarm, category.
     Rules {
-        /// A setup whose `rules` say how grave they are told.
+        /// A setup whose `rules` set severities.
         #[arg(long)]
         setup: Option<PathBuf>,
         /// Language of the words.
@@ -141,7 +141,7 @@ enum Command {
         #[arg(long, value_enum, default_value = "text")]
         format: Format,
     },
-    /// Write a file for people or other programs: table, program card, profile, solid.
+    /// Write a file for people or other programs: table, setup sheet, profile, solid.
     Export {
         /// What to write.
         #[arg(value_enum)]
@@ -195,7 +195,7 @@ struct With {
     /// Setup: control, tools, stock, start point, as JSON.
     #[arg(long)]
     setup: Option<PathBuf>,
-    /// The control; goes before the setup's.
+    /// The control; overrides the one of the setup.
     #[arg(long, value_enum)]
     control: Option<ControlName>,
 }

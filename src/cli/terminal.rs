@@ -34,7 +34,7 @@ fn render_one(
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
         Severity::Info => Level::INFO,
-        // Never told.
+        // Never reported.
         Severity::Off => Level::NOTE,
     };
     // Only the line of the fault is given to the renderer: programs can be long, and bytes that are not UTF-8

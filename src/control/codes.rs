@@ -21,7 +21,7 @@ pub fn is_passage(word: &Word) -> bool {
     matches!(code, Some(M::Call | M::LocalCall | M::Return))
 }
 
-/// Whether a word calls a macro: G65, G66. What stands behind it are arguments.
+/// Whether a word calls a macro: G65, G66. What stands after it are arguments.
 pub fn calls_macro(word: &Word) -> bool {
     matches!(whole_g(word), Some(G::MacroCall(_)))
 }
@@ -185,7 +185,7 @@ impl Hole {
     }
 }
 
-/// Where the tool goes behind a hole (G98 and G99 of systems B and C; system A knows only the first).
+/// Where the tool goes after a hole (G98 and G99 of systems B and C; system A knows only the first).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoleReturn {
     /// To the initial level.
@@ -287,7 +287,7 @@ pub enum Compensation {
     Right,
 }
 
-/// Modal group of a code: two codes of one group exclude each other. 0: not modal.
+/// Modal group of a code: two codes of one group cannot be in force together. 0: not modal.
 pub type Group = u8;
 
 /// What an M code asks for.

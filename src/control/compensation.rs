@@ -179,7 +179,7 @@ impl Compensator {
     }
 
     /// The next programmed element. Gives out the one before, and the moves around the corner between them. A
-    /// straight element without length is no move and is passed over.
+    /// straight element without length is no move and is ignored.
     pub fn push(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
         if element.is_still() {
             return;
@@ -352,7 +352,7 @@ impl Compensator {
         }
     }
 
-    /// Gives out a waiting element whose centre ends at `end` from its programmed end; tells whether it could.
+    /// Gives out a waiting element whose centre ends at `end` from its programmed end; returns whether it could.
     fn finish(&mut self, waiting: &Waiting, end: Vector, out: &mut impl FnMut(Outcome)) -> bool {
         let element = &waiting.element;
         let begin = match waiting.begin {

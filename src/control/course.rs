@@ -46,7 +46,7 @@ pub struct Loop {
 pub enum Rounds {
     /// As long as its condition holds.
     All,
-    /// Once: its DO is wrong, which was told.
+    /// Once: its DO is wrong, which was reported.
     One,
 }
 

@@ -94,7 +94,7 @@ pub struct ThreadPass {
     pub end: Point,
     /// Its lead, mm.
     pub lead: f64,
-    /// Turns a minute.
+    /// Spindle speed, rpm.
     pub speed: f64,
     /// Station and offset of its tool.
     pub tool: (u16, u16),
@@ -243,7 +243,7 @@ pub struct Compensating {
     pub compensator: Compensator,
     /// The moves it may still give out, by their number.
     pub waiting: Vec<(u32, Routed)>,
-    /// Dwells behind the move of a number.
+    /// Dwells after the move of a number.
     pub dwells: Vec<(u32, Routed)>,
     /// No move but the first was taken in so far.
     pub is_new: bool,
@@ -310,7 +310,7 @@ impl Compensating {
     }
 }
 
-/// A move at feed while the spindle stands still.
+/// A move at feed with the spindle stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StillMove {
     /// Its block.
@@ -324,17 +324,17 @@ pub struct StillMove {
 pub struct Spindle {
     /// Whether S counts as a cutting speed (G96).
     pub surface: bool,
-    /// Turns a minute under G97; 0 before any S.
+    /// Speed under G97, rpm; 0 before any S.
     pub rpm: f64,
     /// Cutting speed under G96, m/min.
     pub cutting_speed: f64,
-    /// Highest speed (G50 S), turns a minute.
+    /// Highest speed (G50 S), rpm.
     pub highest: Option<f64>,
-    /// Lowest speed (G50 Q), turns a minute.
+    /// Lowest speed (G50 Q), rpm.
     pub lowest: Option<f64>,
     /// Direction.
     pub turn: SpindleTurn,
-    /// S0 was given: it stands still under M03 too.
+    /// S0 was given: the spindle stays stopped under M03 too.
     pub still: bool,
     /// A live tool turns.
     pub live_tool: bool,
@@ -343,7 +343,7 @@ pub struct Spindle {
 }
 
 impl Spindle {
-    /// Speed with the tip at radius `x`, turns a minute: `n = 1000·v / (π·D)` under G96, within the limits of
+    /// Speed with the tip at radius `x`, rpm: `n = 1000·v / (π·D)` under G96, within the limits of
     /// G50 (FANUC 16/18-T B-62754EN p. 127). `None` at the axis without a limit.
     pub fn speed_at(&self, x: f64) -> Option<f64> {
         if !self.surface {
@@ -387,11 +387,11 @@ impl HoleMemory {
     }
 }
 
-/// Things said once in a program rather than at every block.
+/// Things reported once in a program rather than at every block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Told(u64);
 
-/// What is said once.
+/// What is reported once.
 #[derive(Clone, Copy, Debug)]
 #[allow(missing_docs, reason = "each is one message")]
 pub enum Once {
@@ -475,7 +475,7 @@ pub struct State {
     pub unit: Unit,
     /// Group 05.
     pub feed_mode: FeedMode,
-    /// F, mm a minute or a turn, as it was written.
+    /// F, mm/min or mm/rev, as it was written.
     pub feed: Option<f64>,
     /// The feed mode changed after the last F.
     pub feed_is_old: bool,

@@ -4,7 +4,7 @@
 
 use crate::geometry::Point;
 
-/// Frames of G54 to G59; those of G54.1 P1 and on come behind them.
+/// Frames of G54 to G59; those of G54.1 P1 and on come after them.
 pub const STANDARD_FRAMES: u16 = 6;
 
 /// Most frames of G54.1.
@@ -114,7 +114,7 @@ impl ToolOffsets {
         if self.0.is_empty() { None } else { self.0.get(&(offset, column)).copied() }
     }
 
-    /// Writes an entry; numbers past [`OFFSETS`] are passed over.
+    /// Writes an entry; numbers past [`OFFSETS`] are ignored.
     pub fn set(&mut self, offset: u16, column: Column, value: f64) {
         if (1..=OFFSETS).contains(&offset) {
             std::sync::Arc::make_mut(&mut self.0).insert((offset, column), value);

@@ -93,14 +93,14 @@ impl Labels {
         labels
     }
 
-    /// The block of a sequence number: the first match behind byte `from`, then from the head of the same O
+    /// The block of a sequence number: the first match after byte `from`, then from the head of the same O
     /// program.
     pub fn find(&self, sequence: u32, from: u32) -> Option<Resume> {
         let head = || self.first_from(sequence, from, 0);
         self.first_from(sequence, from, from + 1).or_else(head)
     }
 
-    /// Whether a block of that number stands at byte `from` or behind it in the same O program.
+    /// Whether a block of that number stands at byte `from` or after it in the same O program.
     pub fn is_at_or_behind(&self, sequence: u32, from: u32) -> bool {
         self.first_from(sequence, from, from).is_some()
     }

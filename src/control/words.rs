@@ -9,14 +9,14 @@ use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
 use crate::units::Unit;
 
-/// What stands behind the letter of a word as it is written.
+/// What stands after the letter of a word as it is written.
 pub fn behind_letter(word: &str) -> &str {
     let mut characters = word.chars();
     characters.next();
     characters.as_str()
 }
 
-/// The data words of a block by address; where one stands twice, the later.
+/// The data words of a block by address; where one appears twice, the later.
 pub struct Words<'b> {
     block: &'b Block,
     /// Index of the word of each address, plus one; 0 for none.
@@ -124,7 +124,7 @@ impl Reading {
         plain(word).map(|value| if fine { value / 1000.0 } else { value })
     }
 
-    /// A feed: mm a minute or a turn, or a lead in mm; all digits count.
+    /// A feed: mm/min or mm/rev, or a lead in mm; all digits count.
     pub fn feed(self, word: &Word) -> Option<f64> {
         plain(word).map(|value| value * self.unit.millimetres())
     }

@@ -37,7 +37,7 @@ fn block_at(text: &[u8], line: Span, byte: u32) -> Span {
     let at = (byte - line.start) as usize;
     let start = bytes[..at].iter().rposition(|&byte| byte == b';').map_or(0, |found| found + 1);
     let end = bytes[at..].iter().position(|&byte| byte == b';').map_or(bytes.len(), |found| at + found);
-    // Behind the last semicolon there is often nothing but the cursor: the block before it is meant.
+    // After the last semicolon there is often nothing but the cursor: the block before it is meant.
     if bytes[start..end].trim_ascii().is_empty() && start > 0 {
         return block_at(text, line, line.start + start as u32 - 1);
     }

@@ -1,6 +1,6 @@
 //! Pecking: along Z with columns side by side in X (G74), and the same with the axes exchanged (G75).
 //!
-//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. Signs alone tell the
+//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. The signs alone distinguish the
 //! directions apart (seed 003). Knows nothing of words: see `units` for what P and Q count.
 //! Zero-length moves are left in: whoever stores motions drops them.
 
@@ -157,7 +157,7 @@ pub fn peck(
     Ok(out)
 }
 
-/// A length that must not be negative; zero counts as not given.
+/// A length that must not be negative; zero is treated as not given.
 fn given(length: Option<f64>, negative: Fault) -> Result<Option<f64>, Fault> {
     match length {
         Some(length) if sign(length) < 0.0 => Err(negative),

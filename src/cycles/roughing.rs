@@ -170,7 +170,7 @@ impl Frame {
         let plain = Self { direction: how.direction, origin: start, depth: 1.0, along: 1.0 };
         let ends = || contour.pieces.iter().map(|piece| plain.enter(piece.to));
         let far = |first: f64, others: &mut dyn Iterator<Item = f64>| match sign(first) {
-            // Then the farthest point of the contour tells the way.
+            // Then the farthest point of the contour gives the direction.
             0.0 => sign(others.fold(0.0, |far, other| if other.abs() > far.abs() { other } else { far })),
             known => known,
         };
@@ -269,7 +269,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
     Ok(bottom)
 }
 
-/// Cuts an arc where it turns back in an axis, so that ends alone tell where a piece lies.
+/// Cuts an arc where it turns back in an axis, so that the ends alone show where a piece lies.
 fn split(piece: &Piece, parts: &mut Vec<Piece>) {
     let Some((center, turn)) = piece.arc else {
         parts.push(*piece);

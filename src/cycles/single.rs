@@ -1,6 +1,6 @@
 //! The single cycles G90 (turning), G92 (thread) and G94 (facing): four moves from and back to the start point.
 //!
-//! In: start point A, end point E, taper R. Out: the moves. Signs alone tell the four quadrants apart, so no
+//! In: start point A, end point E, taper R. Out: the moves. The signs alone distinguish the four quadrants, so no
 //! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004). Zero-length moves are left in:
 //! whoever stores motions drops them.
 

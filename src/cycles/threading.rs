@@ -1,7 +1,7 @@
 //! Threads: one pass with its pull-out, as G92 makes it, and the many passes of G76.
 //!
 //! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E lies
-//! nearer to the axis than A, internal when farther; signs alone tell the quadrants apart (seeds 001 and 003, GSK980TDb p. 135).
+//! nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants (seeds 001 and 003, GSK980TDb p. 135).
 //! Knows nothing of words and leads. Zero-length moves are left in: whoever stores motions drops them.
 
 use super::{Move, sign};

@@ -72,7 +72,7 @@ pub fn pecking(start: Point, end: Point, p: Option<Amount>, q: Option<Amount>) -
 
 /// Q of the first block of G76 (least depth), P (height) and Q (first depth) of the second.
 ///
-/// A thin first pass tells nothing where the height is plainly in micrometres: `P1300 Q15` is not 1300 mm.
+/// A thin first pass shows nothing where the height is plainly in micrometres: `P1300 Q15` is not 1300 mm.
 pub fn threading(
     least_depth: Option<Amount>,
     height: Option<Amount>,

@@ -1,4 +1,4 @@
-//! The program card: a page to print, with the blank, the tools, and every block beside what it does.
+//! The setup sheet: a page to print, with the blank, the tools, and every block beside what it does.
 //!
 //! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are written, not as
 //! they run: a block that runs often is described by its first time.
@@ -136,7 +136,7 @@ impl Card<'_> {
         page.heading(w.tools);
         page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
         for own in &tools {
-            // The first cut tells what a tool is for; what never cuts (an offset called off) is no tool of the card.
+            // The first cut shows what a tool is for; what never cuts (an offset called off) is no tool of the card.
             let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
             let mut cuts = self.motions.iter().filter(of_tool).peekable();
             let Some(motion) = cuts.peek() else { continue };
@@ -226,7 +226,7 @@ impl<'a> Told<'a> {
         }
     }
 
-    /// What its codes do; those of plain moves are told with the move.
+    /// What its codes do; those of plain moves are reported with the move.
     fn codes(&self, block: &Block, own: &[Motion]) -> Vec<String> {
         let mut told: Vec<String> = Vec::new();
         if block.kind == BlockKind::Macro {

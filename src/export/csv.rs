@@ -35,7 +35,7 @@ pub const COLUMNS: [&str; 22] = [
     "uncertain",
 ];
 
-/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm a minute.
+/// The table: X a diameter and lengths in mm, angles in degrees, feed in mm/min.
 pub fn csv(motions: &Motions, machine: &Machine) -> String {
     let mut text = COLUMNS.join(",");
     text.push_str("\r\n");

@@ -1,8 +1,8 @@
-//! What leaves the playground as a file: tables, the program card, the part for other programs.
+//! What leaves the playground as a file: tables, the setup sheet, the part for other programs.
 //!
 //! In: motions, the program's text, what is left of the blank. Out: texts and bytes, the same on the page and on the
 //! command line. Each exporter only puts into words what earlier stages have worked out. (The drawing is `scene::svg`, the
-//! program written out `expand`.)
+//! expanded program `expand`.)
 
 pub mod card;
 pub mod csv;

@@ -31,7 +31,7 @@ const LEAST_HEIGHT: f64 = 3.0 * FIT;
 /// Steps in which an arc is brought to where its corners are as far outside as inside.
 const BALANCINGS: usize = 3;
 
-/// An arc turns by less than this, radians: a full circle has no ends to tell which way it runs, and what is left of it must
+/// An arc turns by less than this, radians: a full circle has no ends that show which way it runs, and what is left of it must
 /// be an arc as well.
 const WIDEST: f64 = 1.5 * PI;
 

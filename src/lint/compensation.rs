@@ -3,11 +3,11 @@
 use crate::control::codes::Compensation;
 use crate::geometry::Point;
 
-/// A cut along Z at least this many times as long as across it tells where the work is.
+/// A cut along Z at least this many times as long as across it shows where the work is.
 const ALONG: f64 = 2.0;
 
 /// The code in force and the one that belongs to the cut, where they differ. `tip`: direction of the imaginary tip, which
-/// tells outside work (3) from a bore (2).
+/// distinguishes outside work (3) from a bore (2).
 pub fn wrong_side(
     compensation: Compensation,
     tip: u8,

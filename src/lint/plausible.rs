@@ -26,7 +26,7 @@ struct Word {
     /// With its sign; a length in units of the program, whatever numbers without a point count.
     value: f64,
     negative: bool,
-    /// Digits behind the point; nothing without a point.
+    /// Digits after the point; nothing without a point.
     decimals: Option<u8>,
     span: Span,
     /// Index of its block.
@@ -58,7 +58,7 @@ struct Row {
     arc: bool,
     /// G32, G33 or G92 is in force.
     thread: bool,
-    /// It moves at rapid, as far as the text tells.
+    /// It moves at rapid, as far as the text shows.
     rapid: bool,
     /// The same, and it names a place and is no cycle.
     moves_at_rapid: bool,
@@ -66,7 +66,7 @@ struct Row {
     contour: bool,
     /// Its sequence number.
     sequence: Option<u32>,
-    /// A tool is called, or the program ends: what stands behind has nothing to do with what stood before.
+    /// A tool is called, or the program ends: what stands after has nothing to do with what stood before.
     parts: bool,
 }
 
@@ -109,7 +109,7 @@ pub fn remarks(
         told.extend(program.increments());
     }
     told.truncate(MOST);
-    // One fault, one message: what was told first of a word stays.
+    // One fault, one message: what was reported first of a word stays.
     let mut seen = Vec::new();
     told.retain(|one| {
         let new = !seen.contains(&one.span);
@@ -152,7 +152,7 @@ impl<'a> Program<'a> {
             for word in &block.words {
                 let Value::Number { number, negative } = word.value else { continue };
                 let written = word.span.of(text);
-                // A misread word was told; a corner word counts from its corner.
+                // A misread word was reported; a corner word counts from its corner.
                 if !written.is_ascii() || !written[0].is_ascii_alphabetic() {
                     continue;
                 }
@@ -274,7 +274,7 @@ impl<'a> Program<'a> {
         })
     }
 
-    /// The places along an axis in the order of the text, with what stands before and behind each in the same stretch.
+    /// The places along an axis in the order of the text, with what stands before and after each in the same stretch.
     fn neighbours(&self, letters: &'static [u8]) -> Vec<(Option<&Word>, &Word, Option<&Word>)> {
         let own: Vec<&Word> = self.places_or_zero().filter(|word| letters.contains(&word.address)).collect();
         let together = |a: &Word, b: &Word| {

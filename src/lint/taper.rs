@@ -20,7 +20,7 @@ pub enum Reading {
     OrForStartPoint,
 }
 
-/// Tells when R looks like the taper of the drawing though the cut begins outside the blank, and how sure that is.
+/// Reports when R looks like the taper of the drawing though the cut begins outside the blank, and how sure that is.
 pub fn taper_not_extended(
     cycle: Single,
     start: Point,
@@ -99,7 +99,7 @@ pub fn shape(
     if cycle == Single::Facing || taper == 0.0 || end.z >= start.z {
         return None;
     }
-    // That it begins beyond the start point is told already.
+    // That it begins beyond the start point is reported already.
     if single::begins_beyond_start(end.x - start.x, taper) {
         return None;
     }

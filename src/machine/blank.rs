@@ -1,7 +1,7 @@
 //! The blank that the cuts of a program let one guess.
 //!
 //! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what is cut: a wall around
-//! a bore, material on both sides of a groove, a bar behind what is parted off. Must not know how tools are guessed.
+//! a bore, material on both sides of a groove, the bar left by a part-off. Must not know how tools are guessed.
 
 use super::tool::BLADE;
 use crate::geometry::{Point, SAME};
@@ -14,7 +14,7 @@ const WALL: (f64, f64) = (0.25, 5.0);
 /// Material beside a groove that nothing else cuts, mm: the flank that makes it a groove.
 const FLANK: f64 = 5.0;
 
-/// Material behind the deepest cut, mm: behind a part-off the bar, below a drill the bottom.
+/// Material beyond the deepest cut, mm: at a part-off the bar, below a drill the bottom.
 const BEHIND: f64 = 5.0;
 
 /// The first pass of a thread is so much below the crest, as a part of its lead.
@@ -60,14 +60,14 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
 /// How far cuts reach, mm.
 #[derive(Clone, Copy, Debug)]
 pub struct Extents {
-    /// Greatest radius behind Z0, and anywhere.
+    /// Maximum radius at negative Z, and anywhere.
     behind: f64,
     radius: f64,
     /// Least radius.
     least: f64,
     low: f64,
     high: f64,
-    /// Greatest Z of a cut across the face.
+    /// Maximum Z of a cut across the face.
     faced: f64,
 }
 
@@ -136,7 +136,7 @@ pub struct Cuts {
     outside: Extents,
     /// Bored, grooved and threaded inside.
     inside: Extents,
-    /// Grooves in the outside, and what is parted off: places of the tip, the left corner of the blade.
+    /// Grooves in the outside, and what is parted off: places of the tip, the left corner of the grooving insert.
     grooves: Extents,
     /// Grooves in the end face: the tip is the inner corner.
     face_grooves: Extents,
@@ -201,12 +201,12 @@ impl Cuts {
         fits.then_some(Stock { diameter, bore, face, length, grip: None })
     }
 
-    /// Z of the front face. Zero is the finished face where anything is cut behind it, else the back of the part.
+    /// Z of the front face. Zero is the finished face where anything is cut on its chuck side, else the back of the part.
     fn face(&self, all: &Extents, behind: bool) -> f64 {
         let face = if behind { 0.0 } else { all.high }.max(all.faced);
         let Extents { high, faced, .. } = self.grooves;
         let right = high + BLADE;
-        // A blade that goes to the axis in front of all its grooves cuts the face.
+        // A grooving insert that goes to the axis in front of all its grooves cuts the face.
         let only_grooves = self.outside.is_empty() && self.holes.is_empty() && faced < high - SAME;
         // A groove is open on the side where nothing stands beside it: it would look like a shoulder.
         if only_grooves && right > face + SAME { (right + FLANK).ceil() } else { face }

@@ -14,10 +14,10 @@ use crate::geometry::SAME;
 use crate::motion::{Motion, Motions, Process};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
-/// Widths of blades that are tried, mm.
+/// Widths of grooving inserts that are tried, mm.
 const WIDTHS: [f64; 4] = [3.0, 2.0, 1.5, 1.0];
 
-/// Width of a blade whose tip alone is known, mm: it makes the contour as it is programmed.
+/// Width of a grooving insert whose tip alone is known, mm: it makes the contour as it is programmed.
 const THIN: f64 = 0.04;
 
 /// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
@@ -27,7 +27,7 @@ const TO_AXIS: f64 = 1.0;
 /// behind it: a longer piece is parted off.
 const IN_FRONT: [f64; 2] = [3.0, 0.5];
 
-/// Of so many plunges of a blade that roughs for other tools one may be a groove.
+/// Of so many plunges of a grooving insert that roughs for other tools one may be a groove.
 const FEW: usize = 4;
 
 /// Beyond this, mm, a program has a slip, and no blank.
@@ -88,7 +88,7 @@ fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
     cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0).collect()
 }
 
-/// A guess with what comments say of it, as far as they speak of the same kind of tool.
+/// A guess with what comments say of it, as far as they name the same kind of tool.
 fn with_words(purpose: Use, guess: &Tool, words: &Tool) -> Tool {
     let same = guess.kind == words.kind;
     let mut tool = guess.clone();
@@ -105,7 +105,7 @@ fn with_words(purpose: Use, guess: &Tool, words: &Tool) -> Tool {
     tool
 }
 
-/// What comes into question for a turning use: inserts from the usual to the sharpest, then blades from the widest.
+/// What comes into question for a turning use: inserts from the usual to the sharpest, then grooving inserts from the widest.
 fn candidates(first: &Tool, own: &Seen, words: &Tool) -> Vec<Tool> {
     let inside = own.is_inside();
     let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
@@ -181,7 +181,7 @@ impl Led {
             }
         }
         let behind = low < -SAME;
-        // The bar behind all cuts is held, and no part.
+        // The bar beyond all cuts is clamped, not a part.
         let back = low.max(stock.back());
         low = low.min(stock.back());
         if high - low > LONGEST {
@@ -232,7 +232,7 @@ impl Led {
         Some(Self { tracks, stations, outside, inside, front })
     }
 
-    /// Whether a blade roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
+    /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
     /// the surface that all tools leave.
     fn grooves(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
         let surface = self.side(own).1;
@@ -271,7 +271,7 @@ impl Led {
             }
             return surface.clears_plunges(track, self.front);
         }
-        // Both corners of a blade are led along the walls of a groove, each by its own blocks; but a contour is made by one.
+        // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but a contour is made by one.
         let begins_at_face = track.goes_on_behind(&self.stations, self.front);
         let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.stations);
         let own_surface = Surface::of_one(track, (facing, self.stations.clone()));

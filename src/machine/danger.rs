@@ -37,7 +37,7 @@ pub enum Danger {
     LeavesBore,
     /// A cycle comes back at rapid to a start within the material.
     CycleStart,
-    /// A facing cycle starts behind the face: what stands in front of it is cut at once.
+    /// A facing cycle starts on the chuck side of the face: what stands in front of it is cut at once.
     BehindFace {
         /// Z of the face of the blank, mm.
         face: f64,
@@ -87,7 +87,7 @@ pub enum Axis {
     Z,
 }
 
-/// Length of the jaws across the axis, and of the chuck behind them, mm.
+/// Length of the jaws across the axis, and of the chuck body, mm.
 const JAW: f64 = 40.0;
 
 /// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
@@ -205,7 +205,7 @@ impl Watch {
             return;
         }
         self.hit_obstacles(index, motion, tool);
-        // Behind a block that was not carried out it is not known what stands in the way.
+        // After a block that was not carried out it is not known what is in the way.
         if self.stock.is_none() || motion.process.incomplete {
             return;
         }
@@ -282,7 +282,7 @@ impl Watch {
             _ => return false,
         }
         let Some(start) = self.pass_start.take().filter(|_| tag.pass == 1) else { return false };
-        // A little behind the start, seen from the cut.
+        // A short distance before the start of the cut.
         let behind = |start: f64, cut: f64| start + INSIDE * (start - cut).signum();
         let (from, to) = (motion.from, motion.to);
         let line = match facing {
@@ -438,7 +438,7 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, and the chuck behind.
+/// The jaws around the end of the blank, and the chuck body.
 fn jaws(stock: &Stock) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter / 2.0, stock.back());

@@ -69,9 +69,9 @@ impl Feature {
 /// A thread that a program cuts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thread {
-    /// Lead, mm a turn.
+    /// Lead, mm/rev.
     pub lead: f64,
-    /// Least and greatest Z of its passes, mm.
+    /// Minimum and maximum Z of its passes, mm.
     pub z: [f64; 2],
     /// The deepest radius of its passes, mm: least of an outside thread, greatest of an inside one.
     pub depth: f64,

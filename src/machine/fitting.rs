@@ -37,7 +37,7 @@ pub struct Fitted {
 /// How large the part of a guessed tool is that is held against the work, as a share of it: nothing is known of the rest.
 const TIP: f64 = 0.02;
 
-/// How deep the tip of a guessed tool must be in the work to be told of, mm: what its true edges leave is not known to less.
+/// How deep the tip of a guessed tool must be in the work to be reported, mm: what its true edges leave is not known to less.
 const DEPTH: f64 = 0.5;
 
 /// Tools and blank.

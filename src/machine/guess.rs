@@ -64,7 +64,7 @@ fn tools_of(seen: &[Seen]) -> Vec<(u16, Use, Tool)> {
     let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
     let holes = seen.iter().filter(|own| own.purpose == Use::Hole);
     let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
-    // A centre drill goes before one that makes the bore.
+    // A centre drill comes before the drill that makes the bore.
     let bore_of = |own: &Seen| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
     seen.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect()
 }

@@ -155,7 +155,7 @@ impl Part {
         region
     }
 
-    /// The latest known state that is not behind so many motions.
+    /// The latest known state that is not after so many motions.
     fn near(&self, count: usize) -> Kept {
         let kept = self
             .kept
@@ -211,7 +211,7 @@ fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &Fitted) -> Vec
     }
 }
 
-/// Turns of the spindle in a motion that is locked to it.
+/// Spindle revolutions in a motion that is locked to it.
 fn turns(motion: &Motion) -> Option<f64> {
     let long = (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs());
     Some(long / motion.lead?.abs()).filter(|turns| turns.is_finite())

@@ -61,7 +61,7 @@ pub(super) struct Seen {
     pub first: usize,
     /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
     outside: i32,
-    /// How far the last cut behind the face went along Z, mm.
+    /// How far the last cut on the chuck side of the face went along Z, mm.
     along: f64,
     /// Whether it follows the contour of a cycle.
     pub contour: bool,
@@ -196,7 +196,7 @@ impl Seen {
         let (before_x, before_z) = before.map_or((0.0, 0.0), way);
         let comes_back = before_z.abs() <= SAME && back(before_x, (dx, dz));
         self.plunges += u32::from(dz.abs() <= SAME && (back(dx, (after_x, after_z)) || comes_back));
-        // To the left, or to the right while still behind the face.
+        // To the left, or to the right while still on the chuck side of the face.
         let ends_at_shoulder = dx > SAME || (dx.abs() <= SAME && after_x > SAME);
         self.left += u32::from(dz < -SAME);
         self.right += u32::from(dz > SAME && motion.to.z < -SAME && ends_at_shoulder);
@@ -279,7 +279,7 @@ fn bores(words: Option<&Tool>) -> bool {
     words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
 }
 
-/// Which way a tool leaves the work behind a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
+/// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
 /// follows the contour, which may fall or rise. `along` is how far the cut before went along Z.
 fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);

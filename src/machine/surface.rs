@@ -99,7 +99,7 @@ impl Track {
         track
     }
 
-    /// Whether it is led along Z right behind a place.
+    /// Whether it is led along Z right after a place.
     pub fn goes_on_behind(&self, stations: &Stations, z: f64) -> bool {
         self.along[stations.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
@@ -150,7 +150,7 @@ pub struct Surface {
 
 impl Surface {
     /// What the tracks leave of a blank whose surface has the height `blank` between `back` and `front`, mm; in front of that and
-    /// behind it nothing is to stay.
+    /// beyond it nothing is to remain.
     pub fn of<'a>(
         tracks: impl Iterator<Item = &'a Track>,
         (facing, stations): (Facing, Stations),

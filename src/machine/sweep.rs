@@ -1,4 +1,4 @@
-//! What a tool passes over on its way.
+//! The area that a tool sweeps.
 //!
 //! In: the outline of a tool and the way of its tip. Out: outlines of all it touches. Straight ways are exact; arcs are
 //! cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
@@ -55,7 +55,7 @@ impl Outline {
         self.points.iter().map(|point| moved(*point, tip)).collect()
     }
 
-    /// All it passes over while the tip goes straight; nothing of nothing: the parts of the edge that look ahead stand at the end, the others
+    /// The area it sweeps while the tip goes straight; nothing of nothing: the parts of the edge that look ahead stand at the end, the others
     /// at the start.
     pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
@@ -83,7 +83,7 @@ impl Outline {
         outline
     }
 
-    /// All it passes over while the tip goes through the points, one outline for each straight piece.
+    /// The area it sweeps while the tip goes through the points, one outline for each straight piece.
     pub fn along(&self, way: &[Point]) -> impl Iterator<Item = Vec<Point>> {
         way.windows(2).map(|ends| self.along_line(ends[0], ends[1]))
     }

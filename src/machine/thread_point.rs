@@ -1,7 +1,7 @@
 //! How a threading tool looks near its point.
 //!
 //! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a usual lay-down insert: a
-//! tooth for one pitch, and little more beside it, so that it reaches a shoulder behind a relief groove.
+//! tooth for one pitch, and little more beside it, so that it reaches a shoulder next to a relief groove.
 
 use crate::motion::{MotionKind, Motions};
 use crate::setup::thread_insert::Hand;

@@ -24,7 +24,7 @@ const SQUARE_ENTERING: f64 = 75.0;
 /// Insert of which nothing is said: a rhombus of 80°, degrees.
 pub(super) const POINT: f64 = 80.0;
 
-/// Width of a blade of which nothing is said, mm.
+/// Width of a grooving insert of which nothing is said, mm.
 pub(super) const BLADE: f64 = 3.0;
 
 /// Diameter of a drill of which nothing is said, mm.
@@ -42,9 +42,9 @@ const SHANK: f64 = 25.0;
 /// How a tool takes material away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// All it passes over.
+    /// The area it sweeps.
     Turning,
-    /// A groove for each turn of the spindle where it is locked to it, else all it passes over.
+    /// A groove for each spindle revolution in a synchronized motion, else the area it sweeps.
     Threading,
     /// Nothing of the turned profile: it turns itself.
     Live,
@@ -193,7 +193,7 @@ fn angles(tool: &Tool) -> Option<(f64, f64)> {
     Some((tool.entering_angle.unwrap_or(usual).to_radians(), point.to_radians()))
 }
 
-/// A grooving or parting blade and its holder.
+/// A grooving or parting insert and its holder.
 fn blade(tool: &Tool) -> (Outline, Option<Outline>) {
     let width = tool.width.unwrap_or(BLADE);
     let nose = tool.nose().min(width / 2.0);
@@ -345,7 +345,7 @@ mod tests {
         Shape::of(&serde_json::from_str(json).expect("a tool"))
     }
 
-    /// The extents of the cutting part: least and greatest Z, least and greatest X.
+    /// The extents of the cutting part: minimum and maximum Z, minimum and maximum X.
     fn check(json: &str, expected: [f64; 4]) {
         let edge = shape(json).edge;
         let fold = |of: fn(&Point) -> f64| {

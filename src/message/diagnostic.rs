@@ -18,14 +18,14 @@ pub struct Diagnostic {
     pub span: Span,
     /// The unit its lengths are shown in: that of the program at its place.
     pub unit: Unit,
-    /// How grave it is; mostly the message's own, but a control can turn an error into a warning.
+    /// Its severity; mostly the message's own, but a control can turn an error into a warning.
     pub severity: Severity,
     /// Repairs whose result is known exactly.
     pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
-    /// A message at a place, as grave as it usually is.
+    /// A message at a place, with its usual severity.
     #[inline(never)]
     pub fn new(message: Message, span: Span) -> Self {
         Self { severity: message.severity(), message, span, unit: Unit::Millimetre, fixes: Vec::new() }
@@ -107,7 +107,7 @@ pub enum Repair {
 pub struct Fix {
     /// What it does.
     pub title: Repair,
-    /// Whether it can be applied without asking: it cannot change the meaning for the worse.
+    /// Whether it can be applied without asking: it does not change what the program does.
     pub safe: bool,
     /// The edits, in order of place, not overlapping.
     pub edits: Vec<Edit>,
@@ -138,7 +138,7 @@ impl Fix {
         let before = text[..span.start as usize].iter().rev();
         let blanks = before.take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let from = Span { start: span.start - blanks, end: span.end };
-        // At the head of a line the blanks behind it go.
+        // At the head of a line the blanks after it go.
         let behind =
             text[span.end as usize..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count() as u32;
         let first = from.start == 0 || matches!(text[from.start as usize - 1], b'\n' | b'\r');
@@ -158,7 +158,7 @@ impl Fix {
         self
     }
 
-    /// The same repair, which cannot change the meaning for the worse.
+    /// The same repair, which does not change what the program does.
     pub fn safe(mut self) -> Self {
         self.safe = true;
         self

@@ -1,4 +1,4 @@
-//! How grave the messages of a rule are told, where a setup says something else than the rule itself.
+//! The severity of the messages of a rule, where a setup says something else than the rule itself.
 //!
 //! In: names of rules or of groups of them, each with a level. Out: messages with the level that is asked for; those that are
 //! off are dropped. It changes what is said, never what the control does.
@@ -26,13 +26,13 @@ impl Levels {
         self.0.get(name).copied()
     }
 
-    /// The level of a rule. What is said of the rule goes before what is said of its group.
+    /// The level of a rule. What is said of the rule overrides what is said of its group.
     pub fn of(&self, slug: &str) -> Option<Severity> {
         let group = || RULES.iter().find(|rule| rule.slug == slug)?.group;
         self.get(slug).or_else(|| self.get(group()?.name()))
     }
 
-    /// A message as it is to be told; nothing where its rule is off.
+    /// A message as it is to be reported; nothing where its rule is off.
     pub fn graded(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         if !self.0.is_empty()
             && let Some(level) = self.of(diagnostic.message.slug())
@@ -42,7 +42,7 @@ impl Levels {
         (diagnostic.severity > Severity::Off).then_some(diagnostic)
     }
 
-    /// These levels with others that go before them; a group that is set there goes before rules that are set here.
+    /// These levels with others that override them; a group that is set there overrides rules that are set here.
     pub fn with(mut self, others: &Self) -> Self {
         for rule in &RULES {
             if rule.group.is_some_and(|group| others.get(group.name()).is_some()) {

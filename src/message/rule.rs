@@ -2,10 +2,10 @@
 //!
 //! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made from `src/rules/<slug>.md`.
 
-/// How grave a message is.
+/// The severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Told only where somebody asks for it (`levels`).
+    /// Reported only where somebody asks for it (`levels`).
     Off,
     /// Good to know.
     Info,
@@ -35,7 +35,7 @@ impl Severity {
     }
 }
 
-/// Whose matter it is.
+/// Its category.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The program is wrong, or likely so.

@@ -16,7 +16,7 @@ pub enum Value<'a> {
     Count(i64),
     /// A measure, as people write it.
     Number(f64),
-    /// A length, mm; or a feed, mm a minute or a turn. It is shown in the unit of the program.
+    /// A length, mm; or a feed, mm/min or mm/rev. It is shown in the unit of the program.
     Length(f64),
     /// The number of a program, in four digits at least.
     Program(u32),

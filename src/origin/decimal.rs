@@ -2,7 +2,7 @@
 //!
 //! In: statements. Out: the rule, and the number that shows it best. Controls differ by one parameter (FANUC 3401#0,
 //! B-64114EN §8.3), and programs by habit: who runs a control that counts increments writes a point wherever he
-//! means millimetres or inches, even behind a whole number. So the habit decides, and one number that no lathe can mean.
+//! means millimetres or inches, even after a whole number. So the habit decides, and one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
 use crate::message::Message;

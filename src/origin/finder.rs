@@ -48,9 +48,9 @@ const NAMES: [(&str, Sign); 34] = [
     ("AC", Sign::IncrementCall),
     ("WORKPIECE", Sign::SiemensWord),
 ];
-/// From here on a name of [`NAMES`] needs `=` behind it.
+/// From here on a name of [`NAMES`] needs `=` after it.
 const ASSIGNED: usize = 19;
-/// From here on a name of [`NAMES`] needs `(` behind it.
+/// From here on a name of [`NAMES`] needs `(` after it.
 const CALLED: usize = 30;
 
 /// Two names side by side that are a sign.
@@ -63,7 +63,7 @@ const PAIRS: [(&str, &str, Sign); 6] = [
     ("CALL", "LBL", Sign::LabelWord),
 ];
 
-/// Names behind `O100` that make it a statement of LinuxCNC.
+/// Names after `O100` that make it a statement of LinuxCNC.
 const O_STATEMENTS: [&str; 12] = [
     "SUB",
     "ENDSUB",
@@ -104,7 +104,7 @@ pub struct Finder {
 }
 
 impl Finder {
-    /// Tells every sign of a statement to `found`.
+    /// Passes every sign of a statement to `found`.
     pub fn look(&mut self, text: &[u8], statement: &Statement, mut found: impl FnMut(Sign, Span)) {
         if statement.behind_semicolon {
             printer_remark(text, statement, &mut found);
@@ -161,7 +161,7 @@ impl Finder {
     }
 }
 
-/// Heads and other lines told by their first bytes.
+/// Heads and other lines recognised by their first bytes.
 #[inline(never)]
 fn heads(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let line = statement.span.of(text);
@@ -215,7 +215,7 @@ fn names(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sign, Span))
     }
 }
 
-/// Names that are told by how they begin.
+/// Names that are recognised by how they begin.
 fn numbered_name(written: &[u8], name: &Name, statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     let behind = |head: &str| {
         let (start, rest) = written.split_at_checked(head.len())?;
@@ -375,7 +375,7 @@ fn printer_remark(text: &[u8], statement: &Statement, found: &mut impl FnMut(Sig
     }
 }
 
-/// What speaks for a lathe with FANUC's words.
+/// What suggests a lathe with FANUC's words.
 #[inline(never)]
 fn fanuc_lathe(statement: &Statement, found: &mut impl FnMut(Sign, Span)) {
     if let Some(tool) = statement.word(b'T').filter(|word| digits_written(word) >= 3) {

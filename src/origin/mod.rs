@@ -128,7 +128,7 @@ pub fn look(text: &[u8]) -> Seen {
     look_at(&text[..text.len().min(NUMBERS)])
 }
 
-/// The same, but of the numbers only those of the head: all that tells from where the text comes.
+/// The same, but of the numbers only those of the head: all that shows where the text comes from.
 pub fn look_at_head(text: &[u8]) -> Seen {
     look_at(&text[..text.len().min(HEAD)])
 }

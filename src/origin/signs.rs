@@ -1,10 +1,10 @@
 //! What betrays another control or machine, and what each sign weighs.
 //!
-//! In: a [`Sign`]. Out: whom it speaks for. Knows nothing of how a sign is seen.
+//! In: a [`Sign`]. Out: which origin it suggests. Knows nothing of how a sign is seen.
 
 use super::Origin;
 
-/// Whom a sign speaks for or against, and how much; the weights of one origin add up, each sign counting once.
+/// Which origin a sign suggests or excludes, and how much; the weights of one origin add up, each sign counting once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
     /// For an origin.

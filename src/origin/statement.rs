@@ -11,7 +11,7 @@ const MOST_WORDS: usize = 16;
 /// Most names of a statement that are kept.
 const MOST_NAMES: usize = 4;
 
-/// A letter and the number behind it.
+/// A letter and the number after it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Word {
     /// The letter, upper-case.
@@ -28,7 +28,7 @@ pub struct Word {
     pub span: Span,
 }
 
-/// Two or more letters in a row, with the digits behind them.
+/// Two or more letters in a row, with the digits after them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Name {
     /// Letters and digits.
@@ -39,12 +39,12 @@ pub struct Name {
     pub called: bool,
 }
 
-/// One line, or the part of it up to or behind a `;`.
+/// One line, or the part of it up to or after a `;`.
 #[derive(Clone, Debug, Default)]
 pub struct Statement {
     /// All its bytes, blanks around it left out.
     pub span: Span,
-    /// It stands behind a `;` on its line: a remark on many controls, the next block on FANUC's.
+    /// It stands after a `;` on its line: a remark on many controls, the next block on FANUC's.
     pub behind_semicolon: bool,
     /// `(…)`, the first of the statement.
     pub remark: Option<Span>,
@@ -184,7 +184,7 @@ impl<'a> Statements<'a> {
         Name { span, assigned: self.behind_equals().is_some(), called }
     }
 
-    /// Takes the sign and number behind a letter.
+    /// Takes the sign and number after a letter.
     fn word(&mut self, letter: u8, first: Token) -> Word {
         let mut word = Word { letter, span: first.span, ..Word::default() };
         self.skip_blanks();

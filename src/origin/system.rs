@@ -6,7 +6,7 @@ use super::statement::Statement;
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
-/// Least weight of what speaks for B or C.
+/// Least weight of what suggests B or C.
 const ENOUGH: u8 = 3;
 
 /// Things that are written in one system only. Each counts once.

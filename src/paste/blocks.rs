@@ -18,7 +18,7 @@ pub(super) struct Gap {
     pub lines: usize,
     /// Bytes of text on them.
     pub beyond: usize,
-    /// Bytes of text before the block on its own line, behind the block before it if that is there too.
+    /// Bytes of text before the block on its own line, after the block before it if that is there too.
     pub before: usize,
     /// Both stand on one line.
     pub same_line: bool,
@@ -29,7 +29,7 @@ pub(super) struct Gap {
 }
 
 impl Gap {
-    /// Whether nothing but the end of a line, or what stands behind a block, is between them.
+    /// Whether nothing but the end of a line, or what stands after a block, is between them.
     pub fn is_close(self) -> bool {
         self.lines == 0 && self.before == 0 && !self.ellipsis
     }
@@ -64,7 +64,7 @@ pub(super) struct Block {
     axes: u32,
     /// Codes of group 01 it has.
     codes: bool,
-    /// The last item of a code of group 01 that stands behind an axis word.
+    /// The last item of a code of group 01 that stands after an axis word.
     code_behind: Option<usize>,
     /// What stands before it.
     pub gap: Gap,

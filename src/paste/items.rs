@@ -227,7 +227,7 @@ impl Reader<'_> {
             let start = self.at + line.find(trimmed).unwrap_or(0);
             return self.push(Kind::Bullet, start, start + trimmed.len());
         }
-        // Only behind the last words of a line there can be noise to its end.
+        // Only after the last words of a line there can be noise to its end.
         let readable = self.at + last_prose(line);
         let mut noisy = None;
         let mut first = true;
@@ -352,7 +352,7 @@ impl Reader<'_> {
 
     /// A bracket that is not closed.
     fn open_comment(&self, start: usize, end: usize) -> Option<(Kind, usize)> {
-        // Not closed on its line, which the parser tells: a remark where it stands as one and can be read.
+        // Not closed on its line, which the parser reports: a remark where it stands as one and can be read.
         let last = self.items.last().map(|item| item.kind);
         let behind = matches!(last, None | Some(Kind::LineEnd | Kind::Semicolon | Kind::Word(_)));
         let note = behind && end - start <= LONGEST_BRACKET && last_prose(&self.text[start..end]) > 0;
@@ -596,7 +596,7 @@ pub(super) fn spell(text: &str, at: usize) -> Option<(Word, usize, String)> {
     Some((Word { letter: address, value, lost_sign, reason }, end, now))
 }
 
-/// Goes on behind at most two blanks if a number follows them.
+/// Goes on after at most two blanks if a number follows them.
 fn skip_blanks(text: &str, at: usize, now: &mut String) -> usize {
     let mut end = at;
     for c in text[at..].chars().take(3) {

@@ -146,7 +146,7 @@ fn is_doubtful(text: &str, items: &[items::Item], programs: &[Program]) -> bool 
     if programs.is_empty() {
         return false;
     }
-    // Text behind a `;` the parser takes for a remark too.
+    // Text after a `;` the parser takes for a remark too.
     let remark = |piece: &Piece| {
         piece.reason == Some(Reason::Remark) && text[..piece.span.start as usize].ends_with([';', '；'])
     };

@@ -10,7 +10,7 @@ use super::programs::Stretch;
 use super::reason::Reason;
 use crate::source::Span;
 
-/// Longest text behind a block that becomes a remark, characters.
+/// Longest text after a block that becomes a remark, characters.
 const LONGEST_REMARK: usize = 40;
 
 /// Codes a G word may have been whose second digit cannot be read; `G0` is G00 already.
@@ -171,7 +171,7 @@ impl Writer<'_> {
         self.push(to, "\n".into(), None);
     }
 
-    /// Short text behind a block becomes a remark; false where it does not.
+    /// Short text after a block becomes a remark; false where it does not.
     fn remark(&mut self, range: std::ops::Range<usize>) -> bool {
         let items = &self.items[range.clone()];
         let (Some(first), Some(last)) = (items.first(), items.last()) else { return false };
@@ -223,7 +223,7 @@ impl Writer<'_> {
             {
                 end += 1;
             }
-            // Line ends behind it belong to the layout.
+            // Line ends after it belong to the layout.
             while end > at + 1 && self.items[end - 1].kind == Kind::LineEnd {
                 end -= 1;
             }

@@ -111,7 +111,7 @@ fn belongs(now: &Stretch, block: &Block, gap: super::blocks::Gap, close: bool) -
         return false;
     }
     if now.ended {
-        // Behind M30 there may be parts that are called, never an older number.
+        // After M30 there may be parts that are called, never an older number.
         let remark = block.words == 0;
         return close
             && (remark

@@ -29,7 +29,7 @@ pub enum Reason {
     LoneNumbers,
     /// The program number again, where a table goes on.
     RepeatedHead,
-    /// Text behind a block that became a comment.
+    /// Text after a block that became a comment.
     Remark,
     /// Text that is no block.
     Prose,
@@ -41,7 +41,7 @@ pub enum Reason {
     UnreadableSign,
     /// All minus signs seem to be lost.
     LostMinus,
-    /// What could not be read stands right behind the digits.
+    /// What could not be read stands right after the digits.
     UnreadableDigit,
 }
 

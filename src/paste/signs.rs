@@ -66,7 +66,7 @@ fn blank_piece() -> Piece {
     Piece { span: Span::default(), now: String::new(), reason: None, choices: Vec::new() }
 }
 
-/// The byte behind so many bytes that are not blank, and the blanks that follow.
+/// The byte after so many bytes that are not blank, and the blanks that follow.
 fn behind_words(text: &str, bytes: usize) -> Option<usize> {
     let mut left = bytes;
     for (at, c) in text.char_indices() {

@@ -2,7 +2,7 @@
 //!
 //! In: the motions and the machine. Out: a [`Clock`], which says where the tool is so many seconds into the animation, and
 //! how long the machine takes up to there. Where the time of a motion is not known the animation goes at a usual pace, which
-//! is never told as a time. Must not know what is drawn.
+//! is never reported as a time. Must not know what is drawn.
 
 use std::ops::Range;
 
@@ -10,9 +10,9 @@ use super::timing::{self, Total};
 use crate::motion::{Motion, MotionKind, Motions, Stop, StopKind};
 use crate::setup::Machine;
 
-/// Pace of rapids whose rate is not known, mm a minute.
+/// Pace of rapids whose rate is not known, mm/min.
 const RAPID: f64 = 8000.0;
-/// Pace of cuts whose feed or spindle speed is not known, mm a minute.
+/// Pace of cuts whose feed or spindle speed is not known, mm/min.
 const CUT: f64 = 250.0;
 /// Pace of the C axis where it is not known, degrees a second.
 const TURN: f64 = 120.0;
@@ -100,7 +100,7 @@ impl Clock {
         if share > 0.0 && motion < self.motions {
             let motion = motions.get(motion);
             reading.pace += share * pace(&motion, &self.machine);
-            // What has begun and is not known is told of as soon as it is done.
+            // What has begun and is not known is reported as soon as it is done.
             reading.time.known += timing::seconds(&motion.first_part(share), &self.machine).unwrap_or(0.0);
         }
         reading
@@ -129,7 +129,7 @@ impl Clock {
     /// The place so many seconds of the animation after another, or where the program stops on the way.
     pub fn play(&self, motions: &Motions, from: Playhead, seconds: f64, stops: Stops) -> Playhead {
         let to = self.place(motions, self.at(motions, from).pace + seconds.max(0.0));
-        // A motion without any time is passed over, but nothing goes back.
+        // A motion without any time is ignored, but nothing goes back.
         let to = if to.motion < from.motion { from } else { to };
         // A stop at which the tool stands already was answered by going on.
         let on_the_way = from.motion + 1 + usize::from(from.share >= 1.0)..to.motion + 1;
@@ -139,7 +139,7 @@ impl Clock {
         }
     }
 
-    /// Before a motion; at the end behind the last.
+    /// Before a motion; at the end after the last.
     fn before(&self, motions: &Motions, motion: usize) -> Reading {
         if motion >= self.motions {
             return self.whole();
@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn a_stop_waits_for_the_moves_before_it() {
-        // The chamfer is known with the block behind M00 only; the stop is behind the block that it ends.
+        // The chamfer is known with the block after M00 only; the stop is after the block that it ends.
         let (motions, _) = run("G0 X50 Z2\nM3 S500\nG1 Z-10 ,C1 F0.2\nM00\nX60\nG0 Z2\nM30\n");
         let (index, stop) = motions.stops(0..usize::MAX).next().expect("a stop");
         assert_eq!((motions.line(index - 1), motions.line(index), stop.line), (2, 4, 3));

@@ -1,6 +1,6 @@
 //! Steps of the playback: from the end of one motion, block or pass to that of another.
 //!
-//! In: a place of the program. Out: the next place before or behind it where something ends.
+//! In: a place of the program. Out: the next place before or after it where something ends.
 
 use super::clock::Playhead;
 use crate::motion::{Cycle, Motions};

@@ -1,6 +1,6 @@
 //! How long motions take, and how fast the spindle turns.
 //!
-//! In: a motion and what is known of the machine. Out: seconds, turns a minute, feed; nothing where it cannot be known.
+//! In: a motion and what is known of the machine. Out: seconds, rpm, feed; nothing where it cannot be known.
 //! Must not know the program.
 
 use std::f64::consts::PI;
@@ -9,13 +9,13 @@ use crate::geometry::{Point, SAME, within};
 use crate::motion::{Feed, Motion, MotionKind, Process, SpindleSpeed, SpindleTurn};
 use crate::setup::Machine;
 
-/// A spindle faster than this has no limit that anybody gave, turns a minute: nothing is known of it.
+/// A spindle faster than this has no limit that anybody gave, rpm: nothing is known of it.
 const NO_LIMIT: f64 = 100_000.0;
 
 /// Pieces in which the time of an arc under G96 is added up.
 const PIECES: u32 = 32;
 
-/// Turns a minute with the tip at a radius, mm; nothing while the spindle stands, or without a limit at the axis.
+/// Spindle speed, rpm, with the tip at a radius, mm; nothing while the spindle stands, or without a limit at the axis.
 pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64> {
     if process.turn == SpindleTurn::Stopped {
         return None;
@@ -38,7 +38,7 @@ pub fn surface_speed(speed: f64, radius: f64) -> f64 {
     2.0 * PI * radius.abs() * speed / 1000.0
 }
 
-/// Feed along the path with the tip at a radius, mm a minute; nothing for rapids and dwells.
+/// Feed along the path with the tip at a radius, mm/min; nothing for rapids and dwells.
 pub fn feed_at(motion: &Motion, machine: &Machine, radius: f64) -> Option<f64> {
     let per_turn = match (motion.kind, motion.process.feed) {
         (MotionKind::Rapid | MotionKind::Dwell, _) => return None,

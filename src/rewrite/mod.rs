@@ -53,7 +53,7 @@ impl Offer {
 
     /// The blocks as they are written then.
     pub fn written(&self, text: &[u8]) -> String {
-        // A block behind that only gets its G00 is none of them.
+        // A following block that only gets its G00 is none of them.
         let inside = |edit: &&Edit| edit.span.start < self.span.end;
         let edits: Vec<Edit> = self.edits.iter().filter(inside).cloned().collect();
         let end = edits.last().map_or(0, |last| last.span.end).max(self.span.end);
@@ -153,7 +153,7 @@ pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
 
 /// Where a byte of a text with edits was before them; the start of what an edit took out for a byte that it put in.
 pub fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
-    // One past the last byte that was looked at: before the edits, and behind them.
+    // One past the last byte that was looked at: before the edits, and after them.
     let (mut old, mut new) = (0, 0);
     for edit in edits {
         let start = new + (edit.span.start - old);
@@ -279,7 +279,7 @@ fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
     count(after).iter().all(|(what, times)| known.get(what).is_some_and(|before| before >= times))
 }
 
-/// Whether a message that only the cycle brings speaks against it. That its cone becomes narrower toward the chuck was so
+/// Whether a message that only the cycle brings contradicts it. That its cone becomes narrower toward the chuck was so
 /// before, when nobody could say it.
 fn counts(found: &Diagnostic) -> bool {
     found.severity >= Severity::Warning && !matches!(found.message, Message::TaperNarrows { .. })

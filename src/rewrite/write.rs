@@ -1,7 +1,7 @@
 //! The edits that write moves as a cycle.
 //!
 //! In: moves and the passes they are. Out: an [`Offer`], not tried yet. Words keep the way they were typed wherever
-//! they still mean the same; comments stay; the block behind is given its G00 where it relied on the one that goes.
+//! they still mean the same; comments stay; the next block is given its G00 where it relied on the one that goes.
 
 use super::Offer;
 use super::places::{Move, Places, ends_program, g, is_plain};
@@ -37,7 +37,7 @@ struct Style {
     /// Between two words.
     gap: &'static str,
     lower_case: bool,
-    /// Behind whole numbers.
+    /// After whole numbers.
     point: &'static str,
     /// G00, as it is written here.
     rapid: String,
@@ -147,7 +147,7 @@ impl Writer<'_> {
         late.then_some(new)
     }
 
-    /// The words of a block replaced; comments between them stand behind.
+    /// The words of a block replaced; comments between them follow.
     fn replaced(&self, block: &Block, mut line: String) -> Edit {
         let span = block.words_span();
         for comment in block.comments.iter().filter(|own| span.start < own.start && own.end < span.end) {
@@ -194,7 +194,7 @@ impl Writer<'_> {
                 if end > 0 || rest.is_empty() { (next + blank + end) as u32 } else { placed.next }
             }
             (true, false) => placed.next,
-            // Behind others on its line: the line still ends.
+            // After others on its line: the line still ends.
             (false, true) => placed.next,
             (false, false) => span.end,
         }

@@ -30,7 +30,7 @@ impl Mark {
     }
 }
 
-/// What a run gave before its text was changed, from the first snapshot behind the change on.
+/// What a run gave before its text was changed, from the first snapshot after the change on.
 #[derive(Clone, Debug)]
 pub(super) struct Before {
     remainder: Remainder,
@@ -40,11 +40,11 @@ pub(super) struct Before {
     last: usize,
     /// Numbers of the O programs met before its snapshots, in order.
     heads: Vec<u32>,
-    /// First byte of each O program met behind them, by number.
+    /// First byte of each O program met after them, by number.
     others: BTreeMap<u32, u32>,
     /// The snapshot to be met next.
     next: usize,
-    /// What has become of the old places behind the change; its lines are not known before the two runs meet.
+    /// What has become of the old places after the change; its lines are not known before the two runs meet.
     shift: Shift,
     /// Bytes of the text as it is now, without the blanks at its end.
     filled: usize,
@@ -60,7 +60,7 @@ impl Before {
         self
     }
 
-    /// Where behind a byte the runs may meet next, in the text as it is now.
+    /// Where after a byte the runs may meet next, in the text as it is now.
     fn meeting(&mut self, behind: u32) -> Option<u32> {
         while let Some(there) = self.remainder.at(self.next) {
             let byte = self.shift.byte(there.byte);
@@ -113,7 +113,7 @@ impl Run {
         self.look_out(self.at);
     }
 
-    /// What this run, or the one before it, gave behind a change that is about to be made.
+    /// What this run, or the one before it, gave after a change that is about to be made.
     fn before_edit(&mut self, end: u32, bytes: i64) -> Option<Before> {
         if let Some(before) = self.before.take() {
             return Some(before.edit(end, bytes));
@@ -170,7 +170,7 @@ impl Run {
         self.blocks + BLOCKS_PER_MOTION * self.setup().limits.stride
     }
 
-    /// Finds out where behind a place the run before the edit may be met next.
+    /// Finds out where after a place the run before the edit may be met next.
     fn look_out(&mut self, at: Resume) {
         let next = self.before.as_mut().and_then(|before| before.meeting(at.byte));
         if next.is_none() {
@@ -186,7 +186,7 @@ impl Run {
         let Some(there) = before.remainder.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
         let shift = before.shift;
-        // The end of the text is told at the last sign before it.
+        // The end of the text is reported at the last character before it.
         let is_last = at.byte as usize >= before.filled;
         if is_last || there.shifted(&shift) != at || !self.interpreter.meets(&before.remainder, index, &shift)
         {

@@ -53,7 +53,7 @@ const LEAST_EXTENT: f64 = 2.0;
 /// Which way X+ is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum XPlus {
-    /// Upwards: the turret is behind the spindle.
+    /// Upwards: a rear turret.
     #[default]
     Up,
     /// Downwards: the turret is in front of it, where the worker stands.

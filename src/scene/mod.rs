@@ -36,7 +36,7 @@ use outline::{Outline, Stretch};
 use ruler::Axis;
 use work::Work;
 
-/// The line style of a stroke: what a technical drawing tells apart.
+/// The line style of a stroke: what a technical drawing distinguishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StrokeStyle {
     /// Rapid traverse: thin and dashed.
@@ -91,7 +91,7 @@ pub enum StrokeShape {
     Arc(Arc),
     /// Straight or round in a virtual plane, and so a curve in the plane of turning.
     Virtual(VirtualMove),
-    /// The tool stands still here.
+    /// The tool dwells here.
     Dot(Point),
 }
 

@@ -33,7 +33,7 @@ pub struct Stretch {
     pub length_before: f64,
     /// Length of the path in this stretch, mm.
     pub length: f64,
-    /// Tells it from every other stretch of this process; it keeps it as long as its motions are the same.
+    /// Distinguishes it from every other stretch of this process; it keeps it as long as its motions are the same.
     pub key: StretchKey,
     /// Which of the chunks it lies in.
     chunk: usize,
@@ -51,7 +51,7 @@ pub struct StretchKey {
 /// Boxes and lengths of all motions.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// Changes with the motions, so that a cache can tell that it is stale.
+    /// Changes with the motions, so that a cache can detect that it is stale.
     id: u64,
     stretches: Vec<Stretch>,
     /// Those of chunks that are not in the list just now.
@@ -78,7 +78,7 @@ impl Outline {
     }
 
     /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are gone may come
-    /// back behind the ones that are run again, until [`Outline::settle`].
+    /// back after the ones that are run again, until [`Outline::settle`].
     pub fn update(&mut self, motions: &Motions) {
         let ids = motions.ids();
         let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()

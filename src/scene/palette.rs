@@ -6,7 +6,7 @@
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
 pub struct Palette {
-    /// Behind everything.
+    /// The background.
     pub background: String,
     /// Grid lines.
     pub grid: String,

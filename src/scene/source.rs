@@ -1,6 +1,6 @@
 //! What a picture is made of.
 //!
-//! In: a run, and how far it is. Out: [`Source`], which tells a picture from those of every other run, and from the
+//! In: a run, and how far it is. Out: [`Source`], which distinguishes a picture from those of every other run, and from the
 //! unfinished ones of its own; [`Picture`], what a painter draws.
 
 use super::Scene;

@@ -28,7 +28,7 @@ pub struct StepLabel {
 }
 
 impl StepLabel {
-    /// Where its middle stands in the picture; nothing where the stroke is too short to be told.
+    /// Where its middle stands in the picture; nothing where the stroke is too short to show.
     pub fn place(&self, camera: &Camera) -> Option<Pixel> {
         let [from, to, middle] = [self.from, self.to, self.middle].map(|at| camera.to_screen(at));
         let length = from.distance(to);

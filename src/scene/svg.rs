@@ -394,7 +394,7 @@ fn polylines(lines: &[Vec<Pixel>], end: &str) -> String {
     for corners in lines {
         let mut last = String::new();
         for (index, corner) in corners.iter().enumerate() {
-            // Corners nearer to one another than can be told are one.
+            // Corners nearer to one another than can be distinguished are one.
             let place = pixel(*corner);
             if place != last {
                 d.push(if index == 0 { 'M' } else { 'L' });

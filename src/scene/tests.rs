@@ -190,7 +190,7 @@ fn an_edit_leaves_the_measures_of_the_chunks_that_stay() {
     passes(100).into_iter().for_each(|chunk| motions.push(chunk));
     let mut outline = Outline::of(&motions);
     let before: Vec<StretchKey> = outline.stretches().iter().map(|stretch| stretch.key).collect();
-    // As a run does it: the chunks behind the edit come back when those before them are there again.
+    // As a run does it: the chunks after the edit come back when those before them are there again.
     let rest = motions.split_off(10).split_off(2);
     outline.update(&motions);
     for chunk in passes(3) {

@@ -258,7 +258,7 @@ pub struct DialectChoice {
     pub pq_unit: Option<PqUnit>,
     /// Feed unit after power-on.
     pub power_on_feed: Option<FeedMode>,
-    /// Feed unit this program starts in; goes before `powerOnFeed`.
+    /// Feed unit this program starts in; overrides `powerOnFeed`.
     pub feed_mode: Option<FeedMode>,
     /// X with U, Z with W.
     pub xu_conflict: Option<XuConflict>,

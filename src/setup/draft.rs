@@ -26,7 +26,7 @@ pub enum Slip {
     Unread(Unread),
     /// It is empty, and nothing can be assumed.
     Missing,
-    /// The value cannot be.
+    /// The value is invalid.
     Need(Need),
 }
 

@@ -6,7 +6,7 @@
 use super::{Setup, Stock, Tool};
 use crate::message::Message;
 
-/// A value that cannot be.
+/// An invalid value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     /// Where it stands, as in JSON: `stock.diameter`, `tools.T0101.width`.

@@ -37,9 +37,9 @@ pub enum Unit {
     Millimetre,
     /// Degrees.
     Degree,
-    /// Millimetres a minute.
+    /// Millimetres per minute.
     MillimetrePerMinute,
-    /// Turns a minute.
+    /// Spindle speed, rpm.
     TurnsPerMinute,
 }
 
@@ -198,7 +198,7 @@ const POINTED: &[ToolKind] = &[ToolKind::Turning, ToolKind::Boring, ToolKind::Gr
 
 /// The blank: `(STOCK D=65 LENGTH=80)`.
 pub const STOCK: &[Field<Stock>] = &[
-    // Never left out: 0 stands where nothing is said, and is told as a fault.
+    // Never left out: 0 stands where nothing is said, and is reported as a fault.
     field(Name::StockDiameter, "diameter", "D", MM, always!(diameter unless f64::INFINITY)),
     field(Name::Bore, "bore", "BORE", MM, always!(bore unless 0.0)),
     field(Name::Length, "length", "LENGTH", MM, always!(length unless f64::INFINITY)),

@@ -8,9 +8,9 @@ use serde::Deserialize;
 pub struct Machine {
     /// Rapid rate along X, mm of the slide a minute.
     pub rapid_x: Option<f64>,
-    /// Rapid rate along Z, mm a minute.
+    /// Rapid rate along Z, mm/min.
     pub rapid_z: Option<f64>,
-    /// Highest speed of the spindle, turns a minute.
+    /// Highest speed of the spindle, rpm.
     pub max_speed: Option<f64>,
     /// Where the tip can go.
     pub travel: Travel,
@@ -22,13 +22,13 @@ pub struct Machine {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Travel {
-    /// Least X, a diameter.
+    /// Minimum X, a diameter.
     pub x_min: Option<f64>,
-    /// Greatest X, a diameter.
+    /// Maximum X, a diameter.
     pub x_max: Option<f64>,
-    /// Least Z.
+    /// Minimum Z.
     pub z_min: Option<f64>,
-    /// Greatest Z.
+    /// Maximum Z.
     pub z_max: Option<f64>,
 }
 
@@ -36,7 +36,7 @@ pub struct Travel {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Turret {
-    /// Behind it: X+ is drawn upwards.
+    /// At the rear: X+ is drawn upwards.
     #[default]
     Rear,
     /// In front of it: X+ is drawn downwards.

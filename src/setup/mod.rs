@@ -47,13 +47,13 @@ pub struct Setup {
     pub tailstock: Option<Tailstock>,
     /// What the machine can do.
     pub machine: Machine,
-    /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are passed over.
+    /// Levels of block skip (`/` and `/1` to `/9`) that are switched on: such blocks are ignored.
     pub block_skip: Vec<u8>,
     /// Number of the O program to run; the first of the text when nothing is said.
     pub program: Option<u32>,
     /// What a run may use up.
     pub limits: Limits,
-    /// How grave the messages of a rule, or of a group of rules, are told.
+    /// The severity of a rule, or of a group of rules.
     pub rules: Levels,
 }
 

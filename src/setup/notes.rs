@@ -1,4 +1,4 @@
-//! The setup as comments of the program, which a control passes over:
+//! The setup as comments of the program, which a control ignores:
 //!
 //! ```text
 //! (STOCK D=65 BORE=18 LENGTH=80 FACE=1 GRIP=30)
@@ -47,7 +47,7 @@ pub struct Notes {
     pub start: Option<Position>,
     /// What numbers without a point count.
     pub decimal: Option<DecimalChoice>,
-    /// How grave rules are told.
+    /// The severity of rules.
     pub rules: Levels,
     /// What cannot be read.
     pub faults: Vec<NoteFault>,
@@ -123,7 +123,7 @@ impl Notes {
         setup
     }
 
-    /// What is to be told of them; `faults` are those of the whole setup.
+    /// What is to be reported about them; `faults` are those of the whole setup.
     pub fn diagnostics(&self, faults: Vec<Fault>, text: &[u8]) -> Vec<Diagnostic> {
         let words = self.faults.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
@@ -229,7 +229,7 @@ impl Notes {
         self.places.iter().map(|place| place.1)
     }
 
-    /// Whether a note speaks of this key of a setup, such as `stock.` or `tools.T0101.`.
+    /// Whether a note sets this key of a setup, such as `stock.` or `tools.T0101.`.
     pub fn names(&self, key: &str) -> bool {
         self.places.iter().any(|place| place.0 == key)
     }

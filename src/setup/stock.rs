@@ -16,7 +16,7 @@ pub struct Stock {
     pub face: f64,
     /// Length, mm, from the face towards −Z.
     pub length: f64,
-    /// Length, mm, that the jaws hold, from the back; there are no jaws where nothing is said.
+    /// Clamping length, mm, from the back; there are no jaws where nothing is said.
     #[serde(default)]
     pub grip: Option<f64>,
 }

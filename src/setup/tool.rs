@@ -9,7 +9,7 @@ use super::thread_insert::ThreadInsert;
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Tool {
-    /// Nose radius, mm; of a grooving blade that of its corners.
+    /// Nose radius, mm; of a grooving insert that of its corners.
     pub nose_radius: Option<f64>,
     /// Tip direction, 0 to 9 (FANUC 16/18-T B-62754EN p. 224).
     pub tip: Option<u8>,
@@ -20,7 +20,7 @@ pub struct Tool {
     /// What kind of tool it is.
     #[serde(rename = "type")]
     pub kind: Option<ToolKind>,
-    /// Which side of the work a blade or a threading tool is for.
+    /// Which side of the work a grooving insert or a threading tool is for.
     pub side: Option<Side>,
     /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose. Of a threading
     /// tool as makers write lay-down inserts: `16ER AG60`.
@@ -31,11 +31,11 @@ pub struct Tool {
     pub entering_angle: Option<f64>,
     /// Length of the cutting edge, mm; of a threading tool that of each flank of its point.
     pub edge_length: Option<f64>,
-    /// Width of a blade, mm.
+    /// Width of a grooving insert, mm.
     pub width: Option<f64>,
     /// Diameter of a drill, a tap or a cutter, mm.
     pub diameter: Option<f64>,
-    /// How far a blade, a threading point or a drill reaches from its holder, or a boring bar into the work, mm.
+    /// How far a grooving insert, a threading point or a drill reaches from its holder, or a boring bar into the work, mm.
     pub reach: Option<f64>,
     /// Diameter of a boring bar, mm.
     pub shank: Option<f64>,
@@ -51,7 +51,7 @@ pub enum ToolKind {
     Turning,
     /// Turns bores.
     Boring,
-    /// A blade: grooves, parts off.
+    /// A grooving insert: grooves, parts off.
     Grooving,
     /// Cuts threads with one point.
     Threading,
@@ -146,7 +146,7 @@ impl Tool {
             (Some(ToolKind::Drill | ToolKind::Tap), _) => 7,
             (Some(ToolKind::Turning), _) => 3,
             (Some(ToolKind::Boring), _) => 2,
-            // A blade is set by its left corner (seed 003, example 5), or by the lower one of two at the face.
+            // A grooving insert is set by its left corner (seed 003, example 5), or by the lower one of two at the face.
             (Some(ToolKind::Grooving), Side::Outside | Side::Face) => 3,
             (Some(ToolKind::Grooving), Side::Inside) => 2,
             (Some(ToolKind::Threading), Side::Outside | Side::Face) => 8,

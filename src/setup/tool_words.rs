@@ -2,7 +2,7 @@
 //!
 //! In: the first lines of a program. Out: for each turret station what its comments say, as a [`Tool`] with gaps. It is a
 //! hint: whoever guesses a tool begins with it, and what the motions contradict does not count. Terms are in `terms`.
-//! A comment belongs to the tool it names, else to the T word in its line, else to the T word before it, else to the one behind it.
+//! A comment belongs to the tool it names, else to the T word in its line, else to the T word before it, else to the one after it.
 
 mod numbers;
 mod terms;
@@ -79,7 +79,7 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
     let text = comment.to_uppercase();
     let mut tool = terms::insert(&text).unwrap_or_default();
     let kind = terms::kind(&text);
-    // `14MM DRILL XCMT`: the word goes before the insert.
+    // `14MM DRILL XCMT`: the word has priority over the insert.
     tool.kind = match (kind, tool.kind) {
         (Some(ToolKind::Turning), Some(of_insert)) => Some(of_insert),
         (Some(kind), _) => Some(kind),
@@ -110,7 +110,7 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
             tool = Tool { kind: Some(kind), diameter: numbers::diameter(&text, unit), ..Tool::default() };
         }
     }
-    // A radius that takes up the whole blade is no corner.
+    // A radius that takes up the whole grooving insert is no corner.
     let widest = tool.width.map_or(f64::INFINITY, |width| width / 2.0);
     tool.nose_radius = tool.nose_radius.filter(|&radius| radius <= widest);
     tool

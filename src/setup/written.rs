@@ -46,7 +46,7 @@ fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
     (!words.is_empty()).then(|| format!("({head}{words})"))
 }
 
-/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand behind
+/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand after
 /// the O number; the other notes go. In the order of the text.
 pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     let notes = Notes::read(text);
@@ -99,7 +99,7 @@ fn whole(text: &[u8], inside: Span) -> Span {
     Span::new(start, end)
 }
 
-/// The first place behind `%` and the O number of a program.
+/// The first place after `%` and the O number of a program.
 fn behind_number(text: &[u8]) -> usize {
     let (mut at, mut behind) = (0, 0);
     for line in text.split_inclusive(|&byte| byte == b'\n').take(20) {

@@ -100,7 +100,7 @@ impl LineIndex {
     }
 
     /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is `text` now.
-    /// Only the lines touched are read again, and what lies behind is moved along. All lines are, when offsets cease to be
+    /// Only the lines touched are read again, and what follows is moved along. All lines are, when offsets cease to be
     /// bytes.
     pub fn edit(&mut self, text: &[u8], replaced: Range<usize>, inserted: usize) {
         // A line start depends on the bytes on both its sides: on `\r` and the `\n` that may follow it.
@@ -115,7 +115,7 @@ impl LineIndex {
             *self = Self::new(text);
             return;
         }
-        // Behind the line end that ends the bytes read stands `next`, which is kept.
+        // After the line end that ends the bytes read stands `next`, which is kept.
         let lines = read.starts.len() - usize::from(next < self.starts.len());
         if !self.marks.is_empty() {
             if read.marks.is_empty() {

@@ -1,11 +1,11 @@
 //! How places of a text move along when the text before them is changed.
 //!
 //! In: which part was replaced, and how much longer and how many lines more the text has become. Out: the new place
-//! of everything behind that part. Knows nothing of what stands there.
+//! of everything after that part. Knows nothing of what stands there.
 
 use super::Span;
 
-/// A change of a text as those see it who stand behind it.
+/// A change of a text, as seen by positions after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shift {
     /// Bytes of the old text from this one on are moved; those before it stay where they are.
@@ -33,7 +33,7 @@ impl Shift {
         Span { start, end: start + span.len() as u32 }
     }
 
-    /// The new number of a line that begins at or behind the byte `at` of the old text.
+    /// The new number of a line that begins at or after the byte `at` of the old text.
     pub fn line(&self, line: u32, at: u32) -> u32 {
         if self.moves(at) { (i64::from(line) + self.lines) as u32 } else { line }
     }

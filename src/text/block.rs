@@ -69,7 +69,7 @@ pub struct Block {
     pub faults: Vec<Diagnostic>,
     /// First byte of its macro statement, if it is one.
     pub statement: u32,
-    /// Where the statement ends, without the blanks and comments behind it.
+    /// Where the statement ends, without the blanks and comments after it.
     pub statement_end: u32,
     /// Some words hold macro expressions.
     pub has_expressions: bool,

@@ -280,13 +280,13 @@ impl<'a> Lexer<'a> {
         if digits == 0 || digits > PLAIN_DIGITS {
             return None;
         }
-        // Digits behind a blank belong to the same number: the parser joins them, and says so.
+        // Digits after a blank belong to the same number: the parser joins them, and says so.
         if let Some(b' ' | b'\t') = text.get(at)
             && let Some(b'0'..=b'9' | b'.' | b' ' | b'\t') = text.get(at + 1)
         {
             return None;
         }
-        // A misread digit behind them too.
+        // A misread digit after them too.
         if let Some(b'O' | b'o' | b'l' | 0xEF) = text.get(at) {
             return None;
         }

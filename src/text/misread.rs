@@ -52,8 +52,8 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
     misread.then(|| Misread { address: address.to_ascii_uppercase(), plain, letter, len: at - start })
 }
 
-/// Whether an O or l inside a number can only be a digit: right behind its letter or its digits, with digits or the
-/// end of the word behind it and its like.
+/// Whether an O or l inside a number can only be a digit: right after its letter or its digits, with digits or the
+/// end of the word after it and its like.
 fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
     let alike = text[at..].iter().take(LONGEST).take_while(|byte| matches!(byte, b'O' | b'o' | b'l')).count();
     let next = text.get(at + alike).copied().unwrap_or(b' ');

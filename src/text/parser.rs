@@ -19,7 +19,7 @@ use crate::message::{Diagnostic, Fix, Message, Repair, Severity};
 use crate::source::Span;
 use crate::source::shift::Shift;
 
-/// Most faults of one block that are told; one mistake easily upsets the words behind it.
+/// Most faults of one block that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
 
 /// Reads a program block by block.
@@ -29,7 +29,7 @@ pub struct Parser<'a> {
     line: u32,
     /// A block was read that holds something.
     begun: bool,
-    /// The block to come stands behind a `;` on the same line.
+    /// The block to come stands after a `;` on the same line.
     after_semicolon: bool,
     ended: bool,
 }
@@ -91,7 +91,7 @@ impl<'a> Parser<'a> {
             self.take_as_comment(block);
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(self.lexer.text())) {
-            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message tells of the marks between them.
+            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message reports the marks between them.
             block.faults.truncate(1);
         }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
@@ -308,7 +308,7 @@ impl<'a> Parser<'a> {
         span: Span,
     ) {
         let (mut number, mut span) = (number, span);
-        // Behind `N10` a number is one that lost its letter.
+        // After `N10` a number is one that lost its letter.
         if letter != b'N' && self.blank_then_digit() {
             (number, span) = self.split_number(block, span);
         }
@@ -393,7 +393,7 @@ impl<'a> Parser<'a> {
         }
         let quote = short_quote(self.lexer.text(), span);
         if !self.has_digit(span) {
-            // A full stop behind a remark.
+            // A full stop after a remark.
             let message = Message::NotUnderstood { text: quote };
             block.fault(Diagnostic::new(message, span).graded(Severity::Warning));
             return;
@@ -436,7 +436,7 @@ impl<'a> Parser<'a> {
     }
 
     /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is read as it
-    /// was meant, so that what it switches on holds for the blocks behind it. False: the word that begins at byte
+    /// was meant, so that what it switches on holds for the blocks after it. False: the word that begins at byte
     /// `start` is no such word, and nothing is taken.
     #[inline]
     fn misread_word(&mut self, block: &mut Block, start: u32) -> bool {
@@ -491,7 +491,7 @@ impl<'a> Parser<'a> {
     fn percent(&mut self, block: &mut Block, span: Span) {
         if block.words.is_empty() && block.program.is_none() && block.sequence.is_none() {
             block.kind = BlockKind::Percent;
-            // What stands behind the sign on its line is the leader of the tape.
+            // What stands after the sign on its line is the leader of the tape.
             self.skip_line();
         } else if self.ends_tape() {
             self.skip_line();
@@ -501,7 +501,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether nothing but another program, or its sign, stands behind a percent sign: `M30%` as the last line of a file.
+    /// Whether nothing but another program, or its sign, stands after a percent sign: `M30%` as the last line of a file.
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
@@ -624,7 +624,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Text behind a `;` that does not read as words is a remark.
+    /// Text after a `;` that does not read as words is a remark.
     fn take_as_comment(&mut self, block: &mut Block) {
         let (text, span, line) = (self.lexer.text(), block.span, block.line);
         block.clear();

@@ -2,7 +2,7 @@
 //!
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
-/// The documents. The change log tells of the past, and only its commands and files are checked.
+/// The documents. The change log describes the past, and only its commands and files are checked.
 pub const DOCUMENTS: [&str; 15] = [
     "README.md",
     "ARCHITECTURE.md",

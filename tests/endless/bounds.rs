@@ -8,9 +8,9 @@ pub struct Bound {
     pub slug: &'static str,
     /// The setup that sets it.
     pub setup: String,
-    /// Is not told.
+    /// Is not reported.
     pub within: String,
-    /// Is told.
+    /// Is reported.
     pub beyond: String,
 }
 

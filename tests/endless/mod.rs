@@ -65,7 +65,7 @@ fn numbered(of: impl Fn(usize) -> String) -> String {
     text
 }
 
-/// Calls of a cycle behind its head until the text is about a megabyte.
+/// Calls of a cycle after its head until the text is about a megabyte.
 fn called(head: &str, call: &str) -> String {
     let mut text = head.to_owned();
     while text.len() < 1 << 20 {

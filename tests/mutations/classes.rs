@@ -9,7 +9,7 @@ use crate::text::{Word, Words};
 pub enum Place {
     /// It touches these bytes of the changed text.
     At(usize, usize),
-    /// The word behind this byte is missing: at the block it stood in, or at the first block that needs it.
+    /// The word after this byte is missing: at the block it stood in, or at the first block that needs it.
     Needed(usize, Need),
 }
 
@@ -448,7 +448,7 @@ fn unclosed_comment(words: &Words) -> Vec<Mutant> {
     made
 }
 
-/// The first digit, point or minus behind the letter as its full-width twin.
+/// The first digit, point or minus after the letter as its full-width twin.
 fn full_width(words: &Words) -> Vec<Mutant> {
     each(words, |words, word| {
         let written = words.written(word);

@@ -210,7 +210,7 @@ fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
 
 const HEAD: &str = "G21 G99 G97 S500 M03\n";
 
-/// A blade that roughs by plunges and is then led along all of the contour, hills and valleys, as some programming systems do.
+/// A grooving insert that roughs by plunges and is then led along all of the contour, hills and valleys, as some programming systems do.
 #[test]
 fn a_blade_led_along_a_contour_makes_the_contour() {
     let mut program = format!("{HEAD}(GROOVE2)\nT0101\nG00 X64 Z1\n");
@@ -221,7 +221,7 @@ fn a_blade_led_along_a_contour_makes_the_contour() {
     check(&program, "grooving", &[(-12.5, 45.0), (-17.0, 50.0), (-36.0, 24.0), (-45.0, 42.0)]);
 }
 
-/// The same tool plunges in cycles, then cuts the walls: a blade as wide as its comment says.
+/// The same tool plunges in cycles, then cuts the walls: a grooving insert as wide as its comment says.
 #[test]
 fn a_groove_is_finished_by_the_blade_that_made_it() {
     let program = format!(
@@ -273,7 +273,7 @@ fn words_give_measures() {
     assert_eq!(blade.tool.width, Some(2.0));
 }
 
-/// One tool that turns and parts off can only be a blade.
+/// One tool that turns and parts off can only be a grooving insert.
 #[test]
 fn parting_off_leaves_the_part() {
     let program = format!("{HEAD}T0101\nG00 X42 Z2\nX38\nG01 Z-45 F0.2\nX44\nG00 Z-40\nG01 X-1\nG00 X44\n");
@@ -342,7 +342,7 @@ fn a_groove_whose_corner_bulges_is_one_groove() {
     check(&program, "grooving", &[(-10.0, 50.0), (-20.0, 40.0)]);
 }
 
-/// A blade takes the material off in steps, each a plunge, and makes one groove; an insert finishes.
+/// A grooving insert takes the material off in steps, each a plunge, and makes one groove; an insert finishes.
 #[test]
 fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
     let mut program = format!("{HEAD}(GROOVE1)\nT0100\nG00 X64 Z1\n");

@@ -62,7 +62,7 @@ fn intervals(motions: &[(Motion, Reach)], stock: &Stock, z: f64) -> Vec<Interval
     let mut before: Option<Motion> = None;
     let mut taken = Vec::new();
     for (motion, reach) in motions {
-        // A thread that goes on where another ended goes on with the same turn of the spindle.
+        // A thread that goes on where another ended goes on with the same spindle revolution.
         let goes_on = before.is_some_and(|before| before.kind == MotionKind::Thread);
         let lead = motion.lead.filter(|_| motion.kind == MotionKind::Thread);
         turned = if goes_on && lead.is_some() { turned } else { 0.0 };

@@ -139,7 +139,7 @@ fn grooves_have_two_flanks_and_part_offs_a_bar() {
         "T0101\nG00 X40 Z30\nG01 Z8 F0.2\nX42\nT0303\nG00 X42 Z22\nG01 X30 F0.1\nG00 X42",
         "⌀42.0, 30 to -10.0: T01 turning C 95, T03 grooving outside",
     );
-    // Faced with the blade itself.
+    // Faced with the grooving insert itself.
     check(
         "T0303\nG00 X42 Z0\nG01 X-1 F0.1\nG00 X42\nZ-20\nG01 X30\nG00 X42",
         "⌀40.0, 0 to -30.0: T03 grooving outside",

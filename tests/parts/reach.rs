@@ -18,7 +18,7 @@ pub struct Reach {
     pub corners: Vec<(f64, f64)>,
     /// Centre (z, x) and radius.
     pub disc: Option<((f64, f64), f64)>,
-    /// Whether it cuts a notch for each turn of the spindle.
+    /// Whether it cuts a notch for each spindle revolution.
     pub threads: bool,
 }
 
@@ -59,12 +59,12 @@ impl Reach {
         Self { corners: corners.into_iter().map(turned).collect(), disc, threads: false }
     }
 
-    /// A blade from its left corner to `width`, outwards (`up` 1) or inwards (−1).
+    /// A grooving insert from its left corner to `width`, outwards (`up` 1) or inwards (−1).
     pub fn blade(width: f64, up: f64) -> Self {
         Self::new(vec![(0.0, 0.0), (width, 0.0), (width, 400.0 * up), (0.0, 400.0 * up)])
     }
 
-    /// A blade for the end face: it takes `width` outwards from its lower corner.
+    /// A grooving insert for the end face: it takes `width` outwards from its lower corner.
     pub fn face_blade(width: f64) -> Self {
         Self::new(vec![(0.0, 0.0), (400.0, 0.0), (400.0, width), (0.0, width)])
     }
@@ -97,7 +97,7 @@ impl Reach {
         ])
     }
 
-    /// Least and greatest Z.
+    /// Minimum and maximum Z.
     fn support(&self) -> Interval {
         let mut found = (f64::INFINITY, f64::NEG_INFINITY);
         for &(z, _) in &self.corners {
@@ -109,7 +109,7 @@ impl Reach {
         found
     }
 
-    /// Least and greatest X of it at a Z.
+    /// Minimum and maximum X of it at a Z.
     fn column(&self, z: f64) -> Interval {
         let mut found = (f64::INFINITY, f64::NEG_INFINITY);
         let mut add = |x: f64| found = (found.0.min(x), found.1.max(x));
@@ -193,7 +193,7 @@ impl Reach {
     }
 }
 
-/// Turns of the spindle in a thread.
+/// Spindle revolutions in a thread.
 pub fn turns(motion: &Motion, lead: f64) -> f64 {
     (motion.to.x - motion.from.x).abs().max((motion.to.z - motion.from.z).abs()) / lead
 }

@@ -48,7 +48,7 @@ fn a_nose_leaves_a_corner_round() {
     check(&part, -20.01, &[(0.0, 30.0)]);
 }
 
-/// A blade of 3 mm is set by its left corner: at Z-15 it takes Z-15 to Z-12.
+/// A grooving insert of 3 mm is set by its left corner: at Z-15 it takes Z-15 to Z-12.
 #[test]
 fn a_groove_is_as_wide_as_the_blade() {
     let part = part(0, "T0303\nG00 X32 Z-15\nG01 X20 F1\nG00 X32");
@@ -135,7 +135,7 @@ fn motions_are_shown_half_done() {
     let thread = at("M03 S100\nT0404\nG00 X28 Z4\nG32 Z-20 F2", 1, 0.5);
     check(&thread, -8.0, &[(0.0, 28.0)]);
     check(&thread, -10.0, &[(0.0, 30.0)]);
-    // From X20 Z-10 about X40 Z-10 to X40 Z-20: halfway the tip of the blade is at 20 − 10·cos 45° = 12.929 in radius and at Z
+    // From X20 Z-10 about X40 Z-10 to X40 Z-20: halfway, the tip of the insert is at 20 − 10·cos 45° = 12.929 in radius and at Z
     // −10 − 10·sin 45° = −17.071.
     let arc = "T0303\nG00 X20 Z-10\nG02 X40 Z-20 I10 K0 F1";
     check(&at(arc, 1, 0.5), -17.06, &[(0.0, 25.84)]);

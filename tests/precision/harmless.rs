@@ -1,10 +1,10 @@
-//! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that looks like it and is told.
+//! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that looks like it and is reported.
 
 use gcode_playground::analyze;
 use gcode_playground::message::{Message, Severity};
 use gcode_playground::setup::Setup;
 
-/// The slugs of what is told with at least this severity.
+/// The slugs of what is reported with at least this severity.
 fn told(setup: &str, text: &str, least: Severity) -> Vec<&'static str> {
     let analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("setup"));
     let grave = analysis.diagnostics.iter().filter(|told| told.severity >= least);
@@ -29,7 +29,7 @@ fn check_note(text: &str, slug: &str) {
     assert!(told("{}", text, Severity::Info).contains(&slug), "no {slug}\n{text}");
 }
 
-/// A turned part, then what comes behind it.
+/// A turned part, then what comes after it.
 fn behind_turning(rest: &str) -> String {
     format!(
         "O0001\nG21 G40 G99\nT0101\nG97 S900 M03\nG00 X28 Z2 M08\nG01 Z-40 F0.2\nX34\nG00 X150 Z150 M09\nM05\n{rest}"

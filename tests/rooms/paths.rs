@@ -26,7 +26,7 @@ impl Named {
         named
     }
 
-    /// Reads what begins at a token; returns the token behind it.
+    /// Reads what begins at a token; returns the token after it.
     fn read_item(&mut self, tokens: &[String], at: usize) -> usize {
         let is = |index: usize, text: &str| tokens.get(index).is_some_and(|token| token == text);
         if tokens[at..].starts_with(&["#", "[", "cfg", "(", "test", ")", "]"].map(str::to_owned)) {
@@ -65,7 +65,7 @@ impl Named {
     }
 }
 
-/// Reads a tree of a `use` item into names and paths; returns the token behind it.
+/// Reads a tree of a `use` item into names and paths; returns the token after it.
 fn read_tree(
     tokens: &[String],
     mut at: usize,
@@ -102,7 +102,7 @@ fn read_tree(
     at
 }
 
-/// The token behind the attributes that begin here.
+/// The token after the attributes that begin here.
 fn skip_attributes(tokens: &[String], mut at: usize) -> usize {
     while tokens.get(at).is_some_and(|token| token == "#") {
         at = skip_group(tokens, at + 1);
@@ -110,7 +110,7 @@ fn skip_attributes(tokens: &[String], mut at: usize) -> usize {
     at
 }
 
-/// The token behind an item: behind its `;` or its braces.
+/// The token after an item: after its `;` or its braces.
 fn skip_item(tokens: &[String], mut at: usize) -> usize {
     while let Some(token) = tokens.get(at) {
         match token.as_str() {
@@ -123,7 +123,7 @@ fn skip_item(tokens: &[String], mut at: usize) -> usize {
     at
 }
 
-/// The token behind a group that opens here.
+/// The token after a group that opens here.
 fn skip_group(tokens: &[String], mut at: usize) -> usize {
     let mut depth = 0;
     while let Some(token) = tokens.get(at) {

@@ -12,7 +12,7 @@ use crate::{browser, hostile};
 #[path = "../../benches/workload.rs"]
 mod workload;
 
-/// What `cargo xtask bench` was told.
+/// The arguments of `cargo xtask bench`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Only the playground and the floor are measured: no peer is installed.
@@ -77,7 +77,7 @@ fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Resu
     if !options.own {
         let mut npm = npm();
         npm.current_dir(&folder).args(["ci", "--no-audit", "--no-fund"]);
-        // A peer that is missing is told in the table.
+        // A peer that is missing is reported in the table.
         if let Err(problem) = step("installing the peers from npm", &mut npm) {
             run::say(problem);
         }

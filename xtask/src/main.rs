@@ -134,7 +134,7 @@ mod tests {
     use super::documents::DOCUMENTS;
     use super::*;
 
-    /// The commands of the documents, from code spans and blocks; what explains them stands two blanks behind.
+    /// The commands of the documents, from code spans and blocks; an explanation follows after two blanks.
     fn documented() -> Vec<String> {
         let mut found = Vec::new();
         for document in DOCUMENTS {

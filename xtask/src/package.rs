@@ -37,7 +37,7 @@ pub struct Module<'a> {
     pub folder: PathBuf,
     /// The profile of its Cargo.toml it is built with.
     pub profile: &'a str,
-    /// Its features, as cargo is told them.
+    /// Its features, as passed to cargo.
     pub features: &'a [&'a str],
     /// The folder cargo builds in.
     pub target: PathBuf,

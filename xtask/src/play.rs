@@ -16,7 +16,7 @@ const PORT: u16 = 8017;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
-/// What `cargo xtask play` was told.
+/// The arguments of `cargo xtask play`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Where to serve; if this port is taken, it is an error.

@@ -13,7 +13,7 @@ pub fn main() -> Result {
     let mut times = Vec::new();
     let mut done = |name: &'static str, time| times.push((name, time));
 
-    // What needs no set-up comes first: a slip in the format is told in a second.
+    // What needs no set-up comes first: a slip in the format is reported in a second.
     done("format", step("checking the format", command("cargo").args(["fmt", "--all", "--check"]))?);
     let mut clippy = command("cargo");
     clippy.args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);

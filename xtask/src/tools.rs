@@ -23,7 +23,7 @@ pub fn wasm_pack() -> Result<Option<PathBuf>> {
 }
 
 /// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` when those on PATH fit. Their version must be the
-/// very one of the crate in Cargo.lock: the two speak a private format.
+/// very one of the crate in Cargo.lock: the two use a private format.
 pub fn wasm_bindgen() -> Result<Option<PathBuf>> {
     let lock = run::root().join("Cargo.lock");
     let text =

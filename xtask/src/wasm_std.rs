@@ -115,7 +115,7 @@ fn build_once() -> Result<Toolchain> {
     run::quiet("linking it as the toolchain `debian`", link.args(["toolchain", "link", DEBIAN, "/usr"]))?;
     let scratch = Scratch::new()?;
     let libraries = build(&scratch.0)?;
-    let library = library_of(Toolchain::Debian).ok_or("Debian's rustc does not tell its library folder")?;
+    let library = library_of(Toolchain::Debian).ok_or("Debian's rustc does not report its library folder")?;
     install(&libraries, &library, &scratch.0)?;
     Ok(Toolchain::Debian)
 }
@@ -148,7 +148,7 @@ fn build(folder: &Path) -> Result<Vec<PathBuf>> {
 /// Puts the libraries where the compiler looks for them; the stamp comes last, so half an installation is none.
 fn install(libraries: &[PathBuf], folder: &Path, scratch: &Path) -> Result {
     let stamp = scratch.join(STAMP);
-    let version = version().ok_or("Debian's rustc does not tell its version")?;
+    let version = version().ok_or("Debian's rustc does not report its version")?;
     fs::write(&stamp, version).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
     let rights = |program| debian::privileged(program).ok_or("no right to write to the toolchain's folder");
     if folder.exists() {
@@ -197,7 +197,7 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // Left behind in the worst case: it is a folder for temporary files.
+        // Left over in the worst case: it is a folder for temporary files.
         let _ = fs::remove_dir_all(&self.0);
     }
 }

@@ -1,4 +1,4 @@
-//! The floor and the peers behind one door, for wasm and native alike.
+//! The floor and the peers behind one interface, for wasm and native alike.
 //!
 //! In: the bytes of a program and a name. Out: how many rows came of it, and the rows themselves, so that dropping them
 //! is not measured.

@@ -68,7 +68,7 @@ pub struct GCode {
     function: Function,
     /// What it asks for.
     pub code: G,
-    /// Two codes of one group exclude each other.
+    /// Two codes of one group cannot be in force together.
     pub group: Group,
     /// Ten times its number in each list.
     keys: [u16; CodeList::ALL.len()],
@@ -155,7 +155,7 @@ const G_CODES: &[GCode] = &[
     hole(Function::SideDrilling, Hole::G87),
     hole(Function::SideTapping, Hole::G88),
     hole(Function::SideBoring, Hole::G89),
-    // Level the tool returns to behind a hole: the initial one is taken.
+    // Level the tool returns to after a hole: the initial one is taken.
     not_in_a(980, Function::HoleReturn, G::HoleReturn(HoleReturn::Initial), 11),
     not_in_a(990, Function::HoleReturn, G::HoleReturn(HoleReturn::RPoint), 11),
     same(400, Function::CompensationOff, G::Compensation(Compensation::Off), 7),

@@ -40,7 +40,7 @@ impl Side {
 pub struct Nose {
     /// Nose radius, or cutter radius, mm; not negative.
     pub radius: f64,
-    /// Imaginary tip number, 0 to 9 (§4.1); other numbers count as 0.
+    /// Tool-tip direction, 0 to 9; other numbers count as 0.
     pub tip: u8,
 }
 

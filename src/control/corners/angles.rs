@@ -1,7 +1,7 @@
 //! End points from angle words, and where two lines given by angles meet (§3.2.2).
 //!
 //! Angles are in radians, counter-clockwise from +Z with X up. An angle gives a *line*, not a way along it:
-//! `A30` and `A210` are the same, since the end point tells the way. (Programs write `X-21.75,A30` and
+//! `A30` and `A210` are the same, since the end point gives the direction. (Programs write `X-21.75,A30` and
 //! `X109.83 A-30` for tapers that run towards -Z.)
 
 use super::{ANGLE_ALLOWANCE, Fault};

@@ -163,7 +163,7 @@ fn a_used_up_arc_is_not_read_as_a_full_circle() {
     // 5 is the greatest radius between the line and the hollow: it touches at the end of the quarter circle.
     let joined = join(&along_z(), &hollow(), Corner::Round(5.0)).unwrap();
     assert_eq!(joined.second, line(at(0.0, -10.0), at(0.0, -10.0)));
-    // A chamfer from end to end but for less than two places are told apart by.
+    // A chamfer from end to end, but for less than the tolerance between two places.
     let reach = 10.0 * 2_f64.sqrt();
     let joined = join(&along_z(), &hollow(), Corner::Chamfer(reach - 0.5 * SAME)).unwrap();
     assert_eq!(joined.second, line(at(0.0, -10.0), at(0.0, -10.0)));

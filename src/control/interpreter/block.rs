@@ -58,7 +58,7 @@ impl Interpreter {
         self.words_of(text, block, here)
     }
 
-    /// A block of which only the first words are known: they count, but nothing more is told of it, nor that what the
+    /// A block of which only the first words are known: they count, but nothing more is reported for it, nor that what the
     /// rest may have set is missing.
     #[cold]
     fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
@@ -132,7 +132,7 @@ impl Interpreter {
         match (self.jump.take(), request.passage) {
             _ if request.end || self.full => Flow::End,
             (Some(at), _) => Flow::Jump(at),
-            // A call in a contour was told already.
+            // A call in a contour was reported already.
             (None, _) if self.recorded.is_some() => Flow::Next,
             (None, Some(passage)) => self.pass(text, block, &words, passage, here),
             (None, None) => match request.macro_call {

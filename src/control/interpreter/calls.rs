@@ -11,7 +11,7 @@ use crate::control::program::program_and_repeats;
 pub struct Here {
     /// Its own beginning.
     pub at: Resume,
-    /// The beginning of the block behind it.
+    /// The beginning of the block after it.
     pub next: Resume,
 }
 

@@ -18,9 +18,9 @@ pub(super) struct Shape {
     pub first_span: Span,
     /// The first byte of block ns.
     pub begins: u32,
-    /// Where the program goes on behind nf.
+    /// Where the program goes on after nf.
     pub ends: Resume,
-    /// The state of the control behind nf.
+    /// The state of the control after nf.
     pub state: State,
 }
 
@@ -52,9 +52,9 @@ pub(super) enum Purpose {
 
 /// Why a shape could not be read.
 enum Unread {
-    /// It was told what is wrong; nf ends there.
+    /// The error was reported; nf ends there.
     Told(Resume),
-    /// It was told that another operation lies in between.
+    /// It was reported that another operation lies in between.
     OtherOperation,
     /// nf was not found.
     NotFound,
@@ -63,16 +63,16 @@ enum Unread {
 /// Whether a block may stand in a contour.
 enum Stands {
     Well,
-    /// It was told that it is passed over.
+    /// It was reported that it is ignored.
     Skipped,
-    /// It was told that it may not.
+    /// It was reported that it may not.
     Not,
     /// It begins another cycle, by this word.
     OtherOperation(String),
 }
 
 impl Interpreter {
-    /// Reads the shape that P and Q name. `None`: it was told what is wrong; the program goes on behind nf if
+    /// Reads the shape that P and Q name. `None`: the error was reported; the program goes on after nf if
     /// that was found.
     pub(super) fn shape(
         &mut self,
@@ -136,7 +136,7 @@ impl Interpreter {
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         }
-        // A number that is searched for and stands twice within its contour.
+        // A number that is searched for and appears twice within its contour.
         for (address, number) in [(b'P', first), (b'Q', last)] {
             let again = self.labels(text).find(number, begins.byte.max(block.span.start));
             let other = again.filter(|again| again.byte > begins.byte);
@@ -156,7 +156,7 @@ impl Interpreter {
         let outer_purpose = self.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
         if purpose == Purpose::Roughing && no_feed {
-            // The F of the contour does not count; its lack is told of the cycle, not of each of these blocks.
+            // The F of the contour does not count; its lack is reported for the cycle, not for each of these blocks.
             self.state.feed = Some(1.0);
         }
         let noted = self.for_finishing.len();
@@ -302,7 +302,7 @@ impl Interpreter {
         Err(Unread::NotFound)
     }
 
-    /// The last block is read: nothing may wait for a further move. False: told.
+    /// The last block is read: nothing may wait for a further move. False: reported.
     fn end_shape(&mut self) -> bool {
         let waits = self.state.pending.take().and_then(|pending| {
             let angle = pending.angle.map(|angle| (angle.word, angle.span, "PS0326"));
@@ -319,7 +319,7 @@ impl Interpreter {
         }
     }
 
-    /// The program goes on behind a contour that stands behind its cycle block; one that stands before it has
+    /// The program goes on after a contour that stands after its cycle block; one that stands before it has
     /// been run already (GSK980TDb p. 102).
     pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
         if begins > block.span.start {
@@ -352,8 +352,8 @@ impl Interpreter {
         first
     }
 
-    /// Only moves may stand in a contour (alarm PS0325). A retreat or setting in between is passed
-    /// over unless the control is strict: many programs name the block behind the contour as its last.
+    /// Only moves may stand in a contour (alarm PS0325). A retract or setting in between is
+    /// ignored unless the control is strict: many programs name the block after the contour as its last.
     fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> Stands {
         let skips = !self.dialect.strict;
         for word in &block.words {
@@ -427,7 +427,7 @@ impl Shape {
     }
 }
 
-/// A sequence number for the block that begins a contour, behind byte `from`, or for the one that ends it: the last before the
+/// A sequence number for the block that begins a contour, after byte `from`, or for the one that ends it: the last before the
 /// tool leaves, another cycle or another tool.
 fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
     /// A contour of more blocks is not searched.

@@ -54,7 +54,7 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Path]));
     }
 
-    /// A program that is not there, or a jump that leads nowhere: nothing is told of what it may have set.
+    /// A program that is not there, or a jump that leads nowhere: nothing is reported for what it may have set.
     #[cold]
     pub(super) fn lose_program(&mut self) {
         self.lose(BY_A_PROGRAM);

@@ -34,7 +34,7 @@ impl Interpreter {
         });
     }
 
-    /// Whether a one-shot code may stand while a hole cycle is in force (PS0044, PS0327). False: told.
+    /// Whether a one-shot code may stand while a hole cycle is in force (PS0044, PS0327). False: reported.
     #[inline(never)]
     pub(super) fn may_stand_with_hole(&mut self, text: &[u8], block: &Block, one_shot: OneShot) -> bool {
         let alarm = match one_shot {

@@ -11,7 +11,7 @@ use crate::control::macros::{self, Knowledge};
 use crate::text::parser::Parser;
 
 impl Interpreter {
-    /// A vacant variable is read that may stand for an argument: told, if the main program is the body of a macro.
+    /// A vacant variable is read that may stand for an argument: reported, if the main program is the body of a macro.
     #[cold]
     pub(super) fn miss_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
         let is_own = self.state.variables.level() == 0 && !self.state.variables.lacks_arguments();
@@ -55,7 +55,7 @@ impl Interpreter {
         }
     }
 
-    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the program goes on behind it.
+    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the program goes on after it.
     #[cold]
     pub(super) fn unknown_statement(
         &mut self,
@@ -74,7 +74,7 @@ impl Interpreter {
     }
 }
 
-/// What stands behind the condition of IF, or all of another statement.
+/// What stands after the condition of IF, or all of another statement.
 fn behind_condition(statement: &[u8]) -> &[u8] {
     let statement = statement.trim_ascii_start();
     if !statement.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"IF")) {

@@ -180,7 +180,7 @@ impl Interpreter {
         Flow::Next
     }
 
-    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so one was told to stand in itself.
+    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so such a loop was reported as nested in itself.
     fn open_loop(&mut self, own: Loop) {
         let loops = self.state.course.loops();
         if loops.len() < LOOPS {
@@ -198,7 +198,7 @@ impl Interpreter {
     /// END: back to the beginning of the loop.
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
-            // The END of a DO that was told to have none: its number is wrong.
+            // The END of a DO that was reported to be missing: its number is wrong.
             if !self.lacks_end {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
                 self.lose_program();
@@ -217,7 +217,7 @@ impl Interpreter {
         if self.count_round(block) { Flow::Jump(head) } else { Flow::End }
     }
 
-    /// The block behind the END of a loop that begins here (PS0124 where there is none). `None`: told.
+    /// The block after the END of a loop that begins here (PS0124 where there is none). `None`: reported.
     pub(super) fn behind_end(
         &mut self,
         text: &[u8],
@@ -233,7 +233,7 @@ impl Interpreter {
         found
     }
 
-    /// The block behind the END of a loop that begins here, looked for once. The loops met on the way need no search
+    /// The block after the END of a loop that begins here, looked for once. The loops met on the way need no search
     /// of their own.
     fn end_of_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
         if let Some(found) = self.ends.get(&here.at.byte) {
@@ -287,7 +287,7 @@ impl Interpreter {
         self.evaluated_words(text, block, own, here)
     }
 
-    /// Carries out a block whose expressions came to these values; `None`: they have none, which was told.
+    /// Carries out a block whose expressions came to these values; `None`: they have none, which was reported.
     fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
         match own {
             Some(own) => {
@@ -312,7 +312,7 @@ impl Interpreter {
         }
     }
 
-    /// The block with its values in place of expressions; words with a vacant variable are left out. `None`: told.
+    /// The block with its values in place of expressions; words with a vacant variable are left out. `None`: reported.
     #[cold]
     pub(super) fn evaluated(&mut self, text: &[u8], block: &Block) -> Option<Block> {
         let mut own = block.clone();
@@ -341,7 +341,7 @@ impl Interpreter {
         Some(own)
     }
 
-    /// The value of a word's expression, rounded to some places if they are given. The outer `None`: told.
+    /// The value of a word's expression, rounded to some places if they are given. The outer `None`: reported.
     fn value_of(
         &mut self,
         text: &[u8],
@@ -397,7 +397,7 @@ impl Interpreter {
         }
     }
 
-    /// G65: a call with arguments. G66: the same behind every block with a move, until G67.
+    /// G65: a call with arguments. G66: the same after every block with a move, until G67.
     #[inline(never)]
     pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         let value = |word: &&Word| plain(word);
@@ -440,7 +440,7 @@ impl Interpreter {
         }
     }
 
-    /// Calls the macro of G66 behind a block that moved.
+    /// Calls the macro of G66 after a block that moved.
     #[inline(never)]
     pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
         let modal = self.state.course.modal.clone()?;
@@ -464,7 +464,7 @@ impl Interpreter {
         }
         let flow = self.call(block, CallKind::Macro, head, back, rounds);
         if matches!(flow, Flow::Jump(_)) {
-            // Deeper than the control allows was told by the call.
+            // Deeper than the control allows was reported by the call.
             self.state.variables.push_level(arguments);
         }
         flow
@@ -499,7 +499,7 @@ pub(super) fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
     Some((Mark::Do, number(&statement[at + 2..])?))
 }
 
-/// What a statement or expression with a fault at `span` was likely meant to be: a jump to a number that is written out,
+/// What a statement or expression with a fault at `span` was likely meant to be: a jump to a literal number,
 /// a comparison by its letters, square brackets in place of round ones.
 fn repair(text: &[u8], kind: FaultKind, within: Span, span: Span) -> Option<Fix> {
     const SIGNS: [(&str, &str); 7] =

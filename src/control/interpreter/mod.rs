@@ -174,7 +174,7 @@ struct Request {
     maker_m: bool,
     /// M97, M98, M99.
     passage: Option<Passage>,
-    /// G65 or G66: the words behind it are arguments.
+    /// G65 or G66: the words after it are arguments.
     macro_call: Option<MacroCall>,
     /// A hole cycle stands in the block.
     hole: Option<codes::Hole>,
@@ -210,9 +210,9 @@ pub struct Interpreter {
     /// Finished chunks.
     motions: Motions,
     chunk: Chunk,
-    /// A block before the chunk could not be carried out; `state.incomplete` tells of those since.
+    /// A block before the chunk could not be carried out; `state.incomplete` lists those since.
     incomplete: bool,
-    /// In the order in which they were told.
+    /// In the order in which they were reported.
     diagnostics: Vec<Diagnostic>,
     hidden: usize,
     full: bool,
@@ -224,7 +224,7 @@ pub struct Interpreter {
     purpose: Option<contours::Purpose>,
     /// Sequence numbers, made when first asked for.
     labels: Option<Labels>,
-    /// Where loops go on behind their END, by the first byte of their DO; found when first asked for.
+    /// Where loops go on after their END, by the first byte of their DO; found when first asked for.
     ends: BTreeMap<u32, Option<Resume>>,
     /// One of them has no END.
     lacks_end: bool,
@@ -234,7 +234,7 @@ pub struct Interpreter {
     roughed: Vec<Roughed>,
     /// P and Q of the cycles that were to rough a contour, whether they could or not.
     asked_to_rough: Vec<(u32, u32)>,
-    /// Words of contours that roughing passes over, with P and Q of the contour: G70 may use them yet.
+    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
     for_finishing: Vec<((u32, u32), Diagnostic)>,
     /// Where the program goes on after the block.
     jump: Option<Resume>,
@@ -262,13 +262,13 @@ pub struct Interpreter {
     fault: Option<Span>,
     /// A block was not carried out since this was last looked at.
     refused: bool,
-    /// Nothing is told of the block under way any more.
+    /// Nothing is reported for the block under way any more.
     muted: bool,
     /// A value of the block under way comes from a variable that nobody knows.
     guessing: bool,
     /// Whether the main program is the body of a macro; found when first asked for.
     is_macro_body: Option<bool>,
-    /// Messages told, in order of place and name: what runs again is not told again.
+    /// Messages reported, in order of place and name: what runs again is not reported again.
     told: Vec<(u32, &'static str)>,
 }
 
@@ -342,7 +342,7 @@ impl Interpreter {
         &self.motions
     }
 
-    /// Messages so far, in the order in which they were told.
+    /// Messages so far, in the order in which they were reported.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
@@ -380,7 +380,7 @@ impl Interpreter {
         self.motions
     }
 
-    /// Tells the user something, unless it was told of the same place before.
+    /// Reports something to the user, unless it was reported for the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
         // One fault, one message: what is said of a whole block with a misspelt word is mostly its consequence.
         let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
@@ -390,7 +390,7 @@ impl Interpreter {
         // What is off takes no room from the rest.
         let Some(diagnostic) = self.setup.rules.graded(diagnostic.in_unit(self.state.unit)) else { return };
         if self.diagnostics.len() >= self.setup.limits.messages {
-            // Which of them were told before is not kept any more.
+            // Which of them were reported before is not kept any more.
             self.hidden += usize::from(!self.wandered);
             return;
         }
@@ -403,13 +403,13 @@ impl Interpreter {
         room && self.told.binary_search(&told_as(diagnostic)).is_err()
     }
 
-    /// What is told of the setup: many faults of one kind have no other place than the beginning of the text.
+    /// What is reported for the setup: many faults of one kind have no other place than the beginning of the text.
     pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
         let graded = self.setup.rules.graded(diagnostic);
         self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.setup.limits.messages));
     }
 
-    /// Tells, even when no more messages are kept: why the run ends.
+    /// Reports, even when no more messages are kept: why the run ends.
     pub fn tell_always(&mut self, diagnostic: Diagnostic) {
         let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
         let known = told_as(&diagnostic);
@@ -433,7 +433,7 @@ impl Interpreter {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    /// Tells that a word is recognised and not carried out here.
+    /// Reports that a word is recognised and not carried out here.
     fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
         self.tell(Diagnostic::new(Message::NotSupported { what }, span));
@@ -495,7 +495,7 @@ impl Interpreter {
         self.wandered
     }
 
-    /// Tells what is wrong with the writing of a block that is not run.
+    /// Reports what is wrong with the writing of a block that is not run.
     pub fn tell_faults(&mut self, block: &Block) {
         self.fault = None;
         for fault in &block.faults {
@@ -505,7 +505,7 @@ impl Interpreter {
     }
 }
 
-/// How a message is told from others.
+/// What distinguishes a message from others.
 fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
     (diagnostic.span.start, diagnostic.message.slug())
 }

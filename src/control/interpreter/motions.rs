@@ -63,7 +63,7 @@ impl Interpreter {
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
-    /// Y and V: at Y0 they change nothing. Elsewhere it is told once, and the motion of X and Z is drawn as an uncertain one.
+    /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is drawn as an uncertain one.
     #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
         let reading = self.reading();
@@ -336,7 +336,7 @@ impl Interpreter {
                 let motion = Motion { center: Some(center), ..self.motion(kind, to) };
                 self.travel(block, motion, joint);
             }
-            // It goes along Y, which was told.
+            // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) => {}
             Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
             Err(fault) => {

@@ -29,7 +29,7 @@ impl Interpreter {
         cycle: Multiple,
     ) {
         if self.recorded.is_some() {
-            // Told already: no cycle may stand in a contour.
+            // Reported already: no cycle may stand in a contour.
             request.drop = true;
             return;
         }
@@ -81,7 +81,7 @@ impl Interpreter {
         let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
         let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
         let message = match roughed {
-            // A cycle that could not run was told.
+            // A cycle that could not run was reported.
             None if self.asked_to_rough.contains(&own.named) => return,
             None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
             Some(other) if other.start.distance(own.start) > 0.001 && !clears(own.start, other, shape) => {
@@ -158,7 +158,7 @@ impl Interpreter {
         self.go_on_behind(block, shape.begins, shape.ends);
         let Some(depth) = self.state.parameters.depth.filter(|&depth| depth > 0.0) else {
             let depth = self.state.parameters.depth;
-            // A depth that is wrong in the first block was told there.
+            // A depth that is wrong in the first block was reported there.
             if let Some(word) = words.get(b'D') {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
                 let message = depth.map_or(Message::DepthMissing { code }, |depth| {
@@ -233,7 +233,7 @@ impl Interpreter {
         }
         let most = self.moves_left();
         let mut how = *how;
-        // GSK runs along the contour behind its pockets only when asked to (TAC p. 100).
+        // GSK runs along the contour after its pockets only when asked to (GSK980TDb p. 100).
         if pockets && self.dialect.control == Control::Gsk && words.get(b'J').and_then(plain) != Some(1.0) {
             how.last_pass = roughing::LastPass::Nothing;
         }
@@ -266,7 +266,7 @@ impl Interpreter {
             self.refuse_long_cycle(block, code, most, most);
             return None;
         };
-        // At the block of the contour, which is where it can be mended.
+        // At the block of the contour, which is where it can be fixed.
         let place = match fault {
             roughing::Fault::NotMonotoneAlong { piece }
             | roughing::Fault::NotMonotoneAcross { piece }
@@ -322,7 +322,7 @@ impl Interpreter {
             let old = parameters.pattern_passes.filter(|&passes| passes >= 1.0);
             parameters.pattern_passes = words.get(b'R').and_then(plain).or(old);
             let passes = self.pattern_passes(words, b'R');
-            // What is missing is told here, and not again of the second block.
+            // What is missing is reported here, and not again for the second block.
             self.state.parameters.pattern_passes.get_or_insert(0.0);
             return passes.map(|_| ());
         }

@@ -44,7 +44,7 @@ impl Interpreter {
     pub(super) fn emit(&mut self, mut routed: Routed) {
         if let Some(kind) = routed.stop {
             let stop = Stop { kind, span: routed.span, line: routed.line };
-            // Of several stops at one place the one that is never passed over counts.
+            // Of several stops at one place the one that cannot be skipped counts.
             let own = &mut self.state.stop;
             if own.is_none_or(|before| before.kind == StopKind::Optional) {
                 *own = Some(stop);
@@ -95,7 +95,7 @@ impl Interpreter {
             self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
             return;
         }
-        // A block behind that of a motion that waited may have failed.
+        // A block after that of a motion that waited may have failed.
         routed.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
             self.chunk.stop(&stop);

@@ -97,7 +97,7 @@ impl Interpreter {
         self.state.pending = Some(Pending { routed, joint, angle: Some(angle), before, dwells: Vec::new() });
     }
 
-    /// Closes an open angle with the end point and angle of the next block. False: told.
+    /// Closes an open angle with the end point and angle of the next block. False: reported.
     #[inline(never)]
     pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let Some(pending) = &mut self.state.pending else { return true };
@@ -131,7 +131,7 @@ impl Interpreter {
         }
     }
 
-    /// Joins a waiting move to the next one, which it may shorten at its start. False: told; the waiting move is
+    /// Joins a waiting move to the next one, which it may shorten at its start. False: reported; the waiting move is
     /// dropped.
     fn join(&mut self, pending: Pending, next: &mut Routed) -> bool {
         let first = piece(&pending.routed.motion);
@@ -333,7 +333,7 @@ impl Interpreter {
                     };
                     self.tell(Diagnostic::new(message, routed.words));
                     self.left_out();
-                    // The move behind begins elsewhere.
+                    // The next move begins elsewhere.
                     match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
                         Some((_, later)) => later.motion.process.uncertain = true,
                         None => self.lose_path(),
@@ -386,7 +386,7 @@ impl Interpreter {
         self.flush_compensation();
     }
 
-    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing is told of
+    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing is reported for
     /// it. One fault, one message.
     #[cold]
     pub(super) fn forget_next_move(&mut self) {

@@ -108,7 +108,7 @@ impl Interpreter {
         None
     }
 
-    /// Width of the blade of the tool in force, mm, if the setup names one.
+    /// Width of the grooving insert of the tool in force, mm, if the setup names one.
     pub(super) fn blade_width(&self) -> Option<f64> {
         let (station, offset) = self.state.tool;
         self.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.width)

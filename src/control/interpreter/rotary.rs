@@ -64,7 +64,7 @@ impl Interpreter {
             return;
         }
         if switch == Switch::Off && self.state.virtual_plane.is_none() {
-            // What kept it from being switched on was told.
+            // What kept it from being switched on was reported.
             return;
         }
         if self.compensates_at(block, code) {
@@ -81,7 +81,7 @@ impl Interpreter {
         }
     }
 
-    /// Whether compensation is on where a virtual plane begins or ends; told.
+    /// Whether compensation is on where a virtual plane begins or ends; reported.
     fn compensates_at(&mut self, block: &Block, code: &'static str) -> bool {
         let compensates = self.state.compensation != Compensation::Off;
         if compensates {
@@ -103,7 +103,7 @@ impl Interpreter {
             return;
         };
         if radius == 0.0 && self.state.virtual_plane.is_none() {
-            // What kept it from being switched on was told.
+            // What kept it from being switched on was reported.
             return;
         }
         if self.compensates_at(block, "G07.1") {
@@ -160,7 +160,7 @@ impl Interpreter {
         }
     }
 
-    /// Checks before a move in the virtual plane. False: told.
+    /// Checks before a move in the virtual plane. False: reported.
     pub(super) fn may_move_in_plane(&mut self, text: &[u8], block: &Block, words: &Words) -> bool {
         let Some(plane) = self.state.virtual_plane else { return true };
         if !matches!(self.state.motion, MotionMode::Line | MotionMode::Arc(_)) {
@@ -220,7 +220,7 @@ impl Interpreter {
     /// A live tool should turn where the spindle only positions; which M code starts it depends on the machine.
     pub(super) fn watch_live_tool(&mut self, block: &Block) {
         if !self.state.spindle.live_tool && !self.state.unknown_m && self.state.told.first(Once::LiveTool) {
-            // It is told of the live tool, not of the spindle as well.
+            // It is reported for the live tool, not for the spindle as well.
             self.state.told.first(Once::SpindleStopped);
             self.tell(Diagnostic::new(Message::LiveToolStopped, block.words_span()));
         }

@@ -87,7 +87,7 @@ impl Interpreter {
         }
     }
 
-    /// Speed of the spindle with the tip at a radius, mm, turns a minute; no faster than the machine turns. `None` at the
+    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at the
     /// axis without a limit.
     pub(super) fn spindle_speed(&self, radius: f64) -> Option<f64> {
         let (speed, most) = (self.state.spindle.speed_at(radius), self.setup.machine.max_speed);

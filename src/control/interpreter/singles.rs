@@ -74,7 +74,7 @@ impl Interpreter {
         let memory = self.state.memory;
         let end = Point::new(memory.x.from(start.x), memory.z.from(start.z));
         if end.is_same(start) && memory.taper == 0.0 {
-            // `U0 W0` behind a header with G90: nothing to cut.
+            // `U0 W0` after a header with G90: nothing to cut.
             return;
         }
         if let Some(span) = self.state.g90_alone.take()

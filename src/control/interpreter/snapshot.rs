@@ -6,7 +6,7 @@
 use super::*;
 use crate::source::shift::Shift;
 
-/// The control between two blocks on the straight way through the text. What came before it depends on nothing behind.
+/// The control between two blocks on the straight way through the text. What came before it does not depend on what comes after.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     /// The block to come.
@@ -14,7 +14,7 @@ pub struct Snapshot {
     state: State,
     /// Chunks of motions before it.
     chunks: usize,
-    /// Messages told before it.
+    /// Messages reported before it.
     told: usize,
     /// Messages before it that were not kept.
     hidden: usize,
@@ -32,14 +32,14 @@ impl Snapshot {
     }
 }
 
-/// What a run that has ended gave behind one of its snapshots.
+/// What a run that has ended gave after one of its snapshots.
 #[derive(Clone, Debug)]
 pub struct Remainder {
-    /// The snapshots behind which it begins, the first one included; in order.
+    /// The snapshots after which it begins, the first one included; in order.
     snapshots: Vec<Snapshot>,
-    /// The motions behind the first.
+    /// The motions after the first.
     motions: Motions,
-    /// The messages behind the first, in the order in which they were told.
+    /// The messages after the first, in the order in which they were reported.
     diagnostics: Vec<Diagnostic>,
     /// Messages of the whole run that were not kept.
     hidden: usize,
@@ -102,7 +102,7 @@ impl Interpreter {
         }
     }
 
-    /// Goes back to a snapshot of the same run, as if nothing behind it had been carried out.
+    /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         let Snapshot { at, state, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
         let mut motions = std::mem::take(&mut self.motions);
@@ -127,7 +127,7 @@ impl Interpreter {
         self.begin_chunk(*at);
     }
 
-    /// Takes out what came behind the first of some snapshots of this run, which has ended.
+    /// Takes out what came after the first of some snapshots of this run, which has ended.
     pub fn take_remainder(&mut self, snapshots: Vec<Snapshot>) -> Option<Remainder> {
         let first = snapshots.first()?;
         Some(Remainder {
@@ -162,8 +162,8 @@ impl Interpreter {
         self.state.goes_on_like(&state)
     }
 
-    /// Takes over what another run gave behind its snapshot `index`, which this run has just met. The snapshots of that
-    /// run behind it are those of this run from here on. As many messages are hidden here as there.
+    /// Takes over what another run gave after its snapshot `index`, which this run has just met. The snapshots of that
+    /// run after it are those of this run from here on. As many messages are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
         let (chunks_out, told_out) = (snapshots[0].chunks, snapshots[0].told);

@@ -1,4 +1,4 @@
-//! System variables (#1000 and up): what a program can ask of the control and tell it.
+//! System variables (#1000 and up): what a program can read from the control and write to it.
 //!
 //! In: numbers of variables. Out: values as a program writes them: X a diameter, lengths in the program's unit.
 
@@ -20,7 +20,7 @@ enum System {
     Frame(u16, u32),
     /// A column of the offset table.
     Offset(u16, Column),
-    /// A number that is kept: counters, switches, and what the machine maker's interface is told.
+    /// A number that is kept: counters, switches, and what the machine maker's interface receives.
     Kept,
 }
 
@@ -84,7 +84,7 @@ impl System {
 }
 
 impl Interpreter {
-    /// Reads a system variable; one that is not known here is vacant, and told once.
+    /// Reads a system variable; one that is not known here is vacant, and reported once.
     pub(super) fn read_system(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let unit = self.state.unit.millimetres();
         let coordinate = |place: Point, axis: u32| match axis {
@@ -128,7 +128,7 @@ impl Interpreter {
         })
     }
 
-    /// Writes a system variable; one that is not known here is told once and passed over.
+    /// Writes a system variable; one that is not known here is reported once and ignored.
     pub(super) fn write_system(&mut self, block: &Block, variable: u32, value: Option<f64>) {
         let unit = self.state.unit.millimetres();
         let value = value.unwrap_or(0.0);

@@ -12,7 +12,7 @@ const CHUCK_CLOSE: u64 = 68;
 const CHUCK_OPEN: u64 = 69;
 
 impl Interpreter {
-    /// The chuck opens or closes. While the spindle stands still, moves at feed hold or pull the bar.
+    /// The chuck opens or closes. With the spindle stopped, moves at feed hold or pull the bar.
     fn chuck_moves(&mut self, number: u64) {
         if self.state.spindle.turn != SpindleTurn::Stopped {
             return;
@@ -124,7 +124,7 @@ impl Interpreter {
             }
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
-            // Roughing cycles pass over compensation in their contour (GSK980TDb p. 102).
+            // Roughing cycles ignore compensation in their contour (GSK980TDb p. 102).
             G::Compensation(_) if self.purpose == Some(contours::Purpose::Roughing) => {}
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;

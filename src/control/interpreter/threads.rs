@@ -48,7 +48,7 @@ impl Interpreter {
         };
         let gsk = self.dialect.control == Control::Gsk;
         if !gsk && !one_block && !THREAD_ANGLES.contains(&angle) {
-            // Told at the first block.
+            // Reported at the first block.
             return None;
         }
         let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);

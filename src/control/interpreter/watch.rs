@@ -48,7 +48,7 @@ impl Interpreter {
         } else if self.state.feed_is_old {
             self.state.feed_is_old = false;
             if self.state.feed_use == FeedUse::Thread {
-                // The unit was changed: it is told of that, not of the lead as well.
+                // The unit was changed: that is reported, not the lead as well.
                 self.state.feed_use = FeedUse::Open;
             }
             let message = match self.state.feed_mode {
@@ -69,7 +69,7 @@ impl Interpreter {
         true
     }
 
-    /// A cut before any F. Fresh from power-on a control stops there with PS0011; else it cuts with the F of the
+    /// A cut before any F. After power-up a control stops there with PS0011; else it cuts with the F of the
     /// program before. The block is left out as after an error; later ones go on, for it is the same fault.
     #[cold]
     pub(super) fn without_feed(&mut self, block: &Block, request: &mut Request) -> bool {
@@ -313,7 +313,7 @@ impl Interpreter {
         any_number || words.get(b'Q').is_none_or(|word| self.is_whole(text, word))
     }
 
-    /// Whether a word is written without a point, as its address demands here (PS0007). False: told.
+    /// Whether a word is written without a point, as its address demands here (PS0007). False: reported.
     pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
         let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
         if !whole {
@@ -347,7 +347,7 @@ fn stays(words: &Words) -> bool {
         && [b'U', b'W'].into_iter().all(|address| words.get(address).is_none() || idle(address))
 }
 
-/// `P10.` as `P10`; nothing where digits stand behind the point.
+/// `P10.` as `P10`; nothing where digits stand after the point.
 fn without_point(text: &[u8], word: &Word) -> Option<Fix> {
     let Value::Number { number, .. } = word.value else { return None };
     let written = quote(text, word.span);

@@ -189,7 +189,7 @@ impl<'t> Cursor<'t> {
         false
     }
 
-    /// What stands in the comment behind what was taken last; empty when there is none.
+    /// What stands in the comment after what was taken last; empty when there is none.
     pub fn comment(&self) -> Range<usize> {
         let blanks = self.text[self.end..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         let start = self.end + blanks;

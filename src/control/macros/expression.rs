@@ -22,7 +22,7 @@ use super::functions::{self, Function};
 use super::{Fault, FaultKind, Memory};
 use crate::limits::BRACKETS;
 
-/// The value behind an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
+/// The value after an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
 /// the least increment of the address, in its own unit, to which ROUND rounds here.
 pub fn address_value(text: &[u8], increment: f64, memory: &mut impl Memory) -> Result<Option<f64>, Fault> {
     let mut evaluator = Evaluator::new(text, memory);
@@ -83,7 +83,7 @@ enum Rounding {
     Increment(f64),
 }
 
-/// Whether a sum stands behind a comparison, so that AND, OR and XOR may begin the next condition.
+/// Whether a sum stands after a comparison, so that AND, OR and XOR may begin the next condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Behind {
     Nothing,
@@ -126,7 +126,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// A number, as it stands behind `=`.
+    /// A number, as it stands after `=`.
     pub fn sum(&mut self) -> Result<Value, Fault> {
         self.sum_behind(Behind::Nothing)
     }
@@ -224,7 +224,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    /// Takes the operator behind a value if it is one of this priority and does not join conditions.
+    /// Takes the operator after a value if it is one of this priority and does not join conditions.
     fn arithmetic(&mut self, priority: Priority, left: &Value, behind: Behind) -> Option<Arithmetic> {
         let (Operator::Arithmetic(operator), length) = self.cursor.operator()? else { return None };
         let (of, may_join) = match operator {

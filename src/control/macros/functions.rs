@@ -67,7 +67,7 @@ pub(super) enum Function {
 }
 
 impl Function {
-    /// The function of a name: written out, in the second spelling of the manual, or as its first two letters
+    /// The function of a name: in full, in the second spelling of the manual, or as its first two letters
     /// (POW in full only).
     pub fn named(name: &[u8]) -> Option<Self> {
         if name.len() > 5 {

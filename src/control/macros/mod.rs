@@ -64,15 +64,15 @@ pub enum FaultKind {
     BracketsTooDeep,
     /// A value the function has no result for: PS0119.
     FunctionArgument,
-    /// DO without its END; told by the caller, who sees the blocks: PS0124.
+    /// DO without its END; reported by the caller, who sees the blocks: PS0124.
     EndMissing,
     /// A statement that cannot be read: PS0125.
     Format,
     /// A loop number that is not 1, 2 or 3: PS0126.
     LoopNumber,
-    /// Words of an ordinary block behind a macro statement: PS0127.
+    /// Words of an ordinary block after a macro statement: PS0127.
     WordsBehind,
-    /// A number that no block can have, or, told by the caller, that none has: PS0128.
+    /// A number that no block can have, or, reported by the caller, that none has: PS0128.
     JumpTarget,
     /// A letter that cannot hand over an argument: PS0129.
     ArgumentLetter,

@@ -25,14 +25,14 @@ pub enum Action {
     Done,
     /// Go on at the block of this sequence number, 1 to 99 999 999.
     Goto(u32),
-    /// WHILE … DO: with `enter`, go on behind it and come back at END; else go on behind the END.
+    /// WHILE … DO: with `enter`, go on after it and come back at END; else go on after the END.
     While {
         /// Which END, 1 to 3.
         number: u32,
         /// The condition holds.
         enter: bool,
     },
-    /// DO without WHILE: go on behind it and come back at END.
+    /// DO without WHILE: go on after it and come back at END.
     Do {
         /// Which END, 1 to 3.
         number: u32,
@@ -69,7 +69,7 @@ const PAUSE: u32 = 3006;
 /// Largest sequence number.
 const LARGEST_SEQUENCE: u32 = 99_999_999;
 
-/// Carries out the macro statement of a block. What stands behind a condition that does not hold is not looked
+/// Carries out the macro statement of a block. What stands after a condition that does not hold is not looked
 /// at.
 pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault> {
     let mut reader = Evaluator::new(text, memory);
@@ -110,7 +110,7 @@ pub fn assigned(text: &[u8], memory: &mut impl Memory) -> Option<u32> {
     (reader.cursor.peek() == Some(b'#')).then(|| reader.variable().ok()).flatten()
 }
 
-/// What stands behind IF.
+/// What stands after IF.
 fn conditional(reader: &mut Evaluator) -> Result<Action, Fault> {
     let holds = reader.condition()?;
     let then = reader.cursor.eat_word(b"THEN");
@@ -173,7 +173,7 @@ fn jump(reader: &mut Evaluator) -> Result<Action, Fault> {
     ended(reader, Action::Goto(target))
 }
 
-/// The number of a loop, which is written out.
+/// The number of a loop, which is a literal.
 fn loop_number(reader: &mut Evaluator) -> Result<u32, Fault> {
     let start = reader.cursor.start();
     let Some(number) = reader.cursor.number() else {
@@ -183,7 +183,7 @@ fn loop_number(reader: &mut Evaluator) -> Result<u32, Fault> {
     number.ok_or_else(|| FaultKind::LoopNumber.at(reader.cursor.since(start)))
 }
 
-/// The action of a statement behind which nothing else stands.
+/// The action of a statement after which nothing else stands.
 fn ended(reader: &mut Evaluator, action: Action) -> Result<Action, Fault> {
     let kind = match reader.cursor.peek() {
         None => return Ok(action),

@@ -1,4 +1,4 @@
-//! The words of the program card in every language. A card without a translation does not compile.
+//! The words of the setup sheet in every language. A card without a translation does not compile.
 
 use crate::control::codes::Function;
 use crate::sentences::Language;
@@ -28,7 +28,7 @@ pub(super) struct Words {
     pub block: &'static str,
     pub does: &'static str,
     pub remark: &'static str,
-    /// Behind a number: turns a minute, metres a minute, mm a turn, mm a minute.
+    /// After a number: rpm, m/min, mm/rev, mm/min.
     pub per_minute: &'static str,
     pub surface: &'static str,
     pub feed_per_turn: &'static str,

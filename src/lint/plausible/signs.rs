@@ -1,7 +1,7 @@
 //! Lost minus signs: a Z that cuts away from the chuck.
 //!
 //! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck outward or in the
-//! sub-spindle. `passes` tells how a tool came to a move; only where no such reading is left is a minus missed.
+//! sub-spindle. `passes` states how a tool came to a move; only where no such reading is left is a minus missed.
 
 use super::passes::{CENTRE, Pass};
 use super::*;
@@ -73,7 +73,7 @@ impl Program<'_> {
         !cycle && !goes_on && moves.all(along_z)
     }
 
-    /// The last rapid along Z before a word ended behind the face: what follows cuts outward.
+    /// The last rapid along Z before a word ended on the chuck side of the face: what follows cuts outward.
     fn comes_from_behind(&self, word: &Word) -> bool {
         let stretch = self.rows[..word.block].iter().rev().take_while(|row| !row.parts);
         let rapids = stretch.filter(|row| row.moves_at_rapid);
@@ -119,7 +119,7 @@ impl Program<'_> {
         Diagnostic::new(Message::MinusMissing { word: written, meant }, word.span).with(fix)
     }
 
-    /// The Z at which cuts begin behind a rapid: in front of the work.
+    /// The Z at which cuts begin after a rapid: in front of the work.
     pub(super) fn approach(&self) -> Option<f64> {
         let mut front: Option<f64> = None;
         let mut last = MotionKind::Rapid;
@@ -156,7 +156,7 @@ impl Program<'_> {
             let place = word.value * self.unit;
             pass.advance(self.motions, from);
             let first = self.motions.get(from);
-            // A bar is pulled or stopped while the spindle stands still.
+            // A bar is pulled or stopped with the spindle stopped.
             if turns && first.process.turn == SpindleTurn::Stopped {
                 continue;
             }
@@ -268,7 +268,7 @@ impl Program<'_> {
                 return false;
             }
         }
-        // Who leaves at feed goes a little way; who cuts on there cuts air.
+        // A retract at feed is short; a longer cut there removes nothing.
         place - cut.from.z.max(front) > if goes_on { OVERRUN } else { LEAVES }
     }
 }

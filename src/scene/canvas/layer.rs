@@ -26,7 +26,7 @@ use crate::playback::clock::Playhead;
 
 /// Opacity of what has not run yet, while there is a playhead.
 const AHEAD: f64 = 0.22;
-/// Motions in view from which on nobody could tell widths and dashes.
+/// Motions in view from which on nobody could distinguish widths and dashes.
 const CROWDED: usize = 40_000;
 /// Motions in view that are drawn in a few milliseconds, widths and dashes included.
 const QUICK: usize = 4_000;
@@ -123,7 +123,7 @@ impl StrokeLayer {
         })
     }
 
-    /// A number that tells this image from the others of this layer.
+    /// A number that distinguishes this image from the others of this layer.
     pub fn version(&self) -> u32 {
         self.version
     }

@@ -28,13 +28,13 @@ struct Measure<'a> {
     fraction: bool,
     /// The letters, and signs such as `Ø`, right before it, without `:`, `=`, points and blanks.
     before: &'a str,
-    /// Letters and `"` behind it.
+    /// Letters and `"` after it.
     behind: &'a str,
     /// Whether it is written right at the letters before it and has no decimal point, as a counter is (`GROOVE1`).
     glued: bool,
 }
 
-/// Plausible nose radii, widths of blades and diameters of drills, mm.
+/// Plausible nose radii, widths of grooving inserts and diameters of drills, mm.
 const NOSES: (f64, f64) = (0.05, 3.2);
 const WIDTHS: (f64, f64) = (0.3, 20.0);
 const DIAMETERS: (f64, f64) = (0.3, 100.0);
@@ -82,7 +82,7 @@ pub fn point_angle(text: &str) -> Option<&'static str> {
         })
 }
 
-/// Width of a blade: `W=3`, `W.079`, `H4`, `3MM`, `GROOVE 6.3`.
+/// Width of a grooving insert: `W=3`, `W.079`, `H4`, `3MM`, `GROOVE 6.3`.
 pub fn width(text: &str, unit: Unit) -> Option<f64> {
     let named = measures(text).find(|own| {
         let before = own.before;

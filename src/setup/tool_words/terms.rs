@@ -17,7 +17,7 @@ pub enum Form {
 }
 use Form::{Part, Stem, Word};
 
-/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term stands behind it;
+/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term stands after it;
 /// a term without a kind says what is made, not what with.
 #[rustfmt::skip]
 pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
@@ -49,7 +49,7 @@ pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     (Stem, "FURAR", Some(Drill)), (Stem, "TALADR", Some(Drill)), (Stem, "PUNTA", Some(Drill)), (Stem, "FORATURA", Some(Drill)),
     (Stem, "FORET", Some(Drill)), (Stem, "PERÇ", Some(Drill)), (Stem, "PERCAGE", Some(Drill)), (Stem, "СВЕРЛ", Some(Drill)),
     (Stem, "ЦЕНТРОВ", Some(Drill)), (Stem, "РАЗВЕРТ", Some(Drill)), (Part, "钻", Some(Drill)), (Part, "鑽", Some(Drill)), (Part, "钻孔", Some(Drill)),
-    // Blades.
+    // Grooving inserts.
     (Stem, "GROOV", Some(Grooving)), (Word, "GRV", Some(Grooving)), (Stem, "CUTOFF", Some(Grooving)), (Stem, "CUT OFF", Some(Grooving)),
     (Stem, "CUT-OFF", Some(Grooving)), (Stem, "PARTING", Some(Grooving)), (Stem, "PART OFF", Some(Grooving)), (Stem, "PART-OFF", Some(Grooving)),
     (Stem, "PARTOFF", Some(Grooving)), (Part, "STECHEN", Some(Grooving)), (Part, "STECHER", Some(Grooving)), (Part, "STECHMEI", Some(Grooving)),
@@ -89,7 +89,7 @@ pub const SIDES: &[(Form, &str, Side)] = &[
     (Part, "AUSSEN", Side::Outside), (Part, "AUßEN", Side::Outside), (Stem, "НАРУЖ", Side::Outside), (Part, "外", Side::Outside),
 ];
 
-/// Beginnings of designations of blades, and which side of the work they are for.
+/// Beginnings of designations of grooving inserts, and which side of the work they are for.
 #[rustfmt::skip]
 const BLADES: &[(&str, Side)] = &[
     ("MGMN", Side::Outside), ("MGGN", Side::Outside), ("DGN", Side::Outside), ("GTN", Side::Outside), ("N151", Side::Outside),
@@ -201,11 +201,11 @@ fn threading(word: &str) -> Option<Tool> {
     known.then(|| Tool { kind: Some(Threading), side: Some(side), ..Tool::default() })
 }
 
-/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a blade, and its width where that is known to stand in it.
+/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a grooving insert, and its width where that is known to stand in it.
 fn blade(word: &str, next: &str) -> Option<Tool> {
     let (name, side) = BLADES.iter().find(|(name, _)| word.starts_with(name))?;
     let own = &word[name.len()..];
-    // `TAGGED` is no blade.
+    // `TAGGED` is no grooving insert.
     if own.starts_with(char::is_alphabetic) && *name == "TAG" {
         return None;
     }

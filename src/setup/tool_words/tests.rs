@@ -163,7 +163,7 @@ fn comments_belong_to_tools() {
     // Below: then what stands above a T word is of the tool before.
     let below = "N1 T0707\n(DESBASTE)\nG0 X40 Z2\nG28\n(CANAL)\nT0101\n(FERR. ACABAMENTO)\nG0 X40\n(ROSCA)\nT0505\nG0 X3\n";
     check(below, &[(1, Turning), (7, Turning)]);
-    // What a comment in the header says of a tool goes before what is made with it.
+    // What a comment in the header says of a tool overrides what is inferred from the cuts.
     check("(T02002 VNMG 2.5-1 CR:.016)\n(GROOVE)\nT02002\nG0 X1\n", &[(2, Turning)]);
     check("(GROOVE)\nG0 X40 Z2\nT0101\n", &[]);
     // What is a note of the setup is no prose.

@@ -1,4 +1,4 @@
-//! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is told from
+//! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is distinguished from
 //! a fault. Whatever is not here is a fault of one of the two.
 
 use gcode_playground::message::Message;
@@ -89,7 +89,7 @@ impl KnownDifference {
                 "ours makes no motion and warns, as FANUC does; LinuxCNC stops, or draws a full circle where the two places \
  differ by binary rounding"
             }
-            Self::RadiusAndCenter => "R goes before I and K on FANUC; LinuxCNC stops",
+            Self::RadiusAndCenter => "R overrides I and K on FANUC; LinuxCNC stops",
             Self::FeedKept => {
                 "ours keeps F, and warns where its unit changes; LinuxCNC sets it to 0 at every G94 and G95 and stops at the \
                  next cut"

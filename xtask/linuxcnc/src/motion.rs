@@ -21,7 +21,7 @@ pub enum Shape {
     Rapid,
     /// Straight at feed.
     Line,
-    /// Straight, locked to the spindle: mm a turn.
+    /// Straight, locked to the spindle: mm/rev.
     Thread { lead: f64 },
     /// Round at feed.
     Arc { center: Point, turn: Turn },
@@ -34,7 +34,7 @@ pub enum Shape {
 pub enum Feed {
     /// A minute.
     PerMinute(f64),
-    /// A turn of the spindle.
+    /// A spindle revolution.
     PerTurn(f64),
 }
 

@@ -1,6 +1,6 @@
 //! In: a neutral program. Out: its text for the playground (G-code system A) and for LinuxCNC.
 //!
-//! Line 1 of ours prepares; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment `(Bn)` goes before the
+//! Line 1 of ours prepares; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment `(Bn)` precedes the
 //! block: comments keep their order with the motions, even where compensation holds motions back.
 
 use std::fmt::Write;

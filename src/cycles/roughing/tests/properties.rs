@@ -169,7 +169,7 @@ fn depths(piece: &Piece, z: f64) -> Option<(f64, f64)> {
     Some((all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)))
 }
 
-/// Least and greatest depth of the contour at `z`; nothing is cut away before and behind it.
+/// Least and greatest depth of the contour at `z`; nothing is cut away before and after it.
 fn depth_of(pieces: &[Piece], z: f64) -> Option<(f64, f64)> {
     pieces
         .iter()
