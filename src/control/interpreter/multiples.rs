@@ -34,11 +34,11 @@ impl Interpreter {
             return;
         }
         if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
-            // Roughing, pecking and threads run without compensation (GSK980TDb p. 102).
+            // Roughing, pecking and threads run without compensation.
             if self.state.told.first(Once::CompensationIdle) {
                 let code = cycle.cycle().code();
                 let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
-                // Newer controls rough with compensation that was on before (GSK980TDb p. 102).
+                // Newer controls rough with compensation that was on before (alarm PS0328).
                 let rough =
                     matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
                 self.tell(if rough { told.graded(Severity::Info) } else { told });

@@ -14,7 +14,7 @@ use crate::control::offsets::Column;
 use crate::cycles::Piece;
 use crate::motion::Programmed;
 
-/// Blocks without a move after which a control no longer sees the next move (FANUC 16/18-T B-62754EN p. 225).
+/// Blocks without a move after which a control no longer sees the next move.
 const IDLE_BLOCKS: u32 = 2;
 
 impl Interpreter {
@@ -487,7 +487,7 @@ impl Interpreter {
         Nose { radius: radius.abs(), tip: if self.state.virtual_plane.is_some() { 0 } else { tip } }
     }
 
-    /// The side of the path the nose is on: a negative radius changes it (FANUC 16/18-T B-62754EN p. 225).
+    /// The side of the path the nose is on: a negative radius changes it.
     pub(super) fn side(&self) -> Option<Side> {
         let side = match self.state.compensation {
             Compensation::Off => return None,

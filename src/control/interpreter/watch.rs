@@ -260,7 +260,7 @@ impl Interpreter {
         }
     }
 
-    /// The side of compensation against where the work lies, for a cut along Z (FANUC 16/18-T B-62754EN p. 224: outside toward the chuck
+    /// The side of compensation against where the work lies, for a cut along Z (outside toward the chuck
     /// G42, bores G41).
     pub(super) fn watch_compensation_side(&mut self, block: &Block, from: Point, to: Point) {
         if self.state.compensation == Compensation::Off || self.state.virtual_plane.is_some() {
@@ -324,7 +324,7 @@ impl Interpreter {
         whole
     }
 
-    /// G90 and G94 are compensated, but only with a nose radius (GSK980TDb p. 102).
+    /// G90 and G94 are compensated, but only with a nose radius.
     pub(super) fn watch_cycle_compensation(&mut self, block: &Block, cycle: Single) {
         if self.state.compensation != Compensation::Off
             && self.nose().radius == 0.0
