@@ -195,7 +195,7 @@ impl Playground {
         found.into_iter().flat_map(triple).collect()
     }
 
-    /// The program with every cycle, corner and compensation written out as plain moves.
+    /// The program with every cycle, corner and compensation expanded to plain moves.
     pub fn expand(&self) -> String {
         crate::expand::expand(self.current.run().text(), &self.setup)
     }

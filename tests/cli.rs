@@ -347,7 +347,7 @@ fn export_writes_files_for_other_programs() {
     assert!(text("svg", &[]).starts_with("<svg "));
     assert_eq!(text("svg", &[]), String::from_utf8(run(&["svg", "-"], program).stdout).unwrap());
     assert_eq!(text("csv", &[]).lines().count(), 1 + rows(&run(&["motions", "-"], program)).len());
-    assert!(text("card", &["--lang", "ru"]).contains("<h1>Карта программы <b>O0007</b></h1>"));
+    assert!(text("card", &["--lang", "ru"]).contains("<h1>Карта наладки <b>O0007</b></h1>"));
     assert!(text("card", &[]).contains("⌀30, length 40 mm"));
     assert!(text("dxf", &[]).starts_with("  0\r\nSECTION\r\n  2\r\nHEADER\r\n"));
     assert!(export("stl", &[]).len() > 84 + 50 * 100);

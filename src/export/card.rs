@@ -505,7 +505,7 @@ mod tests {
     fn a_row_for_each_block() {
         let page = html(PROGRAM, Language::English);
         for wanted in [
-            "<h1>Program card <b>O0012</b></h1>",
+            "<h1>Setup sheet <b>O0012</b></h1>",
             "PIN &lt;A&gt;",
             "<td>N20</td><td><code>G0 X42 Z2 T0101 M3 S800 M8</code></td><td>tool 1, offset 1; spindle forward; coolant on; ",
             "<td>START</td>",

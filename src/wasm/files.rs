@@ -29,7 +29,7 @@ impl Playground {
         csv::csv(self.current.motions(), &self.current.run().setup().machine)
     }
 
-    /// The program card as an HTML file to print, in the language of the messages.
+    /// The setup sheet as an HTML file to print, in the language of the messages.
     pub fn card(&mut self) -> String {
         self.current.finish_part();
         let run = self.current.run();

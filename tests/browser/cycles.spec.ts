@@ -1,9 +1,9 @@
-// Cycles on the page: every example runs, a stroke says which pass it is, and a program can be written out.
+// Cycles on the page: every example runs, a stroke says which pass it is, and a program can be expanded.
 import { expect, test, type Page } from './engines';
 import { between, clipboard, editor, examples, motionCount, open, problems, program, status, tooltip, type, value } from './page';
 
-const dialog = (page: Page) => page.getByRole('dialog', { name: 'The program, written out' });
-const writeOut = (page: Page) => page.getByRole('button', { name: 'Write out' });
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'The expanded program' });
+const writeOut = (page: Page) => page.getByRole('button', { name: 'Expand cycles' });
 interface Summary {
   readonly motions: number;
   readonly errors: number;
@@ -46,7 +46,7 @@ test('a roughing pass names its cycle, its number and its step', async ({ page }
   await expect(tooltip(page)).toContainText(/G71, pass 2 of 10: cut at feed to X33\.5 Z-60\.3/);
 });
 
-test('a program is written out, read, copied, taken over, and brought back', async ({ page }) => {
+test('a program is expanded, read, copied, taken over, and brought back', async ({ page }) => {
   await open(page, '#s003-g71');
   const motions = `${motionCount('s003-g71')} motions`;
   await expect(status(page)).toContainText(motions);
@@ -84,9 +84,9 @@ test('a program is written out, read, copied, taken over, and brought back', asy
     await expect(page.getByText('Ctrl Z in the editor brings yours back')).toBeVisible();
   });
 
-  await test.step('written out again, it stays as it is', async () => {
+  await test.step('expanded again, it stays as it is', async () => {
     await writeOut(page).click();
-    await expect(dialog(page)).toContainText('nothing to write out');
+    await expect(dialog(page)).toContainText('nothing to expand');
     await expect(dialog(page).getByRole('button', { name: 'Put into the editor' })).toBeHidden();
     await dialog(page).getByRole('button', { name: 'Close' }).click();
   });
@@ -100,15 +100,15 @@ test('a program is written out, read, copied, taken over, and brought back', asy
   });
 });
 
-test('there is nothing to write out without a motion, and its button speaks three languages', async ({ page }) => {
+test('there is nothing to expand without a motion, and its button speaks three languages', async ({ page }) => {
   await open(page);
   await expect(writeOut(page)).toBeEnabled();
   await page.getByLabel('Language').selectOption('zh');
   await expect(page.getByRole('button', { name: '展开循环' })).toBeVisible();
   await page.getByLabel('语言').selectOption('ru');
-  await expect(page.getByRole('button', { name: 'Расписать' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Развернуть циклы' })).toBeVisible();
   await editor(page).focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.press('Delete');
-  await expect(page.getByRole('button', { name: 'Расписать' })).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Развернуть циклы' })).toBeDisabled();
 });

@@ -25,7 +25,7 @@ test('every kind of file holds the program', async ({ page }) => {
     const { name, text } = await save(page, /card/);
     expect(name).toBe('program-card.html');
     expect(text).toMatch(/^<!doctype html>/);
-    for (const part of ['<h1>Program card', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {
+    for (const part of ['<h1>Setup sheet', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {
       expect(text).toContain(part);
     }
   });
@@ -66,7 +66,7 @@ test('every kind of file holds the program', async ({ page }) => {
     expect(bytes.length).toBe(84 + 50 * bytes.readUInt32LE(80));
     expect(bytes.length).toBeGreaterThan(100_000);
   });
-  await test.step('written out', async () => {
+  await test.step('expanded', async () => {
     const { name, text } = await save(page, /NC/);
     expect(name).toBe('program-plain.nc');
     expect(text).toContain('G01 X37.5 Z-60.3');

@@ -87,7 +87,7 @@ test('what was typed is there again after a reload, and can be let go', async ({
   await expect(status(page)).toContainText(/^2 motions/);
   await page.reload();
   await expect(status(page)).toContainText(/^2 motions/);
-  await page.getByRole('button', { name: 'Start afresh' }).click();
+  await page.getByRole('button', { name: 'Reset example' }).click();
   await expect(status(page)).toContainText(/^42 motions/);
 });
 

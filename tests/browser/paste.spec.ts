@@ -87,7 +87,7 @@ test('a plain program is pasted without a word, and a text without programs is s
 
 test('all signs that were lost are answered at once, in a file that is opened', async ({ page }) => {
   await open(page);
-  const text = 'Program card\nO6003\nG00 X70 Z3 to the start\nG90 X62 Z43 F0.3\nX60.4\nG90 X58.4 Z20 R2.3\nM30\n';
+  const text = 'Setup sheet\nO6003\nG00 X70 Z3 to the start\nG90 X62 Z43 F0.3\nX60.4\nG90 X58.4 Z20 R2.3\nM30\n';
   await openFile(page, 'card.txt', new TextEncoder().encode(text));
   await expect(dialog(page)).toBeVisible();
   await dialog(page).getByRole('button', { name: 'All of these negative' }).click();

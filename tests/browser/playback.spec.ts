@@ -68,7 +68,7 @@ test('the read-out tells feed, speed, time and tool, and what is not known', asy
   await load(page, 'G99 G50 S1000\nT0101\nG96 S100 M03\nG00 X62 Z2\nX40\nG01 Z-30 F0.25\nG04 X3\nG00 X80\nM30\n', 5);
   await editor(page).focus();
   for (let i = 0; i < 3; i++) await page.keyboard.press('F9');
-  // 100 m/min at Ø40 are 795.8 turns a minute.
+  // 100 m/min at Ø40 are 795.8 rpm.
   await expect(shown(page, 'Spindle')).toHaveText('796 rpm');
   await expect(shown(page, 'Cutting speed')).toHaveText('100 m/min');
   await expect(shown(page, 'Feed')).toHaveText('0.25 mm/rev · 199 mm/min');

@@ -1,15 +1,15 @@
-// Repairs: the safe ones all at once and undone at once, the others one by one; and the levels of rules in the setup form.
+// Repairs: the safe fixes all at once and undone at once, the others one by one; and the levels of rules in the setup form.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, type, value } from './page';
 
-const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Fix \d+ safe ones?$/ });
+const all = (page: Page): Locator => problems(page).getByRole('button', { name: /^Apply \d+ safe fix(es)?$/ });
 
 test('all safe repairs are one click and one undo', async ({ page }) => {
   const before = 'GO1 X5O F0.1 M3 S500\nG00 X60 X61 Z–2\nM30 (END';
   const after = 'G01 X50 F0.1 M3 S500\nG00 X60 X61 Z-2\nM30 (END)';
   await open(page);
   await type(page, before);
-  await expect(all(page)).toHaveText('Fix 4 safe ones');
+  await expect(all(page)).toHaveText('Apply 4 safe fixes');
   // A second click comes too late to do them twice.
   await all(page).dblclick();
   await expect.poll(() => value(page)).toBe(after);
@@ -28,13 +28,13 @@ test('one undo takes all repairs back', async ({ page }) => {
   const before = 'G00 X60 Z–2\nG00 X50 Z–3\nM30';
   await open(page);
   await type(page, before);
-  await expect(all(page)).toHaveText('Fix 2 safe ones');
+  await expect(all(page)).toHaveText('Apply 2 safe fixes');
   await all(page).click();
   await expect.poll(() => value(page)).toBe('G00 X60 Z-2\nG00 X50 Z-3\nM30');
   await expect(problems(page)).toBeHidden();
   await page.keyboard.press('Control+z');
   await expect.poll(() => value(page)).toBe(before);
-  await expect(all(page)).toHaveText('Fix 2 safe ones');
+  await expect(all(page)).toHaveText('Apply 2 safe fixes');
 });
 
 test('the classroom checklist is chosen in the setup form, and other levels stay', async ({ page }) => {

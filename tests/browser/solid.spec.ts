@@ -63,7 +63,7 @@ test('the part is drawn, turned, followed and let go of', async ({ page }) => {
     await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2, { steps: 3 });
     await page.mouse.up();
     await expect.poll(async () => (await seen(view(page))).sum).not.toBe(before);
-    await dialog(page).getByRole('button', { name: 'First view' }).click();
+    await dialog(page).getByRole('button', { name: 'Reset view' }).click();
     await expect.poll(async () => (await seen(view(page))).sum).toBe(first.sum);
   });
 

@@ -60,7 +60,7 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
         (Function::Unit, 0) => ["inch", "英制", "дюймы"],
         (Function::Unit, 1) => ["metric", "公制", "миллиметры"],
         (Function::Feed, 0) => ["feed per minute", "每分钟进给", "подача в минуту"],
-        (Function::Feed, 1) => ["feed per turn", "每转进给", "подача на оборот"],
+        (Function::Feed, 1) => ["feed per revolution", "每转进给", "подача на оборот"],
         (Function::Distance, 0) => ["absolute words", "绝对值编程", "абсолютные размеры"],
         (Function::Distance, 1) => ["incremental words", "增量值编程", "размеры в приращениях"],
         (Function::Pause, 0) => ["program stop", "程序停止", "останов программы"],
@@ -95,7 +95,7 @@ pub(super) fn tool_kind(kind: ToolKind, side: Side, language: Language) -> Strin
         ToolKind::Threading => ["threading", "螺纹刀", "резьбовой резец"],
         ToolKind::Drill => ["drill", "钻头", "сверло"],
         ToolKind::Tap => ["tap", "丝锥", "метчик"],
-        ToolKind::Endmill => ["live end mill", "动力铣刀", "приводная фреза"],
+        ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
     };
     let [side_en, side_zh, side_ru] = match (kind, side) {
         (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => [", inside", "（内）", ", внутренний"],
@@ -110,7 +110,7 @@ pub(super) fn tool_kind(kind: ToolKind, side: Side, language: Language) -> Strin
 }
 
 static EN: Words = Words {
-    card: "Program card",
+    card: "Setup sheet",
     name: "Name",
     date: "Date",
     control: "Control",
@@ -144,7 +144,7 @@ static EN: Words = Words {
 };
 
 static ZH: Words = Words {
-    card: "程序卡",
+    card: "数控加工程序单",
     name: "姓名",
     date: "日期",
     control: "数控系统",
@@ -178,7 +178,7 @@ static ZH: Words = Words {
 };
 
 static RU: Words = Words {
-    card: "Карта программы",
+    card: "Карта наладки",
     name: "Фамилия",
     date: "Дата",
     control: "УЧПУ",

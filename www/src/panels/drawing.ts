@@ -65,7 +65,7 @@ export class Drawing {
       'section',
       { className: 'drawing', part: 'drawing' },
       this.#holder,
-      // Said once, where there are two pictures.
+      // Shown once, where there are two pictures.
       ...(events.companion === undefined ? [] : [this.#empty]),
       this.#tip,
     );

@@ -133,15 +133,15 @@ const WORDS = words({
   en: {
     exports: 'Export',
     exportOf: {
-      card: 'Program card to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
-      dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Program written out (NC)',
+      card: 'Setup sheet to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
+      dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Expanded program (NC)',
     },
     noPartToExport: 'There is no part to export: nothing is left of the blank, or it is not known.',
   },
   zh: {
     exports: '导出',
     exportOf: {
-      card: '可打印的程序卡 (HTML)', svg: '图形 (SVG)', png: '当前画面 (PNG)', csv: '运动列表 (CSV)',
+      card: '可打印的数控加工程序单 (HTML)', svg: '图形 (SVG)', png: '当前画面 (PNG)', csv: '运动列表 (CSV)',
       dxf: '零件轮廓 (DXF)', stl: '零件实体 (STL)', program: '展开后的程序 (NC)',
     },
     noPartToExport: '没有可导出的零件：毛坯已无剩余，或毛坯未知。',
@@ -149,7 +149,7 @@ const WORDS = words({
   ru: {
     exports: 'Экспорт',
     exportOf: {
-      card: 'Карта программы для печати (HTML)', svg: 'Чертёж (SVG)', png: 'Рисунок, как на экране (PNG)', csv: 'Таблица перемещений (CSV)',
+      card: 'Карта наладки для печати (HTML)', svg: 'Чертёж (SVG)', png: 'Рисунок, как на экране (PNG)', csv: 'Таблица перемещений (CSV)',
       dxf: 'Контур детали (DXF)', stl: 'Деталь как тело (STL)', program: 'Развёрнутая программа (NC)',
     },
     noPartToExport: 'Нечего экспортировать: от заготовки ничего не осталось, или она неизвестна.',

@@ -1,7 +1,7 @@
 // The list of problems under the editor.
 //
 // In: the diagnostics of the newest run. Out: the place the reader wants to see, the repairs the reader wants made: one, or all
-// safe ones at once. Must not know: what a diagnostic is about.
+// safe fixes at once. Must not know: what a diagnostic is about.
 
 import { icon, make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -120,8 +120,8 @@ const WORDS = words({
     moreProblems: (n: number) => `… and ${n} more`,
     fix: (title: string) => `Fix: ${title}`,
     /** All repairs that need no asking. */
-    fixSafe: (n: number) => (n === 1 ? 'Fix 1 safe one' : `Fix ${n} safe ones`),
-    fixSafeHelp: 'Repairs that cannot change the meaning for the worse. Ctrl Z takes them back.',
+    fixSafe: (n: number) => (n === 1 ? 'Apply 1 safe fix' : `Apply ${n} safe fixes`),
+    fixSafeHelp: 'Fixes that do not change what the program does. Ctrl Z undoes them.',
     place: (line: number, column: number) => `line ${line}, column ${column}`,
   },
   zh: {

@@ -172,7 +172,7 @@ const WORDS = words({
   zh: {
     readout: '刀具状态',
     feed: '进给',
-    spindle: '主轴',
+    spindle: '主轴转速',
     surfaceSpeed: '切削速度',
     time: '时间',
     tool: '刀具',
@@ -190,7 +190,7 @@ const WORDS = words({
       ].join(''),
     kinds: {
       turning: '车刀', boring: '镗刀', grooving: '切槽刀', threading: '螺纹刀',
-      drill: '钻头', tap: '丝锥', endmill: '动力铣刀',
+      drill: '钻头', tap: '丝锥', endmill: '动力刀具（铣刀）',
     },
     assumed: (tool) => `${tool}（推测）`,
   },
@@ -198,7 +198,7 @@ const WORDS = words({
     readout: 'Где инструмент',
     feed: 'Подача',
     spindle: 'Шпиндель',
-    surfaceSpeed: 'Скорость рез.',
+    surfaceSpeed: 'Скорость резания',
     time: 'Время',
     tool: 'Инструмент',
     perMinute: 'мм/мин',

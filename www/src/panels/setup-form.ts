@@ -222,7 +222,7 @@ const WORDS = words({
     keep: 'Keep the setup',
     keepInProgram: 'in the program, as comments',
     keepOnPage: 'on this page',
-    programFirst: 'Comments of the program go before the setup of the page.',
+    programFirst: 'Comments of the program override the setup of the page.',
     willMove: 'The comments are taken out of the program.',
     apply: 'Apply',
     clear: (group: string) => `Clear: ${group}`,
@@ -231,7 +231,7 @@ const WORDS = words({
     anotherHint: 'T0202',
     add: 'Add',
     noTool: 'Write T and up to four digits',
-    slips: (n: number) => (n === 1 ? 'One value cannot be' : `${n} values cannot be`),
+    slips: (n: number) => (n === 1 ? '1 invalid value' : `${n} invalid values`),
   },
   zh: {
     title: '毛坯与刀具',
@@ -253,8 +253,8 @@ const WORDS = words({
   },
   ru: {
     title: 'Наладка',
-    about: 'Заготовка, инструменты и станок. Что не указано, принимается: это серые значения.',
-    source: { program: 'в программе', page: 'на этой странице', nobody: 'принято' },
+    about: 'Заготовка, инструменты и станок. Что не указано, берётся по умолчанию: это серые значения.',
+    source: { program: 'в программе', page: 'на этой странице', nobody: 'по умолчанию' },
     keep: 'Хранить наладку',
     keepInProgram: 'в программе, в комментариях',
     keepOnPage: 'на этой странице',

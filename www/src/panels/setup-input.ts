@@ -80,7 +80,7 @@ const WORDS = words({
     nothing: '—',
   },
   ru: {
-    placeholder: (value) => `${value} (принято)`,
+    placeholder: (value) => `${value} (по умолчанию)`,
     nothing: '—',
   },
 });

@@ -11,7 +11,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { SectionPiece } from '../protocol/protocol';
 import { outlinesOf, turnedBody, type Corner } from './solid-shape';
 
-/** Where the first view is from: the right front, a little above. */
+/** Where the reset view is from: the right front, a little above. */
 const FIRST_VIEW = new Vector3(0.62, 0.62, 1).normalize();
 /** Degrees; a narrow one, so that parallel edges stay nearly parallel. */
 const FIELD_OF_VIEW = 24;
@@ -70,7 +70,7 @@ export class SolidView {
     this.#want();
   };
   #frame: number | undefined;
-  /** What the first view shows all of: middle, and half of the length and of the diameter; mm. */
+  /** What the reset view shows all of: middle, and half of the length and of the diameter; mm. */
   #extents: { readonly middle: number; readonly half: number; readonly radius: number } | undefined;
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
@@ -176,7 +176,7 @@ export class SolidView {
 
   // ---- the view -----------------------------------------------------------------------------------
 
-  /** How far away a body of half that length and that radius, seen from the first view, fills the picture. */
+  /** How far away a body of half that length and that radius, seen from the reset view, fills the picture. */
   #distanceFor(half: number, radius: number): number {
     const right = new Vector3(0, 1, 0).cross(FIRST_VIEW).normalize();
     const up = FIRST_VIEW.clone().cross(right);

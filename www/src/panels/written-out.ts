@@ -1,7 +1,7 @@
-// The button "Write out" and its dialog: the program with every cycle as plain moves, to read, copy or take over.
+// The button "Expand cycles" and its dialog: the program with every cycle as plain moves, to read, copy or take over.
 //
 // In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes it over.
-// Must not know: how a cycle is written out.
+// Must not know: how a cycle is expanded.
 
 import { defaultKeymap } from '@codemirror/commands';
 import { EditorState } from '@codemirror/state';
@@ -50,7 +50,7 @@ class WrittenOutPanel implements Panel {
     this.#showCopy('copy');
   }
 
-  /** Whether there is a finished run with motions to write out. */
+  /** Whether there is a finished run with motions to expand. */
   set available(available: boolean) {
     this.#button.disabled = !available;
   }
@@ -137,16 +137,16 @@ class WrittenOutPanel implements Panel {
 
 const WORDS = words({
   en: {
-    writeOut: 'Write out',
-    writeOutHint: 'Show the program with every cycle written out as plain moves',
-    writtenOut: 'The program, written out',
+    writeOut: 'Expand cycles',
+    writeOutHint: 'Show the program with every cycle expanded to plain moves',
+    writtenOut: 'The expanded program',
     writtenOutAbout: 'Every cycle, corner and compensation as plain moves. The tool path is the same.',
-    nothingToWriteOut: 'This program has nothing but plain moves: there is nothing to write out.',
+    nothingToWriteOut: 'This program consists of plain moves only: there is nothing to expand.',
     copy: 'Copy',
     copied: 'Copied',
     copyYourself: 'Copying is not allowed here. All of it is selected: press Ctrl C.',
     takeOver: 'Put into the editor',
-    tookOver: 'The program is written out. Ctrl Z in the editor brings yours back.',
+    tookOver: 'The program is expanded. Ctrl Z in the editor restores yours.',
   },
   zh: {
     writeOut: '展开循环',
@@ -161,15 +161,15 @@ const WORDS = words({
     tookOver: '程序已展开。在编辑器中按 Ctrl Z 可恢复原程序。',
   },
   ru: {
-    writeOut: 'Расписать',
-    writeOutHint: 'Показать программу, в которой каждый цикл расписан простыми перемещениями',
-    writtenOut: 'Расписанная программа',
+    writeOut: 'Развернуть циклы',
+    writeOutHint: 'Показать программу, в которой каждый цикл развёрнут в простые перемещения',
+    writtenOut: 'Развёрнутая программа',
     writtenOutAbout: 'Циклы, фаски, скругления и коррекция записаны простыми перемещениями. Траектория та же.',
-    nothingToWriteOut: 'В этой программе только простые перемещения: расписывать нечего.',
+    nothingToWriteOut: 'В этой программе только простые перемещения: разворачивать нечего.',
     copy: 'Копировать',
     copied: 'Скопировано',
     copyYourself: 'Копирование здесь запрещено. Текст выделен: нажмите Ctrl C.',
     takeOver: 'Поместить в редактор',
-    tookOver: 'Программа расписана. Ctrl Z в редакторе вернёт прежнюю.',
+    tookOver: 'Программа развёрнута. Ctrl Z в редакторе вернёт прежнюю.',
   },
 });

@@ -88,7 +88,7 @@ export type TextCommand =
 /** How fast it plays: so many times as fast as the machine, or the whole program in so many seconds. */
 export type Pace = { readonly kind: 'times'; readonly factor: number } | { readonly kind: 'whole'; readonly seconds: number };
 
-/** The program with every cycle written out; `tokens` as for `tokens`, none when the text is very long. */
+/** The program with every cycle expanded; `tokens` as for `tokens`, none when the text is very long. */
 export interface WrittenOut {
   readonly text: string;
   readonly tokens: Uint32Array;

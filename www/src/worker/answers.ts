@@ -9,7 +9,7 @@ import { fileOf } from './exports';
 import { piecesOf, programsIn } from './paste';
 import { toolAnswers } from './tool';
 
-/** Longer texts are written out without colours. */
+/** Longer texts are expanded without colours. */
 const COLOUR_LIMIT = 200_000;
 
 export interface AnswerRow<K extends QuestionKind> {
