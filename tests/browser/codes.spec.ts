@@ -34,7 +34,7 @@ test('by keyboard: opened, filtered, read, closed', async ({ page }, info) => {
   await expect(dialog(page).getByRole('log')).toHaveText('1 row');
   await expect(row(page, 'G01')).toBeVisible();
   await filter.fill('G77');
-  await expect(dialog(page).getByRole('rowheader').locator('visible=true')).toHaveText(['Single cycles', 'G90', 'Multiple cycles', 'G75']);
+  await expect(dialog(page).getByRole('rowheader').locator('visible=true')).toHaveText(['Single cycles', 'G90', 'Multiple repetitive cycles', 'G75']);
   await expect(row(page, 'G90')).toContainText('G77');
   await filter.fill('thread');
   await expect(row(page, 'G76')).toBeVisible();

@@ -81,7 +81,7 @@ test('a program is expanded, read, copied, taken over, and brought back', async 
     expect(await value(page)).not.toMatch(CYCLE_CALL);
     await expect(status(page)).not.toContainText('14 lines');
     await expect(status(page)).toContainText(motions);
-    await expect(page.getByText('Ctrl Z in the editor brings yours back')).toBeVisible();
+    await expect(page.getByText('Ctrl Z in the editor restores yours')).toBeVisible();
   });
 
   await test.step('expanded again, it stays as it is', async () => {

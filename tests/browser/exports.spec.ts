@@ -22,7 +22,7 @@ test('every kind of file holds the program', async ({ page }) => {
   await expect(status(page)).toContainText(`${motions} motions`);
 
   await test.step('card', async () => {
-    const { name, text } = await save(page, /card/);
+    const { name, text } = await save(page, /Setup sheet/);
     expect(name).toBe('program-card.html');
     expect(text).toMatch(/^<!doctype html>/);
     for (const part of ['<h1>Setup sheet', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 
 interface Playground extends HTMLElement {
   value: string;
+  readonly settled: Promise<number>;
   locate(x: number, z: number): Promise<{ clientX: number; clientY: number }>;
 }
 
@@ -57,11 +58,12 @@ export async function value(page: BasicPage): Promise<string> {
   return page.locator('gcode-playground').evaluate((element) => (element as Playground).value);
 }
 
-/** Where a place (X a diameter, Z, mm) is on the screen. */
+/** Where a place (X a diameter, Z, mm) is on the screen, once the picture of the program is there: what a run shows can move it. */
 export async function locate(page: BasicPage, x: number, z: number): Promise<{ x: number; y: number }> {
-  const place = await page
-    .locator('gcode-playground')
-    .evaluate((element, at) => (element as Playground).locate(at.x, at.z), { x, z });
+  const place = await page.locator('gcode-playground').evaluate(async (element, at) => {
+    await (element as Playground).settled;
+    return (element as Playground).locate(at.x, at.z);
+  }, { x, z });
   return { x: place.clientX, y: place.clientY };
 }
 
