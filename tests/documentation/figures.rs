@@ -111,7 +111,7 @@ pub const FIGURES: &[Figure] = &[
         "A program of a million lines (20 MB) is checked and interpreted in 0.3 s",
         Held::Shown(million_lines),
     ),
-    figure("README.md", "a sixty-line program in 0.07 ms", Held::Shown(sixty_lines)),
+    figure("README.md", "a sixty-line program in 0.1 ms", Held::Shown(sixty_lines)),
     figure(
         "README.md",
         "runs 10,000 random programs",
@@ -175,7 +175,7 @@ fn million_lines() {
 
 fn sixty_lines() {
     let settled = measured("a shaft of sixty lines: G71 G70 G74 G75 G76")[0];
-    assert!((0.065..0.075).contains(&settled), "0.07 ms, not {settled}");
+    assert!((0.05..0.15).contains(&settled), "0.1 ms, not {settled}");
 }
 
 fn digits() {
