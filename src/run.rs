@@ -188,8 +188,10 @@ impl Run {
         let (mut setup, faults) = notes.applied_to(given.clone()).without_faults();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
-        let seen = if text.len() > limits.text { Seen::default() } else { origin::look(&text) };
-        let numbers = (is_open && before.is_none()).then_some(seen.numbers);
+        let decides = is_open && before.is_none();
+        // The numbers beyond the head are read only to decide by them.
+        let seen = if decides { origin::look(&text) } else { origin::look_at_head(&text) };
+        let numbers = decides.then_some(seen.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());

@@ -8,6 +8,8 @@ mod documents;
 mod figures;
 #[path = "documentation/markdown.rs"]
 mod markdown;
+#[path = "fixtures/project.rs"]
+mod project;
 #[path = "documentation/usage.rs"]
 mod usage;
 
@@ -21,6 +23,7 @@ use figures::{FIGURES, Held};
 use gcode_playground::analyze;
 use gcode_playground::setup::Setup;
 use markdown::Document;
+use project::{ROOT, files, source};
 use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
@@ -53,11 +56,7 @@ const BUILT: [(&str, &str); 3] = [
 ];
 
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn source(path: &str) -> String {
-    fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+    PathBuf::from(ROOT)
 }
 
 fn analyze_codes(program: &str) -> Vec<&'static str> {
@@ -74,31 +73,6 @@ fn not_run(text: &str) -> bool {
 }
 
 // ---- files ----------------------------------------------------------------------------------------
-
-/// All files of the project, with `/`, from its root. Build outputs are not included.
-fn files() -> Vec<String> {
-    fn walk(folder: &Path, found: &mut Vec<String>) {
-        for entry in fs::read_dir(folder).expect("a folder").flatten() {
-            let path = entry.path();
-            let name = entry.file_name();
-            let name = name.to_string_lossy();
-            let left_out =
-                ["target", "node_modules", "dist", "pkg", "test-results", "corpus", "artifacts", ".git"];
-            if left_out.contains(&name.as_ref()) {
-                continue;
-            }
-            if path.is_dir() {
-                walk(&path, found);
-            } else {
-                let inside = path.strip_prefix(root()).expect("inside");
-                found.push(inside.to_string_lossy().replace('\\', "/"));
-            }
-        }
-    }
-    let mut found = Vec::new();
-    walk(&root(), &mut found);
-    found
-}
 
 /// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
 /// file or a folder. A name may begin at any folder, and leave out the ending of a module.

@@ -8,6 +8,8 @@
 
 #[path = "glossary/phrase.rs"]
 mod phrase;
+#[path = "fixtures/project.rs"]
+mod project;
 #[path = "glossary/texts.rs"]
 mod texts;
 
@@ -22,12 +24,12 @@ use texts::Text;
 const LEFT: &str = "tests/glossary/left.tsv";
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
+    PathBuf::from(project::ROOT).join(name)
 }
 
 /// The rows of the tables of terms, by cells.
 fn rows() -> Vec<Vec<String>> {
-    let text = fs::read_to_string(path("www/docs/glossary.md")).expect("the glossary");
+    let text = project::source("www/docs/glossary.md");
     let rows = text.lines().filter(|line| line.starts_with("| ") && line.matches('|').count() == 8);
     let cells = |row: &str| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
     rows.map(cells).filter(|row: &Vec<String>| row[0] != "en").collect()

@@ -5,14 +5,16 @@
 //! parent module to the modules below it do not count: a parent declares, re-exports and calls its children.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "rooms/circle.rs"]
+mod circle;
 #[path = "rooms/house.rs"]
 mod house;
 #[path = "rooms/paths.rs"]
 mod paths;
+#[path = "fixtures/project.rs"]
+mod project;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
 
 use house::{House, Module, Upward};
 
@@ -39,30 +41,23 @@ fn rooms(document: &str) -> Vec<&str> {
 
 /// All modules of `src` with their texts. `main.rs` only calls the command line; `rules` is the build script.
 fn sources() -> BTreeMap<Module, String> {
-    fn walk(folder: &Path, inside: &[String], found: &mut BTreeMap<Module, String>) {
-        for entry in fs::read_dir(folder).expect("a folder").flatten() {
-            let path = entry.path();
-            let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-            if inside.is_empty() && name == "rules" {
-                continue;
-            }
-            if path.is_dir() {
-                walk(&path, &[inside, &[name]].concat(), found);
-            } else if path.extension().is_some_and(|ending| ending == "rs") && name != "main" {
-                let is_parent = name == "mod" || name == "lib";
-                let module = if is_parent { inside.to_vec() } else { [inside, &[name]].concat() };
-                let text = fs::read_to_string(&path).expect("a source file");
-                assert!(found.insert(module, text).is_none(), "{} is there twice", path.display());
-            }
-        }
-    }
     let mut found = BTreeMap::new();
-    walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &[], &mut found);
+    for file in project::files() {
+        let Some(path) = file.strip_prefix("src/").and_then(|path| path.strip_suffix(".rs")) else {
+            continue;
+        };
+        if path == "main" || path.starts_with("rules/") {
+            continue;
+        }
+        let mut module: Module = path.split('/').map(str::to_owned).collect();
+        module.pop_if(|name| name == "mod" || name == "lib");
+        assert!(found.insert(module, project::source(&file)).is_none(), "{file}: its module is there twice");
+    }
     found
 }
 
 fn architecture() -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("ARCHITECTURE.md")).expect("a document")
+    project::source("ARCHITECTURE.md")
 }
 
 #[test]

@@ -2,11 +2,14 @@
 //!
 //! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`, scripts of workers included.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
+#[path = "rooms/circle.rs"]
+mod circle;
+#[path = "fixtures/project.rs"]
+mod project;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+use std::collections::{BTreeMap, BTreeSet};
+
+use circle::leading_into_circles;
 
 /// The imports of each file; both without `.ts`, as `layer/name`.
 type Imports = BTreeMap<String, BTreeSet<String>>;
@@ -68,50 +71,23 @@ fn faults(layers: &[String], files: &Imports) -> Vec<String> {
             }
         }
     }
-    faults.extend(circle(files).map(|circle| format!("a circle: {circle:?}")));
+    let circle: Vec<String> = leading_into_circles(files.clone()).into_keys().collect();
+    if !circle.is_empty() {
+        faults.push(format!("a circle: {circle:?}"));
+    }
     faults
 }
 
-/// The files that import each other in a circle, or lead into one, once everything else is taken away.
-fn circle(files: &Imports) -> Option<Vec<&str>> {
-    let mut left: BTreeMap<&str, &BTreeSet<String>> =
-        files.iter().map(|(file, to)| (file.as_str(), to)).collect();
-    loop {
-        let free: Vec<&str> = left
-            .iter()
-            .filter(|(_, imported)| !imported.iter().any(|file| left.contains_key(file.as_str())))
-            .map(|(file, _)| *file)
-            .collect();
-        if free.is_empty() {
-            return (!left.is_empty()).then(|| left.into_keys().collect());
-        }
-        for file in free {
-            left.remove(file);
-        }
-    }
-}
-
 fn files_of_the_page() -> Imports {
-    let mut files = Imports::new();
-    read(&Path::new(ROOT).join("www/src"), "", &mut files);
-    files
-}
-
-fn read(folder: &Path, name: &str, files: &mut Imports) {
-    for entry in fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("an entry")) {
-        let own = format!("{name}{}", entry.file_name().to_string_lossy());
-        if entry.path().is_dir() {
-            read(&entry.path(), &format!("{own}/"), files);
-        } else if let Some(stem) = own.strip_suffix(".ts") {
-            let text = fs::read_to_string(entry.path()).expect("a file of TypeScript");
-            files.insert(stem.to_owned(), imports(stem, &text));
-        }
-    }
+    let files = project::files();
+    let scripts =
+        files.iter().filter_map(|file| Some((file, file.strip_prefix("www/src/")?.strip_suffix(".ts")?)));
+    scripts.map(|(file, name)| (name.to_owned(), imports(name, &project::source(file)))).collect()
 }
 
 #[test]
 fn imports_of_the_page_lead_to_lower_layers_and_form_no_circle() {
-    let architecture = fs::read_to_string(Path::new(ROOT).join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let architecture = project::source("ARCHITECTURE.md");
     let (layers, files) = (layers(&architecture), files_of_the_page());
     assert!(layers.len() > 5 && files.len() > 50, "{layers:?}, {} files", files.len());
     let known: BTreeSet<&str> = files.keys().filter_map(|file| Some(file.split_once('/')?.0)).collect();

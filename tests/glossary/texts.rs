@@ -4,6 +4,8 @@
 use std::fs;
 use std::path::Path;
 
+use super::project;
+
 /// A text.
 pub struct Text {
     /// Its file.
@@ -28,8 +30,11 @@ impl Text {
 const STRINGS: [&str; 4] = ["src/", "www/src/", "www/docs/", "xtask/src/"];
 
 /// Files that are not searched, and why.
-const LEFT_OUT: [(&str, &str); 2] =
-    [("www/docs/glossary.md", "it lists the words"), ("tests/glossary", "its tests use the words")];
+const LEFT_OUT: [(&str, &str); 3] = [
+    ("www/docs/glossary.md", "it lists the words"),
+    ("tests/glossary", "its tests use the words"),
+    ("tests/endless", "hostile programs, made to be no text"),
+];
 
 /// Files whose strings are not searched, and why.
 const VOCABULARY: [(&str, &str); 2] = [
@@ -39,13 +44,12 @@ const VOCABULARY: [(&str, &str); 2] = [
 
 /// All texts of the project.
 pub fn all() -> Vec<Text> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut texts = Vec::new();
-    for file in files(root) {
+    for file in project::files() {
         if LEFT_OUT.iter().any(|(left_out, _)| file.starts_with(left_out)) {
             continue;
         }
-        let content = fs::read_to_string(root.join(&file)).unwrap_or_default();
+        let content = fs::read_to_string(Path::new(project::ROOT).join(&file)).unwrap_or_default();
         let found = match file.rsplit('.').next() {
             Some("md") => paragraphs(&content),
             Some("rs") => code(&content, Syntax::Rust, strings_of(&file)),
@@ -67,37 +71,6 @@ fn strings_of(file: &str) -> Strings {
     let vocabulary = VOCABULARY.iter().any(|(part, _)| file.contains(part));
     let texts = STRINGS.iter().any(|folder| file.starts_with(folder));
     if texts && !vocabulary { Strings::Read } else { Strings::Skip }
-}
-
-fn files(root: &Path) -> Vec<String> {
-    fn walk(root: &Path, folder: &Path, found: &mut Vec<String>) {
-        const BUILT: [&str; 9] = [
-            "target",
-            "node_modules",
-            "dist",
-            "pkg",
-            "test-results",
-            "corpus",
-            "artifacts",
-            ".git",
-            "endless",
-        ];
-        for entry in fs::read_dir(folder).expect("a folder").flatten() {
-            let path = entry.path();
-            if BUILT.contains(&entry.file_name().to_string_lossy().as_ref()) {
-                continue;
-            }
-            if path.is_dir() {
-                walk(root, &path, found);
-            } else if let Ok(inside) = path.strip_prefix(root) {
-                found.push(inside.to_string_lossy().replace('\\', "/"));
-            }
-        }
-    }
-    let mut found = Vec::new();
-    walk(root, root, &mut found);
-    found.sort();
-    found
 }
 
 /// The paragraphs of a Markdown document with their first lines; a row of a table is one. Code blocks are left out.

@@ -4,6 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::circle::leading_into_circles;
 use super::paths::Named;
 
 /// A module by the names on the way to it; the root of the crate has none.
@@ -143,16 +144,7 @@ impl House {
                 within.entry(module.clone()).or_default().insert(target);
             }
         }
-        // Without the files that use none that is left, only circles remain, and files that lead to them.
-        loop {
-            let left: BTreeSet<Module> = within.keys().cloned().collect();
-            let count: usize = within.values().map(BTreeSet::len).sum();
-            within.values_mut().for_each(|targets| targets.retain(|target| left.contains(target)));
-            within.retain(|_, targets| !targets.is_empty());
-            if count == within.values().map(BTreeSet::len).sum::<usize>() {
-                break;
-            }
-        }
+        let within = leading_into_circles(within);
         let mut circles = BTreeMap::new();
         for start in within.keys() {
             let mut way = vec![start];
