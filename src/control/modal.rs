@@ -9,10 +9,10 @@ use std::sync::Arc;
 use super::codes::{Compensation, Hole, HoleReturn, MotionMode, Plane};
 use super::compensation::{Axis, Compensator};
 use super::corners::{Corner, Letter};
-use super::course::Course;
 use super::doubt::{Doubt, Doubts};
 use super::macros::Variables;
 use super::offsets::{Frames, ToolOffsets};
+use super::program::CallStack;
 use crate::cycles::single::Single;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
@@ -529,7 +529,7 @@ pub struct State {
     /// Whether it is switched on (M23, M24).
     pub thread_chamfer_on: bool,
     /// Calls and loops under way.
-    pub course: Course,
+    pub call_stack: CallStack,
     /// The state when M99 of the main program was met, to be compared with a later one.
     pub last_round: Option<Box<State>>,
     /// Macro variables.
@@ -606,7 +606,7 @@ impl State {
             parameters: CycleParameters::INITIAL,
             thread_chamfer: dialect.thread_chamfer,
             thread_chamfer_on: true,
-            course: Course::default(),
+            call_stack: CallStack::default(),
             last_round: None,
             variables: Variables::default(),
             system: Arc::default(),
@@ -619,13 +619,14 @@ impl State {
         }
     }
 
-    /// Whether a program that begins in this state may take another course than the one that began in `other`: it
+    /// Whether a program that begins in this state may go another way than the one that began in `other`: it
     /// can see its variables, and all the rest only if it asks for it.
     pub fn may_differ_from(&self, other: &Self) -> bool {
-        let rest = |state: &Self| Self { course: Course::default(), last_round: None, ..state.clone() };
+        let rest =
+            |state: &Self| Self { call_stack: CallStack::default(), last_round: None, ..state.clone() };
         self.variables != other.variables
             || self.system != other.system
-            || (self.course.asks && rest(self) != rest(other))
+            || (self.call_stack.asks && rest(self) != rest(other))
     }
 
     /// The first byte of the blocks whose moves wait for the next one; `u32::MAX` when none do.
@@ -660,7 +661,7 @@ impl State {
         self.still_move = self
             .still_move
             .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
-        self.course.head = self.course.head.shifted(shift);
+        self.call_stack.head = self.call_stack.head.shifted(shift);
     }
 
     /// Whether a program goes on from here as it does from `other`.

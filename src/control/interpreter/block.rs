@@ -8,7 +8,7 @@ use crate::control::doubt::Doubt;
 impl Interpreter {
     /// Carries out one block.
     pub fn run(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
-        if self.recorded.is_none() && !self.may_go_on(block) {
+        if self.contours.recorded.is_none() && !self.may_go_on(block) {
             return Flow::End;
         }
         self.carry_out(text, block, here)
@@ -22,7 +22,7 @@ impl Interpreter {
         if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
             return self.carry_out(text, &without_optional(block), here);
         }
-        self.fault = None;
+        self.sink.fault = None;
         let broken = !block.faults.is_empty() && {
             self.tell_faults(block);
             block.is_broken()
@@ -62,9 +62,9 @@ impl Interpreter {
     /// rest may have set is missing.
     #[cold]
     fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
-        self.muted = true;
+        self.sink.muted = true;
         let flow = self.words_of(text, block, here);
-        self.muted = false;
+        self.sink.muted = false;
         for once in [Once::NoFeed, Once::FeedZero, Once::SpindleStopped, Once::NoSpeedClamp] {
             self.state.told.first(once);
         }
@@ -129,15 +129,15 @@ impl Interpreter {
             self.state.spindle.by_maker = false;
             self.state.told.forget(Once::SpindleStopped);
         }
-        match (self.jump.take(), request.passage) {
-            _ if request.end || self.full => Flow::End,
+        match (self.program.jump.take(), request.passage) {
+            _ if request.end || self.sink.is_full() => Flow::End,
             (Some(at), _) => Flow::Jump(at),
             // A call in a contour was reported already.
-            (None, _) if self.recorded.is_some() => Flow::Next,
+            (None, _) if self.contours.recorded.is_some() => Flow::Next,
             (None, Some(passage)) => self.pass(text, block, &words, passage, here),
             (None, None) => match request.macro_call {
                 Some(call) => self.macro_call(text, block, here, call),
-                None if request.moved && self.state.course.modal.is_some() => {
+                None if request.moved && self.state.call_stack.modal.is_some() => {
                     self.modal_call(block, here.next).unwrap_or(Flow::Next)
                 }
                 None => Flow::Next,

@@ -3,8 +3,8 @@
 //! In: the words of a block and where it stands. Out: the place of the next block.
 
 use super::*;
-use crate::control::course::{Call, CallKind};
 use crate::control::program::program_and_repeats;
+use crate::control::program::{Call, CallKind};
 
 /// Where a block stands in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +31,7 @@ impl Interpreter {
     /// ends here.
     #[inline]
     pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
-        if self.state.course.calls.is_empty() && block.span.start >= self.furthest {
-            self.furthest = block.span.start + 1;
+        if self.state.call_stack.calls.is_empty() && self.program.is_first_reading(block.span.start) {
             return true;
         }
         self.count_repeat(block, block)
@@ -40,39 +39,41 @@ impl Interpreter {
 
     /// Counts a block that is read or carried out once more because of another. False: they were too many.
     pub(super) fn count_repeat(&mut self, block: &Block, cause: &Block) -> bool {
-        self.repeated += 1;
-        self.repeated_text += block.span.len();
-        let (blocks, bytes) = (self.setup.limits.repeated_blocks, self.setup.limits.repeated_text);
-        let message = if self.repeated > blocks {
-            Message::TooManyRepeats { most: blocks }
-        } else if self.repeated_text > bytes {
-            Message::TooMuchRepeated { most: bytes }
-        } else {
-            return !self.full;
-        };
-        self.end_run(message, self.jumped_by.unwrap_or_else(|| cause.words_span()));
-        false
+        let span = self.program.jumped_by.unwrap_or_else(|| cause.words_span());
+        let spent = self.program.budget.repeat(block.span.len(), &self.setup.limits);
+        self.go_on_within(spent, span)
     }
 
     /// Counts a round of a loop or call. False: they were too many, and the run ends here.
     pub(super) fn count_round(&mut self, block: &Block) -> bool {
-        self.rounds += 1;
-        if self.rounds > self.setup.limits.rounds {
-            let span = self.jumped_by.unwrap_or_else(|| block.words_span());
-            self.end_run(Message::TooManyRounds { most: self.setup.limits.rounds }, span);
-        }
-        !self.full
+        let span = self.program.jumped_by.unwrap_or_else(|| block.words_span());
+        let spent = self.program.budget.round(&self.setup.limits);
+        self.go_on_within(spent, span)
     }
 
     /// Counts a macro statement or expression, once the program has left the straight way. False: they were too many,
     /// and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
-        self.macro_steps += usize::from(self.wandered);
-        if self.macro_steps > self.setup.limits.macro_steps {
-            let message = Message::TooManyMacroSteps { most: self.setup.limits.macro_steps };
-            self.end_run(message, block.words_span());
+        if !self.program.has_jumped() {
+            return !self.sink.is_full();
         }
-        !self.full
+        let spent = self.program.budget.macro_step(&self.setup.limits);
+        self.go_on_within(spent, block.words_span())
+    }
+
+    /// Counts steps that leave no motion. False: they were too many, and the run ends here.
+    pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
+        let spent = self.program.budget.work(steps, &self.setup.limits);
+        self.go_on_within(spent, block.words_span())
+    }
+
+    /// Whether the run goes on; where a limit is exceeded it ends.
+    #[inline]
+    fn go_on_within(&mut self, spent: Result<(), Message>, span: Span) -> bool {
+        if let Err(message) = spent {
+            self.sink.end(message, span);
+        }
+        !self.sink.is_full()
     }
 
     /// M97, M98, M99.
@@ -118,7 +119,7 @@ impl Interpreter {
                     };
                     // Q: the block of that number in the subprogram.
                     let begin = words.get(b'Q').and_then(plain).map(|sequence| sequence as u32);
-                    match begin.map(|begin| (begin, self.labels(text).find(begin, head.byte))) {
+                    match begin.map(|begin| (begin, self.program.labels(text).find(begin, head.byte))) {
                         Some((begin, None)) => {
                             self.sequence_not_found(begin, words.span(b'Q'));
                             return Flow::Next;
@@ -137,7 +138,7 @@ impl Interpreter {
 
     /// The head of a subprogram, and the repeats packed into the number.
     fn subprogram(&mut self, text: &[u8], named: u64) -> (Option<Resume>, u32) {
-        let labels = self.labels(text);
+        let labels = self.program.labels(text);
         let whole = u32::try_from(named).ok().and_then(|number| labels.program(number));
         let (number, repeats) = program_and_repeats(named);
         match whole {
@@ -148,7 +149,7 @@ impl Interpreter {
 
     /// The block of a sequence number in the program of `block`.
     pub(super) fn sequence(&mut self, text: &[u8], block: &Block, sequence: u32) -> Option<Resume> {
-        self.labels(text).find(sequence, block.span.start)
+        self.program.labels(text).find(sequence, block.span.start)
     }
 
     /// Goes into a subprogram or macro, unless too many are under way (PS0077, PS0122).
@@ -160,29 +161,30 @@ impl Interpreter {
         back: Resume,
         rounds: u32,
     ) -> Flow {
-        let macros = self.state.course.macros();
+        let macros = self.state.call_stack.macros();
         let (depth, most) = match kind {
             CallKind::Macro => (macros, self.setup.limits.macro_depth),
-            CallKind::Subprogram => (self.state.course.calls.len() - macros, self.setup.limits.call_depth),
+            CallKind::Subprogram => {
+                (self.state.call_stack.calls.len() - macros, self.setup.limits.call_depth)
+            }
         };
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
             // The control stops here; going on would only call again.
-            self.end_run(Message::CallTooDeep { most, alarm }, block.words_span());
+            self.sink.end(Message::CallTooDeep { most, alarm }, block.words_span());
             return Flow::End;
         }
-        self.wandered = true;
         let caller = block.span.start;
         let call = Call { kind, head, back, caller, rounds, loops: Vec::new() };
-        self.state.course.calls.push(call);
-        self.jumped_by = Some(block.words_span());
+        self.state.call_stack.calls.push(call);
+        self.program.jump_by(block.words_span());
         Flow::Jump(head)
     }
 
     /// M99: back to the caller, or to the head of the main program.
     fn go_back(&mut self, text: &[u8], block: &Block, words: &Words) -> Flow {
         let named = words.get(b'P').and_then(plain).map(|number| number as u32);
-        let Some(call) = self.state.course.calls.last_mut() else {
+        let Some(call) = self.state.call_stack.calls.last_mut() else {
             let behind = |at: &Resume| at.byte > block.span.start;
             return match named.map(|sequence| (sequence, self.sequence(text, block, sequence))) {
                 // Ahead is a jump like any other.
@@ -201,7 +203,7 @@ impl Interpreter {
         let (caller, back) = (call.caller, call.back);
         self.leave_call();
         let Some(sequence) = named else { return Flow::Jump(back) };
-        match self.labels(text).find(sequence, caller) {
+        match self.program.labels(text).find(sequence, caller) {
             Some(at) => Flow::Jump(at),
             None => {
                 self.sequence_not_found(sequence, words.span(b'P'));
@@ -212,14 +214,14 @@ impl Interpreter {
 
     /// The innermost call ends.
     fn leave_call(&mut self) {
-        if self.state.course.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
+        if self.state.call_stack.calls.pop().is_some_and(|call| call.kind == CallKind::Macro) {
             self.state.variables.pop_level();
         }
     }
 
     /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
     pub fn run_out(&mut self, span: Span) -> Option<Resume> {
-        let back = self.state.course.calls.last()?.back;
+        let back = self.state.call_stack.calls.last()?.back;
         self.tell(Diagnostic::new(Message::NoReturn, span));
         self.leave_call();
         Some(back)
@@ -229,8 +231,7 @@ impl Interpreter {
     pub(super) fn go_to(&mut self, text: &[u8], block: &Block, sequence: u32, span: Span) -> Flow {
         match self.sequence(text, block, sequence) {
             Some(at) => {
-                self.wandered = true;
-                self.jumped_by = Some(block.words_span());
+                self.program.jump_by(block.words_span());
                 Flow::Jump(at)
             }
             None => {
@@ -248,8 +249,8 @@ impl Interpreter {
     /// M99 of the main program: from its head, or from the block of P, once more, for ever.
     fn main_again(&mut self, text: &[u8], block: &Block, from: Option<Resume>) -> Flow {
         // Elsewhere: where to begin was decided already, by the setup or by this very search.
-        if !self.begun_elsewhere {
-            let labels = self.labels(text);
+        if !self.program.begun_elsewhere {
+            let labels = self.program.labels(text);
             let own = labels.number_at(block.span.start);
             if let Some(main) = own.and_then(|own| labels.caller_of(own)) {
                 // A subprogram that stands before the program that calls it.
@@ -260,9 +261,9 @@ impl Interpreter {
             // The body of a macro, which goes back to the program that called it.
             return Flow::End;
         }
-        self.state.course.rounds += 1;
+        self.state.call_stack.rounds += 1;
         // Looked at now and then only: there may be many variables to compare.
-        if self.state.course.rounds.is_power_of_two() {
+        if self.state.call_stack.rounds.is_power_of_two() {
             let last = self.state.last_round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
@@ -271,8 +272,7 @@ impl Interpreter {
             }
             self.state.last_round = Some(Box::new(self.state.clone()));
         }
-        self.wandered = true;
-        self.jumped_by = Some(block.words_span());
-        Flow::Jump(from.unwrap_or(self.state.course.head))
+        self.program.jump_by(block.words_span());
+        Flow::Jump(from.unwrap_or(self.state.call_stack.head))
     }
 }

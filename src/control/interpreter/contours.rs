@@ -8,6 +8,50 @@ use crate::cycles::{Approach, Contour, Piece};
 use crate::limits::BYTES_PER_STEP;
 use crate::text::parser::Parser;
 
+/// What is known of the contours of a run.
+#[derive(Default)]
+pub(super) struct Contours {
+    /// While a contour is read, motions are kept here instead of being stored.
+    pub recorded: Option<Vec<Routed>>,
+    /// What for, if a contour is being read.
+    pub purpose: Option<Purpose>,
+    /// Places of the contour cycles, for the picture.
+    pub landmarks: Vec<Landmarks>,
+    /// The contours of G71 to G73.
+    roughed: Vec<Roughed>,
+    /// P and Q of the cycles that were to rough a contour, whether they could or not.
+    pub asked_to_rough: Vec<(u32, u32)>,
+    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
+    pub for_finishing: Vec<((u32, u32), Diagnostic)>,
+}
+
+/// The places manuals name in a cycle along a contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landmarks {
+    /// The cycle block.
+    pub span: Span,
+    /// A: where the cycle starts.
+    pub start: Point,
+    /// A′: where the contour begins.
+    pub first: Point,
+    /// B: where the contour ends.
+    pub last: Point,
+    /// P and Q.
+    pub named: (u32, u32),
+    /// Whether it was roughed there.
+    pub roughed: bool,
+}
+
+/// A contour that was roughed.
+struct Roughed {
+    /// P and Q.
+    named: (u32, u32),
+    /// Where it begins.
+    begins: Resume,
+    /// First byte of its program.
+    program: u32,
+}
+
 /// Blocks ns to nf as they run.
 pub(super) struct Shape {
     /// Their moves.
@@ -107,43 +151,46 @@ impl Interpreter {
             return None;
         };
         match purpose {
-            Purpose::Roughing => self.asked_to_rough.push((first, last)),
-            Purpose::Finishing => self.for_finishing.retain(|other| other.0 != (first, last)),
+            Purpose::Roughing => self.contours.asked_to_rough.push((first, last)),
+            Purpose::Finishing => self.contours.for_finishing.retain(|other| other.0 != (first, last)),
         }
         // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
         let roughed = match purpose {
             Purpose::Roughing => None,
             Purpose::Finishing => self.roughed_in_program(text, block, (first, last)),
         };
-        let Some(begins) = roughed.or_else(|| self.labels(text).find(first, block.span.start)) else {
+        let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
             let told = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
-            let fix =
-                self.may_offer(&told).then(|| number_missing(text, block.span.end, first, false)).flatten();
+            let fix = self
+                .sink
+                .may_offer(&told)
+                .then(|| number_missing(text, block.span.end, first, false))
+                .flatten();
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         };
-        if !self.labels(text).is_at_or_behind(last, begins.byte) {
+        if !self.program.labels(text).is_at_or_behind(last, begins.byte) {
             let word = words.quote(text, b'Q');
-            let message = match self.labels(text).find(last, block.span.start) {
+            let message = match self.program.labels(text).find(last, block.span.start) {
                 Some(_) => Message::ContourReversed { first, word },
                 None => Message::ContourNotFound { word },
             };
             let is_missing = matches!(message, Message::ContourNotFound { .. });
             let told = Diagnostic::new(message, words.span(b'Q'));
-            let may_offer = is_missing && self.may_offer(&told);
+            let may_offer = is_missing && self.sink.may_offer(&told);
             let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
             self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
             return None;
         }
         // A number that is searched for and appears twice within its contour.
         for (address, number) in [(b'P', first), (b'Q', last)] {
-            let again = self.labels(text).find(number, begins.byte.max(block.span.start));
+            let again = self.program.labels(text).find(number, begins.byte.max(block.span.start));
             let other = again.filter(|again| again.byte > begins.byte);
             let other = match address {
                 b'P' => other,
                 _ => other
-                    .and_then(|first| self.labels(text).find(number, first.byte))
+                    .and_then(|first| self.program.labels(text).find(number, first.byte))
                     .filter(|next| Some(*next) != again && next.byte > begins.byte),
             };
             if let Some(other) = other.filter(|_| purpose == Purpose::Roughing) {
@@ -152,24 +199,24 @@ impl Interpreter {
             }
         }
         let before = self.state.clone();
-        let outer = self.recorded.replace(Vec::new());
-        let outer_purpose = self.purpose.replace(purpose);
+        let outer = self.contours.recorded.replace(Vec::new());
+        let outer_purpose = self.contours.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
         if purpose == Purpose::Roughing && no_feed {
             // The F of the contour does not count; its lack is reported for the cycle, not for each of these blocks.
             self.state.feed = Some(1.0);
         }
-        let noted = self.for_finishing.len();
+        let noted = self.contours.for_finishing.len();
         let read = self.read_shape(text, block, begins, last, code, purpose);
-        for (named, _) in &mut self.for_finishing[noted..] {
+        for (named, _) in &mut self.contours.for_finishing[noted..] {
             *named = (first, last);
         }
-        let moves = std::mem::replace(&mut self.recorded, outer).unwrap_or_default();
-        self.purpose = outer_purpose;
+        let moves = std::mem::replace(&mut self.contours.recorded, outer).unwrap_or_default();
+        self.contours.purpose = outer_purpose;
         let told = self.state.told;
         let state = std::mem::replace(&mut self.state, before);
         self.state.told = told;
-        if self.full {
+        if self.sink.is_full() {
             return None;
         }
         let most = self.setup.limits.moves_per_cycle;
@@ -188,15 +235,22 @@ impl Interpreter {
             }
             Ok((first_block, first_span, ends)) => {
                 let shape = Shape { moves, first: first_block, first_span, begins: begins.byte, ends, state };
-                if self.landmarks.len() < self.setup.limits.messages {
+                if self.contours.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
                     let (a, b) = (contour.first, contour.last());
                     let (named, roughed) = ((first, last), purpose == Purpose::Roughing);
-                    self.landmarks.push(Landmarks { span, start, first: a, last: b, named, roughed });
+                    self.contours.landmarks.push(Landmarks {
+                        span,
+                        start,
+                        first: a,
+                        last: b,
+                        named,
+                        roughed,
+                    });
                     if roughed {
-                        let program = self.labels(text).head_at(begins.byte).byte;
-                        self.roughed.push(Roughed { named, begins, program });
+                        let program = self.program.labels(text).head_at(begins.byte).byte;
+                        self.contours.roughed.push(Roughed { named, begins, program });
                     }
                 }
                 Some(shape)
@@ -217,8 +271,9 @@ impl Interpreter {
 
     /// Where the contour of these numbers begins that roughing has found in the program of `block`.
     fn roughed_in_program(&mut self, text: &[u8], block: &Block, named: (u32, u32)) -> Option<Resume> {
-        let own = self.labels(text).head_at(block.span.start).byte;
-        let found = self.roughed.iter().rev().find(|other| (other.named, other.program) == (named, own));
+        let own = self.program.labels(text).head_at(block.span.start).byte;
+        let found =
+            self.contours.roughed.iter().rev().find(|other| (other.named, other.program) == (named, own));
         found.map(|found| found.begins)
     }
 
@@ -270,7 +325,7 @@ impl Interpreter {
                     return Err(Unread::OtherOperation);
                 }
             }
-            let moves = self.recorded.as_ref().map_or(0, Vec::len);
+            let moves = self.contours.recorded.as_ref().map_or(0, Vec::len);
             let refused = std::mem::replace(&mut self.refused, false);
             let flow = self.run(text, &block, here);
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
@@ -283,7 +338,7 @@ impl Interpreter {
             self.refused |= refused;
             if is_first {
                 let straight = matches!(self.state.motion, MotionMode::Rapid | MotionMode::Line);
-                let moved = self.recorded.as_ref().map_or(0, Vec::len) > moves;
+                let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
                 // One fault, one message.
                 if sound && (!straight || (!moved && !named.x && !named.z)) {
                     self.tell(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
@@ -323,12 +378,8 @@ impl Interpreter {
     /// been run already (GSK980TDb p. 102).
     pub(super) fn go_on_behind(&mut self, block: &Block, begins: u32, ends: Resume) {
         if begins > block.span.start {
-            self.jump = Some(ends);
+            self.program.jump = Some(ends);
         }
-    }
-
-    pub(super) fn labels(&mut self, text: &[u8]) -> &Labels {
-        self.labels.get_or_insert_with(|| Labels::new(text))
     }
 
     fn first_block(&self, block: &Block) -> FirstBlock {
@@ -367,7 +418,7 @@ impl Interpreter {
                 (b'M', _, 2 | 30) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
                 (b'G', 0, 0..=4 | 18 | 40..=42 | 96..=99) => continue,
                 // G70 repeats blocks: some use it to drill a hole again.
-                (b'G', _, 80..=89) if skips && self.purpose == Some(Purpose::Finishing) => {
+                (b'G', _, 80..=89) if skips && self.contours.purpose == Some(Purpose::Finishing) => {
                     let message = Message::ContourIllegal { word: quoted() };
                     self.tell(Diagnostic::new(message, word.span).graded(Severity::Warning));
                     continue;

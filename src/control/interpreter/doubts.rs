@@ -122,12 +122,14 @@ impl Interpreter {
     #[cold]
     pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
         let sequence = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
-        if self.jump.is_some() || self.recorded.is_some() {
+        if self.program.jump.is_some() || self.contours.recorded.is_some() {
             return;
         }
         let (Some(first), Some(last)) = (sequence(b'P'), sequence(b'Q')) else { return };
         let behind = |at: &Resume| at.byte > cycle.span.start;
-        let Some(begins) = self.labels(text).find(first, cycle.span.start).filter(behind) else { return };
+        let Some(begins) = self.program.labels(text).find(first, cycle.span.start).filter(behind) else {
+            return;
+        };
         let mut parser = Parser::resume(text, begins);
         let mut block = Block::default();
         let mut faults = Vec::new();
@@ -135,7 +137,7 @@ impl Interpreter {
             faults.append(&mut block.faults.clone());
             if block.sequence == Some(last) {
                 faults.into_iter().for_each(|fault| self.tell(fault));
-                self.jump = Some(parser.position());
+                self.program.jump = Some(parser.position());
                 return;
             }
         }

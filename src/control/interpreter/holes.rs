@@ -239,7 +239,7 @@ impl Interpreter {
         let approach = Motion { cycle: tag(Step::Approach, 0), ..self.motion(MotionKind::Rapid, start) };
         let approach = self.turning(approach, c);
         self.push(block, approach);
-        let kept = self.kept();
+        let kept = self.sink.kept();
         // Rigid tapping turns the spindle itself; a live tool leaves it where it stands.
         let in_axis = kind.is_face() && hole.initial.x.abs() <= crate::geometry::SAME && c.is_none();
         let tapping = match self.state.spindle.turn {
@@ -267,6 +267,6 @@ impl Interpreter {
             }
             self.push(block, motion);
         }
-        self.spend((moves.len() + 1).saturating_sub(self.kept() - kept), block)
+        self.spend((moves.len() + 1).saturating_sub(self.sink.kept() - kept), block)
     }
 }

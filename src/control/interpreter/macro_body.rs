@@ -26,12 +26,12 @@ impl Interpreter {
     /// Whether the main program can only be the body of a macro: it goes back by M99, and neither ends nor selects a tool.
     /// A program that a bar feeder repeats ends with M99, too, but has its tools.
     fn is_macro_body(&mut self, text: &[u8]) -> bool {
-        if let Some(known) = self.is_macro_body {
+        if let Some(known) = self.program.is_macro_body {
             return known;
         }
         // What stands further on decides.
-        self.labels(text);
-        let mut parser = Parser::resume(text, self.state.course.head);
+        self.program.labels(text);
+        let mut parser = Parser::resume(text, self.state.call_stack.head);
         let (mut block, mut begun, mut returns, mut is_main) = (Block::default(), false, false, false);
         while parser.next_block(&mut block) && !(begun && block.program.is_some()) {
             begun |= !block.is_empty();
@@ -43,7 +43,7 @@ impl Interpreter {
                 }
             }
         }
-        *self.is_macro_body.insert(returns && !is_main)
+        *self.program.is_macro_body.insert(returns && !is_main)
     }
 
     /// What a statement that depends on what nobody knows may have done: given a value to a variable, or led somewhere.

@@ -5,9 +5,9 @@
 
 use super::store::Store;
 use super::*;
-use crate::control::course::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::doubt::Doubt;
 use crate::control::macros::{self, Action, Fault, FaultKind, Knowledge, Locals};
+use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::limits::LOOPS;
 use crate::text::lexer::Number;
 use crate::text::parser::Parser;
@@ -74,10 +74,10 @@ impl Interpreter {
                 self.leave_loop(here);
                 match self.behind_end(text, block, number, here) {
                     Some(behind) => {
-                        self.wandered = true;
+                        self.program.skip_loop();
                         Flow::Jump(behind)
                     }
-                    None if self.full => Flow::End,
+                    None if self.sink.is_full() => Flow::End,
                     None => Flow::Next,
                 }
             }
@@ -110,9 +110,9 @@ impl Interpreter {
         let mark = loop_mark(text, block);
         if matches!(mark, Some((Mark::End, _)))
             && let Some(open) = self.loop_that_ends(here)
-            && self.state.course.loops()[open].rounds == Rounds::One
+            && self.state.call_stack.loops()[open].rounds == Rounds::One
         {
-            self.state.course.loops().truncate(open);
+            self.state.call_stack.loops().truncate(open);
             return;
         }
         self.tell_fault(text, fault, statement_span(block));
@@ -130,11 +130,11 @@ impl Interpreter {
 
     /// Which of the loops under way ends in this block.
     fn loop_that_ends(&mut self, here: Here) -> Option<usize> {
-        let ends = &self.ends;
+        let ends = &self.program.loop_ends;
         let is_own = |own: &Loop| {
             ends.get(&own.head.byte).copied().flatten().is_some_and(|end| end.byte == here.next.byte)
         };
-        self.state.course.loops().iter().rposition(is_own)
+        self.state.call_stack.loops().iter().rposition(is_own)
     }
 
     fn tell_fault(&mut self, text: &[u8], fault: &Fault, within: Span) {
@@ -158,22 +158,22 @@ impl Interpreter {
     fn begin_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Flow {
         let head = here.at;
         if self.behind_end(text, block, number, here).is_none() {
-            return if self.full { Flow::End } else { Flow::Next };
+            return if self.sink.is_full() { Flow::End } else { Flow::Next };
         }
-        let loops = self.state.course.loops();
+        let loops = self.state.call_stack.loops();
         if let Some(own) = loops.iter().position(|own| own.head.byte == head.byte) {
             loops.truncate(own + 1);
             return Flow::Next;
         }
         if let Some(old) = loops.iter().rposition(|own| own.number == number) {
             let outer = loops[old].head.byte;
-            let end = self.ends.get(&outer).copied().flatten();
+            let end = self.program.loop_ends.get(&outer).copied().flatten();
             if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
                 self.lose_program();
             } else {
                 // A jump out of a loop left it open.
-                self.state.course.loops().truncate(old);
+                self.state.call_stack.loops().truncate(old);
             }
         }
         self.open_loop(Loop { number, head, rounds: Rounds::All });
@@ -182,14 +182,14 @@ impl Interpreter {
 
     /// One more loop is under way. Beyond the limit none is: numbers have one digit, so such a loop was reported as nested in itself.
     fn open_loop(&mut self, own: Loop) {
-        let loops = self.state.course.loops();
+        let loops = self.state.call_stack.loops();
         if loops.len() < LOOPS {
             loops.push(own);
         }
     }
 
     fn leave_loop(&mut self, here: Here) {
-        let loops = self.state.course.loops();
+        let loops = self.state.call_stack.loops();
         if let Some(old) = loops.iter().position(|own| own.head.byte == here.at.byte) {
             loops.truncate(old);
         }
@@ -199,21 +199,20 @@ impl Interpreter {
     fn end_loop(&mut self, block: &Block, here: Here) -> Flow {
         let Some(old) = self.loop_that_ends(here) else {
             // The END of a DO that was reported to be missing: its number is wrong.
-            if !self.lacks_end {
+            if !self.program.lacks_end {
                 self.tell_macro(FaultKind::LoopNumber, block.words_span());
                 self.lose_program();
             }
             return Flow::Next;
         };
-        let loops = self.state.course.loops();
+        let loops = self.state.call_stack.loops();
         let Loop { head, rounds, .. } = loops[old];
         if rounds == Rounds::One {
             loops.truncate(old);
             return Flow::Next;
         }
         loops.truncate(old + 1);
-        self.wandered = true;
-        self.jumped_by = Some(block.words_span());
+        self.program.jump_by(block.words_span());
         if self.count_round(block) { Flow::Jump(head) } else { Flow::End }
     }
 
@@ -226,7 +225,7 @@ impl Interpreter {
         here: Here,
     ) -> Option<Resume> {
         let found = self.end_of_loop(text, block, number, here);
-        if found.is_none() && !self.full {
+        if found.is_none() && !self.sink.is_full() {
             self.tell_macro(FaultKind::EndMissing, block.words_span());
             self.lose_program();
         }
@@ -236,7 +235,7 @@ impl Interpreter {
     /// The block after the END of a loop that begins here, looked for once. The loops met on the way need no search
     /// of their own.
     fn end_of_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
-        if let Some(found) = self.ends.get(&here.at.byte) {
+        if let Some(found) = self.program.loop_ends.get(&here.at.byte) {
             return *found;
         }
         let mut parser = Parser::resume(text, here.next);
@@ -256,7 +255,7 @@ impl Interpreter {
                 Some((Mark::Do, own)) => open[own as usize].push(at.byte),
                 Some((Mark::End, own)) => {
                     let Some(head) = open[own as usize].pop() else { continue };
-                    self.ends.insert(head, Some(parser.position()));
+                    self.program.loop_ends.insert(head, Some(parser.position()));
                     if head == here.at.byte {
                         return Some(parser.position());
                     }
@@ -264,8 +263,8 @@ impl Interpreter {
                 None => {}
             }
         }
-        self.lacks_end = true;
-        self.ends.extend(open.into_iter().flatten().map(|head| (head, None)));
+        self.program.lacks_end = true;
+        self.program.loop_ends.extend(open.into_iter().flatten().map(|head| (head, None)));
         None
     }
 
@@ -277,11 +276,11 @@ impl Interpreter {
         }
         self.guessing = false;
         let own = self.evaluated(text, block);
-        if std::mem::take(&mut self.guessing) && !self.muted {
+        if std::mem::take(&mut self.guessing) && !self.sink.muted {
             // What is said of such values says nothing of the macro.
-            self.muted = true;
+            self.sink.muted = true;
             let flow = self.evaluated_words(text, block, own, here);
-            self.muted = false;
+            self.sink.muted = false;
             return flow;
         }
         self.evaluated_words(text, block, own, here)
@@ -307,7 +306,7 @@ impl Interpreter {
             None => {
                 self.trace_nothing();
                 self.lose(Self::from_variables(block));
-                if self.full { Flow::End } else { Flow::Next }
+                if self.sink.is_full() { Flow::End } else { Flow::Next }
             }
         }
     }
@@ -423,7 +422,8 @@ impl Interpreter {
                 return Flow::Next;
             }
         };
-        let head = u32::try_from(number as u64).ok().and_then(|number| self.labels(text).program(number));
+        let head =
+            u32::try_from(number as u64).ok().and_then(|number| self.program.labels(text).program(number));
         let Some(head) = head else {
             let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
             let span = find(b'P').map_or(block.words_span(), |word| word.span);
@@ -434,7 +434,7 @@ impl Interpreter {
         match call {
             MacroCall::Once => self.enter_macro(block, head, here.next, rounds, arguments),
             MacroCall::Modal => {
-                self.state.course.modal = Some(ModalCall { head, rounds, arguments });
+                self.state.call_stack.modal = Some(ModalCall { head, rounds, arguments });
                 Flow::Next
             }
         }
@@ -443,9 +443,9 @@ impl Interpreter {
     /// Calls the macro of G66 after a block that moved.
     #[inline(never)]
     pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
-        let modal = self.state.course.modal.clone()?;
+        let modal = self.state.call_stack.modal.clone()?;
         // Its own moves do not call it again.
-        if self.state.course.calls.iter().any(|call| call.head == modal.head) {
+        if self.state.call_stack.calls.iter().any(|call| call.head == modal.head) {
             return None;
         }
         Some(self.enter_macro(block, modal.head, back, modal.rounds, modal.arguments))

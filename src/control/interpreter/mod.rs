@@ -31,14 +31,13 @@ mod threads;
 mod trace;
 mod watch;
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use super::modal::{
     CycleMemory, DeepestPass, FeedAlone, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass,
 };
-use super::program::Labels;
+use super::program::Program;
+use super::sink::Sink;
 use super::words::{self, Reading, Words, letters, plain, quote};
 use crate::cycles::single::{self, PullOut, Single};
 use crate::cycles::{Contour, Move};
@@ -57,9 +56,11 @@ use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
 use crate::units::Unit;
 use calls::Passage;
+use contours::Contours;
 use rotary::TURNS;
 
 pub use calls::Here;
+pub use contours::Landmarks;
 pub use snapshot::{Remainder, Snapshot};
 
 /// Words that move X or Z.
@@ -93,33 +94,6 @@ pub struct Executed {
     pub before: Process,
     /// The same once its own words for them count, before it moves.
     pub ready: Process,
-}
-
-/// The places manuals name in a cycle along a contour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landmarks {
-    /// The cycle block.
-    pub span: Span,
-    /// A: where the cycle starts.
-    pub start: Point,
-    /// A′: where the contour begins.
-    pub first: Point,
-    /// B: where the contour ends.
-    pub last: Point,
-    /// P and Q.
-    pub named: (u32, u32),
-    /// Whether it was roughed there.
-    pub roughed: bool,
-}
-
-/// A contour that was roughed.
-struct Roughed {
-    /// P and Q.
-    named: (u32, u32),
-    /// Where it begins.
-    begins: Resume,
-    /// First byte of its program.
-    program: u32,
 }
 
 /// One-shot codes: they use up the words of their block.
@@ -207,69 +181,18 @@ pub struct Interpreter {
     dialect: Dialect,
     /// The state of the control after the last block.
     pub state: State,
-    /// Finished chunks.
-    motions: Motions,
-    chunk: Chunk,
-    /// A block before the chunk could not be carried out; `state.incomplete` lists those since.
-    incomplete: bool,
-    /// In the order in which they were reported.
-    diagnostics: Vec<Diagnostic>,
-    hidden: usize,
-    full: bool,
-    /// Steps so far that left no motion: see [`Limits::cycle_work`].
-    work: usize,
-    /// While a contour is read, motions are kept here instead of being stored.
-    recorded: Option<Vec<Routed>>,
-    /// What for, if a contour is being read.
-    purpose: Option<contours::Purpose>,
-    /// Sequence numbers, made when first asked for.
-    labels: Option<Labels>,
-    /// Where loops go on after their END, by the first byte of their DO; found when first asked for.
-    ends: BTreeMap<u32, Option<Resume>>,
-    /// One of them has no END.
-    lacks_end: bool,
-    /// Places of the contour cycles, for the picture.
-    landmarks: Vec<Landmarks>,
-    /// The contours of G71 to G73.
-    roughed: Vec<Roughed>,
-    /// P and Q of the cycles that were to rough a contour, whether they could or not.
-    asked_to_rough: Vec<(u32, u32)>,
-    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
-    for_finishing: Vec<((u32, u32), Diagnostic)>,
-    /// Where the program goes on after the block.
-    jump: Option<Resume>,
-    /// Blocks of the main program from this byte on have not been run yet.
-    furthest: u32,
-    /// Blocks carried out through jumps, loops and calls.
-    repeated: usize,
-    /// Their bytes.
-    repeated_text: usize,
-    /// Rounds of loops and calls.
-    rounds: usize,
-    /// Macro statements and expressions in blocks that were carried out so.
-    macro_steps: usize,
-    /// The block that jumped or called last.
-    jumped_by: Option<Span>,
-    /// The program has left the straight way through its text.
-    wandered: bool,
-    /// It began with another program than the first of the text.
-    begun_elsewhere: bool,
-    /// First bytes of the programs that were run.
-    heads: BTreeSet<u32>,
+    /// Where to read next.
+    program: Program,
+    /// Motions and messages.
+    sink: Sink,
+    /// Contours read by G70 to G73.
+    contours: Contours,
     /// The blocks carried out, in order, if they are asked for.
     trace: Option<Vec<Executed>>,
-    /// The first fault in the writing of the block under way.
-    fault: Option<Span>,
     /// A block was not carried out since this was last looked at.
     refused: bool,
-    /// Nothing is reported for the block under way any more.
-    muted: bool,
     /// A value of the block under way comes from a variable that nobody knows.
     guessing: bool,
-    /// Whether the main program is the body of a macro; found when first asked for.
-    is_macro_body: Option<bool>,
-    /// Messages reported, in order of place and name: what runs again is not reported again.
-    told: Vec<(u32, &'static str)>,
 }
 
 impl Interpreter {
@@ -282,43 +205,17 @@ impl Interpreter {
     fn of(setup: Setup, dialect: Dialect) -> Self {
         let state = State::new(&setup, &dialect);
         let chunk = Chunk::new(0, 0, state.position);
+        let sink = Sink::new(setup.rules.clone(), setup.limits, chunk);
         Self {
             setup,
             dialect,
             state,
-            motions: Motions::default(),
-            chunk,
-            incomplete: false,
-            diagnostics: Vec::new(),
-            hidden: 0,
-            full: false,
-            work: 0,
-            recorded: None,
-            purpose: None,
-            labels: None,
-            ends: BTreeMap::new(),
-            lacks_end: false,
-            landmarks: Vec::new(),
-            roughed: Vec::new(),
-            asked_to_rough: Vec::new(),
-            for_finishing: Vec::new(),
-            jump: None,
-            furthest: 0,
-            repeated: 0,
-            repeated_text: 0,
-            rounds: 0,
-            macro_steps: 0,
-            jumped_by: None,
-            wandered: false,
-            begun_elsewhere: false,
-            heads: BTreeSet::new(),
+            program: Program::default(),
+            sink,
+            contours: Contours::default(),
             trace: None,
-            fault: None,
             refused: false,
-            muted: false,
             guessing: false,
-            is_macro_body: None,
-            told: Vec::new(),
         }
     }
 
@@ -339,22 +236,22 @@ impl Interpreter {
 
     /// Motions of the finished chunks.
     pub fn motions(&self) -> &Motions {
-        &self.motions
+        &self.sink.motions
     }
 
     /// Messages so far, in the order in which they were reported.
     pub fn diagnostics(&self) -> &[Diagnostic] {
-        &self.diagnostics
+        &self.sink.diagnostics
     }
 
     /// Places of the contour cycles so far.
     pub fn landmarks(&self) -> &[Landmarks] {
-        &self.landmarks
+        &self.contours.landmarks
     }
 
     /// Messages that were not kept.
     pub fn hidden(&self) -> usize {
-        self.hidden
+        self.sink.hidden
     }
 
     /// The setup of the run.
@@ -377,55 +274,25 @@ impl Interpreter {
 
     /// The motions.
     pub fn into_motions(self) -> Motions {
-        self.motions
+        self.sink.motions
     }
 
     /// Reports something to the user, unless it was reported for the same place before.
     pub fn tell(&mut self, diagnostic: Diagnostic) {
-        // One fault, one message: what is said of a whole block with a misspelt word is mostly its consequence.
-        let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
-        if self.muted || self.fault.is_some_and(about_all) {
-            return;
+        if !self.sink.is_silent_about(&diagnostic) {
+            // Which of them were reported before is not kept any more once the limit is reached.
+            self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_jumped());
         }
-        // What is off takes no room from the rest.
-        let Some(diagnostic) = self.setup.rules.graded(diagnostic.in_unit(self.state.unit)) else { return };
-        if self.diagnostics.len() >= self.setup.limits.messages {
-            // Which of them were reported before is not kept any more.
-            self.hidden += usize::from(!self.wandered);
-            return;
-        }
-        self.tell_always(diagnostic);
-    }
-
-    /// Whether a repair is worth its search: the message is new, and there is room for it.
-    fn may_offer(&self, diagnostic: &Diagnostic) -> bool {
-        let room = self.diagnostics.len() < self.setup.limits.messages;
-        room && self.told.binary_search(&told_as(diagnostic)).is_err()
     }
 
     /// What is reported for the setup: many faults of one kind have no other place than the beginning of the text.
     pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
-        let graded = self.setup.rules.graded(diagnostic);
-        self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.setup.limits.messages));
+        self.sink.report_of_setup(diagnostic);
     }
 
     /// Reports, even when no more messages are kept: why the run ends.
     pub fn tell_always(&mut self, diagnostic: Diagnostic) {
-        let Some(diagnostic) = self.setup.rules.graded(diagnostic) else { return };
-        let known = told_as(&diagnostic);
-        if let Err(place) = self.told.binary_search(&known) {
-            self.told.insert(place, known);
-            self.diagnostics.push(diagnostic);
-        }
-    }
-
-    /// A bound is met: nothing more is carried out, and that is why.
-    #[cold]
-    fn end_run(&mut self, message: Message, span: Span) {
-        if !self.full {
-            self.full = true;
-            self.tell_always(Diagnostic::new(message, span));
-        }
+        self.sink.report_always(diagnostic);
     }
 
     /// How numbers are read at the moment.
@@ -461,53 +328,46 @@ impl Interpreter {
 
     /// An O program begins here and is run: the main program, unless a call is under way.
     pub fn enter_program(&mut self, head: Resume) {
-        if self.state.course.calls.is_empty() {
-            self.state.course.head = head;
+        if self.state.call_stack.calls.is_empty() {
+            self.state.call_stack.head = head;
         }
-        self.heads.insert(head.byte);
+        self.program.enter(head);
     }
 
     /// The program to run begins here, and is not the first of the text.
     pub fn begin_elsewhere(&mut self, head: Resume) {
         self.enter_program(head);
-        self.furthest = head.byte;
-        self.wandered = true;
-        self.begun_elsewhere = true;
+        self.program.begin_elsewhere(head);
     }
 
     /// Whether the program in force begins here.
     pub fn is_head(&self, at: Resume) -> bool {
-        self.state.course.program_head().byte == at.byte
+        self.state.call_stack.program_head().byte == at.byte
     }
 
     /// Whether the program that begins here was run.
     pub fn was_run(&self, at: Resume) -> bool {
-        self.heads.contains(&at.byte)
+        self.program.was_run(at)
     }
 
     /// Whether a program of the text calls the one of a number.
     pub fn is_called(&mut self, text: &[u8], number: u32) -> bool {
-        self.labels(text).is_called(number)
+        self.program.labels(text).is_called(number)
     }
 
     /// Whether the program has left the straight way through its text.
     pub fn has_wandered(&self) -> bool {
-        self.wandered
+        self.program.has_jumped()
     }
 
     /// Reports what is wrong with the writing of a block that is not run.
     pub fn tell_faults(&mut self, block: &Block) {
-        self.fault = None;
+        self.sink.fault = None;
         for fault in &block.faults {
             self.tell(fault.clone());
         }
-        self.fault = block.faults.first().map(|fault| fault.span);
+        self.sink.fault = block.faults.first().map(|fault| fault.span);
     }
-}
-
-/// What distinguishes a message from others.
-fn told_as(diagnostic: &Diagnostic) -> (u32, &'static str) {
-    (diagnostic.span.start, diagnostic.message.slug())
 }
 
 /// The head of a long quotation.

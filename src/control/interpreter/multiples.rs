@@ -28,7 +28,7 @@ impl Interpreter {
         words: &Words,
         cycle: Multiple,
     ) {
-        if self.recorded.is_some() {
+        if self.contours.recorded.is_some() {
             // Reported already: no cycle may stand in a contour.
             request.drop = true;
             return;
@@ -78,11 +78,14 @@ impl Interpreter {
 
     /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
     fn watch_finish(&mut self, block: &Block, shape: &Shape) {
-        let Some(own) = self.landmarks.last().copied().filter(|own| own.span == block.span) else { return };
-        let roughed = self.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
+        let Some(own) = self.contours.landmarks.last().copied().filter(|own| own.span == block.span) else {
+            return;
+        };
+        let roughed =
+            self.contours.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
         let message = match roughed {
             // A cycle that could not run was reported.
-            None if self.asked_to_rough.contains(&own.named) => return,
+            None if self.contours.asked_to_rough.contains(&own.named) => return,
             None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
             Some(other) if other.start.distance(own.start) > 0.001 && !clears(own.start, other, shape) => {
                 Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
@@ -351,11 +354,7 @@ impl Interpreter {
             debug_assert!(axis == address as char);
             self.tell_allowance(words, address, words.quote(text, address));
         }
-        let turned = |stock| {
-            let chunks = self.motions.chunks().iter().chain([&self.chunk]);
-            let before = chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)));
-            lint::contour::turned_before(&contour, stock, before)
-        };
+        let turned = |stock| lint::contour::turned_before(&contour, stock, self.sink.all_motions());
         let told = lint::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
         if let Some(message) = told {
             self.tell(Diagnostic::new(message, block.words_span()));
@@ -401,7 +400,7 @@ impl Interpreter {
 
     /// Moves that a cycle may make.
     pub(super) fn moves_left(&self) -> usize {
-        self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.kept()))
+        self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.sink.kept()))
     }
 
     /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself, or too few
@@ -412,7 +411,7 @@ impl Interpreter {
             return;
         }
         if most < self.setup.limits.moves_per_cycle {
-            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, span);
+            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, span);
         } else {
             self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, span));
         }
@@ -420,14 +419,14 @@ impl Interpreter {
 
     /// Makes the moves of a cycle.
     pub(super) fn run_cycle(&mut self, block: &Block, cycle: Cycle, lead: Option<f64>, moves: &[Move]) {
-        let kept = self.kept();
+        let kept = self.sink.kept();
         for step in moves {
             let tag = CycleStep { cycle, pass: step.pass, step: step.step };
             let mut motion = self.motion(step.kind, step.to);
             motion.process.uncertain |= self.state.doubts.has(Doubt::Cycle);
             self.push(block, Motion { cycle: Some(tag), center: step.center, lead, ..motion });
         }
-        self.spend(moves.len() - (self.kept() - kept), block);
+        self.spend(moves.len() - (self.sink.kept() - kept), block);
     }
 
     /// The moves of a contour that is held to less: as it is, or without the last blocks, which lead back.

@@ -33,7 +33,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
         // A contour is read for its shape alone.
-        if self.recorded.is_none() {
+        if self.contours.recorded.is_none() {
             let here = self.motion(MotionKind::Dwell, self.state.position);
             self.wait_here(Routed { stop: Some(kind), ..self.routed(block, here) });
         }
@@ -60,13 +60,13 @@ impl Interpreter {
             && motion.seconds.is_none()
             && motion.rotary.is_none()
             && routed.third.is_none_or(|(from, to)| from == to);
-        if still || self.full {
+        if still || self.sink.is_full() {
             return;
         }
         if let Some(third) = routed.third {
             routed = self.on_machine(routed, third);
         }
-        match &mut self.recorded {
+        match &mut self.contours.recorded {
             // One more than a cycle may have, so that it is refused rather than cut short.
             Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(routed),
             Some(_) => {}
@@ -74,35 +74,21 @@ impl Interpreter {
         }
     }
 
-    /// Counts steps that leave no motion. False: they were too many, and the run ends here.
-    pub(super) fn spend(&mut self, steps: usize, block: &Block) -> bool {
-        self.work = self.work.saturating_add(steps);
-        if self.work > self.setup.limits.cycle_work {
-            self.end_run(Message::TooMuchWork { most: self.setup.limits.cycle_work }, block.words_span());
-        }
-        !self.full
-    }
-
-    /// Motions kept so far.
-    pub(super) fn kept(&self) -> usize {
-        self.motions.len() + self.chunk.len()
-    }
-
     /// Keeps a motion for good.
     #[inline]
     fn store(&mut self, mut routed: Routed) {
-        if self.kept() >= self.setup.limits.motions {
-            self.end_run(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
+        if !self.sink.has_room() {
+            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
             return;
         }
         // A block after that of a motion that waited may have failed.
         routed.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
-            self.chunk.stop(&stop);
+            self.sink.chunk.stop(&stop);
         }
         if routed.motion.kind.cuts() {
             self.state.frames.cut();
         }
-        self.chunk.push(&routed.motion, routed.span, routed.line);
+        self.sink.chunk.push(&routed.motion, routed.span, routed.line);
     }
 }

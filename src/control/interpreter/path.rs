@@ -61,9 +61,9 @@ impl Interpreter {
             && state.virtual_plane.is_none()
             && state.tip.is_none()
             && state.stop.is_none()
-            && self.recorded.is_none()
-            && !self.full
-            && self.kept() < self.setup.limits.motions;
+            && self.contours.recorded.is_none()
+            && !self.sink.is_full()
+            && self.sink.kept() < self.setup.limits.motions;
         if !plain {
             return false;
         }
@@ -73,7 +73,7 @@ impl Interpreter {
             if kind.cuts() {
                 self.state.frames.cut();
             }
-            self.chunk.push_move(kind, from, to, center, &process, block.span, block.line);
+            self.sink.chunk.push_move(kind, from, to, center, &process, block.span, block.line);
         }
         self.state.position = to;
         true
@@ -259,7 +259,11 @@ impl Interpreter {
         compensating.is_new &= compensating.waiting.is_empty();
         let length = motion.from.distance(motion.to);
         let begins = compensating.is_new && compensating.waiting.is_empty();
-        if (begins || side.is_none()) && length > 0.0 && length < nose.radius && self.recorded.is_none() {
+        if (begins || side.is_none())
+            && length > 0.0
+            && length < nose.radius
+            && self.contours.recorded.is_none()
+        {
             let message = Message::CompensationShort { length, radius: nose.radius };
             self.tell(Diagnostic::new(message, routed.span));
         }

@@ -13,14 +13,14 @@ impl Interpreter {
             return;
         }
         let reading = self.reading();
-        if self.purpose == Some(contours::Purpose::Roughing)
+        if self.contours.purpose == Some(contours::Purpose::Roughing)
             && let Some(address) =
                 [b'F', b'S', b'T'].into_iter().find(|&address| words.get(address).is_some())
         {
             let word = words.quote(text, address);
             let told = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
-            if self.for_finishing.len() < self.setup.limits.messages {
-                self.for_finishing.push(((0, 0), told));
+            if self.contours.for_finishing.len() < self.setup.limits.messages {
+                self.contours.for_finishing.push(((0, 0), told));
             }
         }
         let setting = request.one_shot == Some(OneShot::Setting);
@@ -96,7 +96,7 @@ impl Interpreter {
 
     /// Words of a contour that neither roughing nor a G70 has used.
     pub(super) fn tell_words_for_finishing(&mut self) {
-        for (_, told) in std::mem::take(&mut self.for_finishing) {
+        for (_, told) in std::mem::take(&mut self.contours.for_finishing) {
             self.tell(told);
         }
     }

@@ -68,72 +68,55 @@ impl Interpreter {
     /// Whether enough motions came together for a chunk.
     #[inline]
     pub fn has_full_chunk(&self) -> bool {
-        self.chunk.len() >= self.setup.limits.stride
+        self.sink.chunk.len() >= self.setup.limits.stride
     }
 
     /// Begins a chunk at the block to come. One without motions begins there anew.
     pub fn begin_chunk(&mut self, at: Resume) {
-        let mut next = Chunk::new(at.byte, at.line, self.state.position);
-        next.set_incomplete(self.incomplete);
-        self.motions.push(std::mem::replace(&mut self.chunk, next));
+        self.sink.begin_chunk(Chunk::new(at.byte, at.line, self.state.position));
     }
 
     /// Whether everything so far was carried out on the straight way through the text, with an eye on nothing else.
     pub fn is_straight(&self) -> bool {
-        let looked_elsewhere = self.labels.is_some() || !self.ends.is_empty() || self.wandered;
-        !looked_elsewhere && !self.full && self.trace.is_none()
+        self.program.is_straight() && !self.sink.is_full() && self.trace.is_none()
     }
 
     /// Keeps the control as it is before the block to come, which begins a chunk.
     pub fn snapshot(&mut self, at: Resume) -> Snapshot {
         // From here on errors are counted anew, so that the state does not depend on those before.
         let failed = std::mem::take(&mut self.state.incomplete);
-        self.incomplete |= failed;
+        self.sink.incomplete |= failed;
         self.begin_chunk(at);
         Snapshot {
             at,
             state: self.state.clone(),
-            chunks: self.motions.chunks().len(),
-            told: self.diagnostics.len(),
-            hidden: self.hidden,
-            work: self.work,
+            chunks: self.sink.motions.chunks().len(),
+            told: self.sink.diagnostics.len(),
+            hidden: self.sink.hidden,
+            work: self.program.budget.work,
             failed,
-            incomplete: self.incomplete,
+            incomplete: self.sink.incomplete,
         }
     }
 
     /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         let Snapshot { at, state, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
-        let mut motions = std::mem::take(&mut self.motions);
-        motions.split_off(*chunks);
-        let mut diagnostics = std::mem::take(&mut self.diagnostics);
-        diagnostics.truncate(*told);
-        let heads = std::mem::take(&mut self.heads);
-        let mut known: Vec<_> = diagnostics.iter().map(told_as).collect();
-        known.sort_unstable();
-        *self = Self {
-            state: state.clone(),
-            motions,
-            hidden: *hidden,
-            work: *work,
-            incomplete: *incomplete,
-            furthest: at.byte,
-            heads: heads.into_iter().filter(|&head| head < at.byte).collect(),
-            told: known,
-            diagnostics,
-            ..Self::of(std::mem::take(&mut self.setup), self.dialect.clone())
-        };
-        self.begin_chunk(*at);
+        let chunk = Chunk::new(at.byte, at.line, state.position);
+        self.sink.back_to(*chunks, *told, *hidden, *incomplete, chunk);
+        self.state = state.clone();
+        self.program = std::mem::take(&mut self.program).back_at(*at, *work);
+        self.contours = Contours::default();
+        (self.refused, self.guessing) = (false, false);
     }
 
     /// Takes out what came after the first of some snapshots of this run, which has ended.
     pub fn take_remainder(&mut self, snapshots: Vec<Snapshot>) -> Option<Remainder> {
         let first = snapshots.first()?;
         Some(Remainder {
-            motions: self.motions.split_off(first.chunks),
-            diagnostics: self.diagnostics.split_off(first.told),
-            hidden: self.hidden,
+            motions: self.sink.motions.split_off(first.chunks),
+            diagnostics: self.sink.diagnostics.split_off(first.told),
+            hidden: self.sink.hidden,
             state: self.state.clone(),
             snapshots,
         })
@@ -143,14 +126,14 @@ impl Interpreter {
     /// along.
     pub fn meets(&self, other: &Remainder, index: usize, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
-        let told = self.diagnostics.len();
-        let as_full = (told, self.hidden) == (there.told, there.hidden);
-        let has_room = (self.hidden, other.hidden) == (0, 0)
+        let told = self.sink.diagnostics.len();
+        let as_full = (told, self.sink.hidden) == (there.told, there.hidden);
+        let has_room = (self.sink.hidden, other.hidden) == (0, 0)
             && told + other.told_behind(there) <= self.setup.limits.messages;
-        let holds_all = self.kept() + other.motions_behind(there) <= self.setup.limits.motions;
+        let holds_all = self.sink.kept() + other.motions_behind(there) <= self.setup.limits.motions;
         let waits_behind = there.state.first_waiting() >= shift.from;
         if !self.is_straight()
-            || self.work != there.work
+            || self.program.budget.work != there.work
             || !(as_full || has_room)
             || !holds_all
             || !waits_behind
@@ -172,27 +155,27 @@ impl Interpreter {
         let motions = motions.split_off(there.chunks - chunks_out);
         let mut diagnostics = diagnostics.split_off(there.told - told_out);
         diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
-        let chunks = self.motions.chunks().len();
-        let told = self.diagnostics.len();
-        let mut incomplete = self.incomplete;
+        let chunks = self.sink.motions.chunks().len();
+        let told = self.sink.diagnostics.len();
+        let mut incomplete = self.sink.incomplete;
         for snapshot in &mut later {
-            self.incomplete |= snapshot.failed;
+            self.sink.incomplete |= snapshot.failed;
             snapshot.at = snapshot.at.shifted(shift);
             snapshot.state.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
-            snapshot.incomplete = self.incomplete;
+            snapshot.incomplete = self.sink.incomplete;
         }
         let mut passed = later.iter().peekable();
-        self.motions.append(motions, |index, chunk| {
+        self.sink.motions.append(motions, |index, chunk| {
             while let Some(snapshot) = passed.next_if(|snapshot| snapshot.chunks <= chunks + index) {
                 incomplete = snapshot.incomplete;
             }
             chunk.shift(shift);
             chunk.set_incomplete(incomplete);
         });
-        self.diagnostics.append(&mut diagnostics);
-        self.hidden = hidden;
+        self.sink.diagnostics.append(&mut diagnostics);
+        self.sink.hidden = hidden;
         state.shift(shift);
         self.state = state;
         later

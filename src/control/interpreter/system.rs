@@ -95,7 +95,7 @@ impl Interpreter {
             self.unknown_system(block, variable);
             return None;
         };
-        self.state.course.asks |= !matches!(system, System::Kept);
+        self.state.call_stack.asks |= !matches!(system, System::Kept);
         let state = &self.state;
         let offset = state.frames.offset();
         Some(match system {
@@ -110,7 +110,7 @@ impl Interpreter {
             System::Letter(b'N') => f64::from(state.sequence),
             System::Letter(_) => {
                 let at = block.span.start;
-                f64::from(self.labels(text).number_at(at).unwrap_or(0))
+                f64::from(self.program.labels(text).number_at(at).unwrap_or(0))
             }
             System::Work(3) | System::Machine(3) => state.c,
             System::Work(axis) => coordinate(state.position, axis),
@@ -203,7 +203,7 @@ impl Interpreter {
             },
             9 => 22,
             10 => state.hole.as_ref().map_or(80, |hole| hole.kind.number()),
-            12 => 66 + u32::from(state.course.modal.is_none()),
+            12 => 66 + u32::from(state.call_stack.modal.is_none()),
             14 => 54 + u32::from(state.frames.active.min(STANDARD_FRAMES - 1)),
             16 => match state.plane {
                 Plane::Xy => 17,

@@ -104,7 +104,7 @@ impl Interpreter {
             }
             G::HoleReturn(level) => state.hole_return = level,
             G::MacroCall(call) => request.macro_call = Some(call),
-            G::NoModalMacro => state.course.modal = None,
+            G::NoModalMacro => state.call_stack.modal = None,
             G::Distance { incremental } => state.incremental = incremental,
             G::OtherHome => request.one_shot = Some(OneShot::OtherHome),
             G::CheckHome => request.one_shot = Some(OneShot::CheckHome),
@@ -125,7 +125,7 @@ impl Interpreter {
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
             // Roughing cycles ignore compensation in their contour (GSK980TDb p. 102).
-            G::Compensation(_) if self.purpose == Some(contours::Purpose::Roughing) => {}
+            G::Compensation(_) if self.contours.purpose == Some(contours::Purpose::Roughing) => {}
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;
                 state.compensation = compensation;

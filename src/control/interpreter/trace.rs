@@ -8,9 +8,9 @@ impl Interpreter {
     /// Keeps a block that is carried out.
     #[cold]
     pub(super) fn trace_block(&mut self, block: &Block, here: Here) {
-        let first = self.kept();
+        let first = self.sink.kept();
         let process = self.state.process();
-        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
         let steers =
             !block.is_broken() && block.kind == BlockKind::Macro || block.words.iter().any(codes::steers);
         trace.push(Executed { at: here.at, first, values: None, steers, before: process, ready: process });
@@ -20,7 +20,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn trace_process(&mut self) {
         let process = self.state.process();
-        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
         if let Some(last) = trace.last_mut() {
             last.ready = process;
         }
@@ -43,7 +43,7 @@ impl Interpreter {
     /// Keeps the words of the last block with their values.
     #[cold]
     pub(super) fn trace_values(&mut self, block: &Block) {
-        let Some(trace) = self.trace.as_mut().filter(|_| self.recorded.is_none()) else { return };
+        let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
         let mut values = String::new();
         for word in &block.words {
             let Value::Number { number, negative } = word.value else { continue };

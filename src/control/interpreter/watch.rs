@@ -18,7 +18,7 @@ impl Interpreter {
     ) -> bool {
         let feed = match self.state.feed {
             // The F of the cycle counts, and what is to be said of it is said there.
-            Some(_) if self.purpose == Some(contours::Purpose::Roughing) => return true,
+            Some(_) if self.contours.purpose == Some(contours::Purpose::Roughing) => return true,
             Some(feed) if feed > 0.0 => feed,
             Some(_) => {
                 if self.state.told.first(Once::FeedZero) {
@@ -115,7 +115,7 @@ impl Interpreter {
             && self.state.told.first(Once::SpindleStopped)
         {
             let still = StillMove { block: block.span, words: block.words_span() };
-            match self.recorded {
+            match self.contours.recorded {
                 None => self.state.still_move = Some(still),
                 // The state of a contour is given up.
                 Some(_) => self.tell_of_still(still),
@@ -210,7 +210,7 @@ impl Interpreter {
             2.0 * at.x.abs() < stock.diameter + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
         };
         if before.0 != 0
-            && self.recorded.is_none()
+            && self.contours.recorded.is_none()
             && !self.state.sent_home
             && self.setup.stock.as_ref().is_some_and(near)
         {
@@ -227,7 +227,7 @@ impl Interpreter {
             Compensation::Right => "G42",
         };
         // Switched on for the tool that comes now, it has shifted no path yet.
-        if self.recorded.is_none()
+        if self.contours.recorded.is_none()
             && !self.state.compensation_idle
             && self.state.virtual_plane.is_none()
             && self.state.told.first(Once::CompensationLeftOn)

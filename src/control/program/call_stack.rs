@@ -1,6 +1,6 @@
-//! The course a program takes through its text: which calls and loops it is in.
+//! The calls and loops that a program is in.
 //!
-//! Plain values, part of [`super::modal::State`]. What calls and jumps do is in `interpreter/calls`.
+//! Plain values, part of [`State`](crate::control::modal::State). What calls and jumps do is in `interpreter/calls`.
 
 use crate::text::parser::Resume;
 
@@ -61,9 +61,9 @@ pub struct ModalCall {
     pub arguments: [Option<f64>; 33],
 }
 
-/// Where the program came from and goes back to.
+/// Calls and loops under way: where the program goes back to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Course {
+pub struct CallStack {
     /// Calls under way, the innermost last.
     pub calls: Vec<Call>,
     /// Loops of the main program.
@@ -78,7 +78,7 @@ pub struct Course {
     pub asks: bool,
 }
 
-impl Course {
+impl CallStack {
     /// The loops of the program in force.
     pub fn loops(&mut self) -> &mut Vec<Loop> {
         match self.calls.last_mut() {

@@ -1,0 +1,93 @@
+//! What a run may spend on reading blocks again, and on steps that leave no motion.
+//!
+//! In: each such step. Out: the message of the limit that is exceeded (`limits`).
+
+use crate::limits::Limits;
+use crate::message::Message;
+
+/// How much of each limit has been used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Budget {
+    /// Steps that left no motion: see [`Limits::cycle_work`].
+    pub work: usize,
+    /// Blocks carried out through jumps, loops and calls.
+    repeated: usize,
+    /// Their bytes.
+    repeated_text: usize,
+    /// Rounds of loops and calls.
+    rounds: usize,
+    /// Macro statements and expressions in blocks that were carried out so.
+    macro_steps: usize,
+}
+
+impl Budget {
+    /// Nothing is used but so many steps that left no motion.
+    pub fn after_work(work: usize) -> Self {
+        Self { work, ..Self::default() }
+    }
+
+    /// Counts a block of `bytes` that is read or carried out once more.
+    pub fn repeat(&mut self, bytes: usize, limits: &Limits) -> Result<(), Message> {
+        self.repeated += 1;
+        self.repeated_text += bytes;
+        let (blocks, text) = (limits.repeated_blocks, limits.repeated_text);
+        if self.repeated > blocks {
+            Err(Message::TooManyRepeats { most: blocks })
+        } else if self.repeated_text > text {
+            Err(Message::TooMuchRepeated { most: text })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Counts a round of a loop or call.
+    pub fn round(&mut self, limits: &Limits) -> Result<(), Message> {
+        self.rounds += 1;
+        within(self.rounds, limits.rounds, |most| Message::TooManyRounds { most })
+    }
+
+    /// Counts a macro statement or expression that is worked out through a jump, loop or call.
+    pub fn macro_step(&mut self, limits: &Limits) -> Result<(), Message> {
+        self.macro_steps += 1;
+        within(self.macro_steps, limits.macro_steps, |most| Message::TooManyMacroSteps { most })
+    }
+
+    /// Counts steps that leave no motion.
+    pub fn work(&mut self, steps: usize, limits: &Limits) -> Result<(), Message> {
+        self.work = self.work.saturating_add(steps);
+        within(self.work, limits.cycle_work, |most| Message::TooMuchWork { most })
+    }
+}
+
+fn within(used: usize, most: usize, exceeded: impl FnOnce(usize) -> Message) -> Result<(), Message> {
+    if used > most { Err(exceeded(most)) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_limit_is_reached_and_then_has_its_own_message() {
+        let limits = Limits {
+            cycle_work: 5,
+            repeated_blocks: 2,
+            repeated_text: 100,
+            rounds: 1,
+            macro_steps: 1,
+            ..Limits::default()
+        };
+        let mut budget = Budget::default();
+        assert_eq!(budget.repeat(10, &limits), Ok(()));
+        assert_eq!(budget.repeat(10, &limits), Ok(()));
+        assert_eq!(budget.repeat(10, &limits), Err(Message::TooManyRepeats { most: 2 }));
+        let mut budget = Budget::default();
+        assert_eq!(budget.repeat(101, &limits), Err(Message::TooMuchRepeated { most: 100 }));
+        assert_eq!(budget.round(&limits), Ok(()));
+        assert_eq!(budget.round(&limits), Err(Message::TooManyRounds { most: 1 }));
+        assert_eq!(budget.macro_step(&limits), Ok(()));
+        assert_eq!(budget.macro_step(&limits), Err(Message::TooManyMacroSteps { most: 1 }));
+        assert_eq!(budget.work(5, &limits), Ok(()));
+        assert_eq!(budget.work(usize::MAX, &limits), Err(Message::TooMuchWork { most: 5 }));
+    }
+}

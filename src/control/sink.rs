@@ -1,0 +1,223 @@
+//! What a run gives: motions and messages, each up to its limit.
+//!
+//! In: motions in the coordinates of the machine, diagnostics. Out: both in lists, in the order in which they were made.
+//! Knows no block and no state of the control.
+
+use crate::limits::Limits;
+use crate::message::{Diagnostic, Levels, Message};
+use crate::motion::{Chunk, Motion, Motions};
+use crate::source::Span;
+
+/// Motions and messages of a run under way.
+pub struct Sink {
+    /// Severities that the setup sets.
+    levels: Levels,
+    /// Most motions and messages.
+    limits: Limits,
+    /// Finished chunks.
+    pub motions: Motions,
+    /// The chunk under way.
+    pub chunk: Chunk,
+    /// A block before the chunk could not be carried out.
+    pub incomplete: bool,
+    /// In the order in which they were reported.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Place and rule of each of them, in order: what runs again is not reported again.
+    reported: Vec<(u32, &'static str)>,
+    /// Messages that were not kept.
+    pub hidden: usize,
+    /// A limit of the run is exceeded: nothing more is carried out.
+    is_full: bool,
+    /// The first fault in the writing of the block under way.
+    pub fault: Option<Span>,
+    /// Nothing is reported for the block under way any more.
+    pub muted: bool,
+}
+
+impl Sink {
+    /// Nothing yet. `chunk`: the first one.
+    pub fn new(levels: Levels, limits: Limits, chunk: Chunk) -> Self {
+        Self {
+            levels,
+            limits,
+            motions: Motions::default(),
+            chunk,
+            incomplete: false,
+            diagnostics: Vec::new(),
+            reported: Vec::new(),
+            hidden: 0,
+            is_full: false,
+            fault: None,
+            muted: false,
+        }
+    }
+
+    /// Motions kept so far.
+    pub fn kept(&self) -> usize {
+        self.motions.len() + self.chunk.len()
+    }
+
+    /// All motions kept so far, in order.
+    pub fn all_motions(&self) -> impl Iterator<Item = Motion> + '_ {
+        let chunks = self.motions.chunks().iter().chain([&self.chunk]);
+        chunks.flat_map(|chunk| (0..chunk.len()).map(|index| chunk.get(index)))
+    }
+
+    /// Whether one more motion can be kept.
+    #[inline]
+    pub fn has_room(&self) -> bool {
+        self.kept() < self.limits.motions
+    }
+
+    /// Closes the chunk and begins another with `next`.
+    pub fn begin_chunk(&mut self, mut next: Chunk) {
+        next.set_incomplete(self.incomplete);
+        self.motions.push(std::mem::replace(&mut self.chunk, next));
+    }
+
+    /// Whether a limit of the run is exceeded, so that nothing more is carried out.
+    #[inline]
+    pub fn is_full(&self) -> bool {
+        self.is_full
+    }
+
+    /// A limit of the run is exceeded: nothing more is carried out, and `message` says why.
+    #[cold]
+    pub fn end(&mut self, message: Message, span: Span) {
+        if !self.is_full {
+            self.is_full = true;
+            self.report_always(Diagnostic::new(message, span));
+        }
+    }
+
+    /// Whether nothing is to be said of the block under way, or this is a consequence of a fault in its writing: one
+    /// fault, one message.
+    pub fn is_silent_about(&self, diagnostic: &Diagnostic) -> bool {
+        let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
+        self.muted || self.fault.is_some_and(about_all)
+    }
+
+    /// Keeps a message, unless it was reported for the same place before. `repeats`: what is found now may have been
+    /// reported before, so what finds no room is not counted.
+    pub fn report(&mut self, diagnostic: Diagnostic, repeats: bool) {
+        // What is off takes no room from the rest.
+        let Some(diagnostic) = self.levels.graded(diagnostic) else { return };
+        if self.diagnostics.len() >= self.limits.messages {
+            self.hidden += usize::from(!repeats);
+            return;
+        }
+        self.keep(diagnostic);
+    }
+
+    /// Keeps a message even when no more messages are kept: why the run ends.
+    pub fn report_always(&mut self, diagnostic: Diagnostic) {
+        if let Some(diagnostic) = self.levels.graded(diagnostic) {
+            self.keep(diagnostic);
+        }
+    }
+
+    /// Keeps what is reported of the setup: many faults of one kind have no other place than the beginning of the text.
+    pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
+        let graded = self.levels.graded(diagnostic);
+        self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.limits.messages));
+    }
+
+    fn keep(&mut self, diagnostic: Diagnostic) {
+        let known = key(&diagnostic);
+        if let Err(place) = self.reported.binary_search(&known) {
+            self.reported.insert(place, known);
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    /// Whether a repair is worth its search: the message is new, and there is room for it.
+    pub fn may_offer(&self, diagnostic: &Diagnostic) -> bool {
+        let room = self.diagnostics.len() < self.limits.messages;
+        room && self.reported.binary_search(&key(diagnostic)).is_err()
+    }
+
+    /// The sink as it was when it had so many chunks and messages, with a new chunk to follow.
+    pub fn back_to(
+        &mut self,
+        chunks: usize,
+        diagnostics: usize,
+        hidden: usize,
+        incomplete: bool,
+        chunk: Chunk,
+    ) {
+        self.motions.split_off(chunks);
+        self.diagnostics.truncate(diagnostics);
+        self.reported = self.diagnostics.iter().map(key).collect();
+        self.reported.sort_unstable();
+        (self.hidden, self.incomplete) = (hidden, incomplete);
+        (self.is_full, self.fault, self.muted) = (false, None, false);
+        self.chunk = chunk;
+        self.chunk.set_incomplete(incomplete);
+    }
+}
+
+/// What distinguishes a message from others.
+fn key(diagnostic: &Diagnostic) -> (u32, &'static str) {
+    (diagnostic.span.start, diagnostic.message.slug())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+
+    fn sink(messages: usize) -> Sink {
+        let limits = Limits { messages, ..Limits::default() };
+        Sink::new(Levels::default(), limits, Chunk::new(0, 0, Point::new(0.0, 0.0)))
+    }
+
+    fn told(start: usize) -> Diagnostic {
+        Diagnostic::new(Message::ArcNowhere, Span::new(start, start + 3))
+    }
+
+    #[test]
+    fn a_message_is_kept_once_for_a_place() {
+        let mut sink = sink(10);
+        sink.report(told(4), false);
+        sink.report(told(4), false);
+        sink.report(told(9), false);
+        assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 0));
+        assert!(!sink.may_offer(&told(4)) && sink.may_offer(&told(5)));
+    }
+
+    #[test]
+    fn beyond_the_limit_messages_are_counted_but_for_why_the_run_ends() {
+        let mut sink = sink(1);
+        sink.report(told(0), false);
+        sink.report(told(5), false);
+        sink.report(told(5), true);
+        sink.end(Message::TooManyMotions { most: 3 }, Span::new(7, 8));
+        sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
+        assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 1));
+        assert!(sink.is_full() && !sink.may_offer(&told(20)));
+    }
+
+    #[test]
+    fn what_is_said_of_a_whole_block_follows_from_a_fault_within_it() {
+        let mut sink = sink(10);
+        sink.fault = Some(Span::new(4, 6));
+        assert!(sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(0, 10))));
+        assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(4, 6))));
+        assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(7, 9))));
+        sink.muted = true;
+        assert!(sink.is_silent_about(&told(7)));
+    }
+
+    #[test]
+    fn going_back_lets_later_messages_be_reported_again() {
+        let mut sink = sink(10);
+        sink.report(told(0), false);
+        sink.begin_chunk(Chunk::new(5, 1, Point::new(0.0, 0.0)));
+        let chunks = sink.motions.chunks().len();
+        sink.report(told(8), false);
+        sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
+        sink.back_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
+        assert!(sink.diagnostics.len() == 1 && !sink.is_full());
+        assert!(sink.may_offer(&told(8)) && !sink.may_offer(&told(0)));
+    }
+}
