@@ -9,23 +9,25 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
+use crate::control::contour::Landmarks;
+use crate::control::interpreter::{Executed, Flow, Here, Interpreter};
 use crate::control::modal::State;
 use crate::control::program::Labels;
 use crate::control::words;
+use crate::findings;
+use crate::lint;
 use crate::machine::fitting::Fitting;
 use crate::machine::{Shop, danger};
 use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
 use crate::origin::{self, Bare, Foreign, Numbers, Seen};
-use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
+use crate::setup::{Lints, Setup};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
-use crate::{findings, lint};
 use edit::{Before, Mark};
 
 /// What a program does and what is to be said of it.
@@ -136,6 +138,8 @@ pub struct Run {
     decided: Option<DecimalRule>,
     /// What the numbers of the text show, once they are looked at.
     numbers: Option<Numbers>,
+    /// Messages reported before the first block.
+    of_setup: usize,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -199,7 +203,7 @@ impl Run {
         let (chosen, dialect) = (setup.program, setup.dialect.clone());
         let mut run = Self {
             id: RunId::next(),
-            interpreter: Interpreter::new(setup),
+            interpreter: observed(setup),
             block: Block::default(),
             at: Resume::default(),
             blocks: 0,
@@ -209,6 +213,7 @@ impl Run {
             notes,
             decided,
             numbers,
+            of_setup: 0,
             begun: false,
             ended: false,
             finished: false,
@@ -239,6 +244,7 @@ impl Run {
             run.interpreter.set_system(system);
             run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
         }
+        run.of_setup = run.interpreter.diagnostics().len();
         if let Some(number) = chosen {
             match Labels::new(&run.text).program(number) {
                 Some(head) => run.begin_at(head),
@@ -459,20 +465,8 @@ impl Run {
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
-        // What was reported before the first block.
-        let of_setup = |told: &&Diagnostic| {
-            matches!(
-                told.message,
-                Message::SystemGuessed { .. }
-                    | Message::SetupPositive { .. }
-                    | Message::SetupNotNegative { .. }
-                    | Message::SetupBelow { .. }
-                    | Message::SetupAtMost { .. }
-                    | Message::NoteWord { .. }
-            )
-        };
-        let kept: Vec<_> = self.interpreter.diagnostics().iter().filter(of_setup).cloned().collect();
-        self.interpreter = Interpreter::new(setup);
+        let kept = self.interpreter.diagnostics()[..self.of_setup].to_vec();
+        self.interpreter = observed(setup);
         self.interpreter.set_system(system);
         if traced {
             self.interpreter.keep_trace();
@@ -522,15 +516,15 @@ impl Run {
             self.interpreter.enter_program(here.at);
             return None;
         }
-        Some(self.run_out(span, here))
+        Some(self.run_out(text, span, here))
     }
 
     /// The program in force ends without M99 or M30.
-    fn run_out(&mut self, span: Span, here: Here) -> Flow {
+    fn run_out(&mut self, text: &[u8], span: Span, here: Here) -> Flow {
         if let Some(back) = self.interpreter.run_out(span) {
             return Flow::Jump(back);
         }
-        self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
+        self.interpreter.tell(no_end(text, span));
         if self.interpreter.has_wandered() {
             return Flow::End;
         }
@@ -550,7 +544,7 @@ impl Run {
             return Flow::Jump(back);
         }
         self.interpreter.finish();
-        self.interpreter.tell(Diagnostic::new(Message::NoEnd, span));
+        self.interpreter.tell(no_end(text, span));
         if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
     }
 
@@ -585,68 +579,43 @@ impl Run {
         self.sorted = self.interpreter.diagnostics().to_vec();
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
-        if self.origin.foreign.is_some() || self.stopped {
-            // Nothing was run, or not all of it.
+        let setup = self.interpreter.setup();
+        if self.origin.foreign.is_some() || self.stopped || setup.lints == Lints::Off {
+            // Nothing was run, or not all of it; or nobody wants to know.
         } else if self.blocks > most || motions.len() > 10 * most {
             let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
-            self.sorted.extend(self.interpreter.setup().rules.graded(told));
+            self.sorted.extend(setup.rules.graded(told));
         } else {
             let reading = self.interpreter.reading();
-            let sound = !self.sorted.iter().any(Diagnostic::is_error);
-            let told = lint::plausible::remarks(&self.text, motions, reading, sound, most);
-            let told = told.into_iter().map(|told| told.in_unit(reading.unit));
-            // One fault, one message.
-            let known = |new: &Diagnostic| self.sorted.iter().any(|old| old.is_about(new.span));
-            let levels = &self.interpreter.setup().rules;
-            let told: Vec<_> = told.filter(|new| !known(new)).filter_map(|new| levels.graded(new)).collect();
-            let turned = |told: &Diagnostic| {
-                matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
-            };
-            let mut told = told;
-            if told.iter().any(turned) {
-                // The allowance is right, and what the contour does is a consequence.
-                let follows = |old: &Diagnostic| {
-                    matches!(old.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
-                };
-                let gravest = self.sorted.iter().filter(|old| follows(old)).map(|old| old.severity).max();
-                self.sorted.retain(|old| !follows(old));
-                for one in told.iter_mut().filter(|one| turned(one)) {
-                    one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
-                }
-            }
-            let room = self.interpreter.setup().limits.messages.saturating_sub(self.sorted.len());
-            self.sorted.extend(told.into_iter().take(room));
+            lint::plausible::compare(&self.text, motions, reading, setup, &mut self.sorted);
         }
         if self.begun {
             self.tell_decimal_rule();
-        }
-        for told in &mut self.sorted {
-            offer(told, &self.text);
         }
         sort_by_place(&mut self.sorted);
         self.finished = true;
     }
 }
 
-/// Adds the repairs that need the text around a message.
-fn offer(told: &mut Diagnostic, text: &[u8]) {
-    match told.message {
-        Message::NoEnd if told.fixes.is_empty() => {
-            let end = text.trim_ascii_end();
-            // Before the sign that ends the tape, or another program.
-            let (at, insert) = match told.span.end as usize {
-                _ if end.ends_with(b"%") && told.span.end as usize == end.len() => (end.len() - 1, "M30\n"),
-                at if at == end.len() => (at, "\nM30"),
-                _ => (told.span.start as usize, "M30\n"),
-            };
-            told.fixes.push(Fix::insert(at as u32, insert.to_owned()).safe());
-        }
-        Message::NoSpeedClamp => {
-            let before = &text[..told.span.start as usize];
-            let at =
-                before.iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';')).map_or(0, |end| end + 1);
-            told.fixes = vec![Fix::insert(at as u32, "G50 S2000\n".to_owned())];
-        }
-        _ => {}
+/// The program ends at `span` without M02 or M30: reported, with a repair.
+fn no_end(text: &[u8], span: Span) -> Diagnostic {
+    let end = text.trim_ascii_end();
+    // Before the sign that ends the tape, or another program.
+    let (at, insert) = match span.end as usize {
+        _ if end.ends_with(b"%") && span.end as usize == end.len() => (end.len() - 1, "M30\n"),
+        at if at == end.len() => (at, "\nM30"),
+        _ => (span.start as usize, "M30\n"),
+    };
+    let fix = Fix::insert(at as u32, insert.to_owned()).safe();
+    Diagnostic::new(Message::NoEnd, span).with(fix)
+}
+
+/// A control at power-on, with the lints that listen to it unless the setup switches them off.
+fn observed(setup: Setup) -> Interpreter {
+    let lints = setup.lints;
+    let interpreter = Interpreter::new(setup);
+    match lints {
+        Lints::On => interpreter.observed_by(Box::new(lint::Lints::default())),
+        Lints::Off => interpreter,
     }
 }

@@ -14,21 +14,9 @@ mod paths;
 #[path = "fixtures/project.rs"]
 mod project;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use house::{House, Module, Upward};
-
-/// Files that still import from a room above, that room, and what has to change before they need not.
-const EXCEPTIONS: [(&str, &str, &str); 4] = [
-    (
-        "control/interpreter/multiples",
-        "lint",
-        "lints are called at a block; they are to hear events of the run",
-    ),
-    ("control/interpreter/singles", "lint", "the same"),
-    ("control/interpreter/threads", "lint", "the same"),
-    ("control/interpreter/watch", "lint", "the same"),
-];
+use house::{House, Module};
 
 /// The rooms in the picture of ARCHITECTURE.md, the lowest first: the first words of the lines of the first drawing under
 /// the heading.
@@ -69,12 +57,7 @@ fn every_file_is_in_a_room_of_the_picture() {
 #[test]
 fn no_file_imports_from_a_room_above() {
     let upward = House::new(&sources(), &rooms(&architecture())).upward();
-    let known = |(from, room, _): &(&str, &str, &str)| Upward { from: (*from).into(), room: (*room).into() };
-    let known: BTreeSet<Upward> = EXCEPTIONS.iter().map(known).collect();
-    let new: Vec<_> = upward.difference(&known).collect();
-    assert!(new.is_empty(), "arrows up: {new:#?}");
-    let cured: Vec<_> = known.difference(&upward).collect();
-    assert!(cured.is_empty(), "no longer needed in EXCEPTIONS: {cured:#?}");
+    assert!(upward.is_empty(), "arrows up: {upward:#?}");
 }
 
 #[test]

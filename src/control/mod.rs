@@ -3,12 +3,15 @@
 pub mod arcs;
 pub mod codes;
 pub mod compensation;
+pub mod contour;
 pub mod corners;
 pub mod doubt;
+pub mod events;
 pub mod interpreter;
 pub mod macros;
 pub mod modal;
 pub mod offsets;
 pub mod program;
 pub mod sink;
+pub mod tool_offset;
 pub mod words;

@@ -7,13 +7,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::codes::{Compensation, Hole, HoleReturn, MotionMode, Plane};
-use super::compensation::{Axis, Compensator};
+use super::compensation::Compensator;
 use super::corners::{Corner, Letter};
 use super::doubt::{Doubt, Doubts};
 use super::macros::Variables;
 use super::offsets::{Frames, ToolOffsets};
 use super::program::CallStack;
-use crate::cycles::single::Single;
 use crate::cycles::units::Amount;
 use crate::geometry::Point;
 use crate::geometry::virtual_plane::Surface;
@@ -55,67 +54,13 @@ pub struct CycleMemory {
     pub z: Target,
     /// R: radius (G90, G92) or length (G94), start of the cut minus its end, mm.
     pub taper: f64,
-    /// The axis that was named last.
-    pub named: Option<Axis>,
     /// Passes run since the cycle came into force.
     pub passes: u32,
-    /// The deepest of them.
-    pub deepest: Option<DeepestPass>,
-}
-
-/// The deepest pass of a run of G90 or G94.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DeepestPass {
-    /// Where it started.
-    pub start: Point,
-    /// Where its cut ended.
-    pub end: Point,
-    /// Its taper, mm.
-    pub taper: f64,
-}
-
-/// A block of a single cycle with a new F and without an axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FeedAlone {
-    /// The word F.
-    pub span: Span,
-    /// The cycle in force.
-    pub cycle: Single,
-    /// The axis that was named last, and its end point.
-    pub end: (Axis, Target),
-}
-
-/// The last pass of a thread.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ThreadPass {
-    /// Where the thread began.
-    pub start: Point,
-    /// Where it ended.
-    pub end: Point,
-    /// Its lead, mm.
-    pub lead: f64,
-    /// Spindle speed, rpm.
-    pub speed: f64,
-    /// Station and offset of its tool.
-    pub tool: (u16, u16),
-}
-
-/// What the F in force was used for since it was given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum FeedUse {
-    /// Nothing yet, or both.
-    #[default]
-    Open,
-    /// Cuts at feed.
-    Cut,
-    /// Threads.
-    Thread,
 }
 
 impl CycleMemory {
     /// Nothing remembered.
-    pub const EMPTY: Self =
-        Self { x: Target::Stay, z: Target::Stay, taper: 0.0, named: None, passes: 0, deepest: None };
+    pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
 }
 
 /// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
@@ -310,15 +255,6 @@ impl Compensating {
     }
 }
 
-/// A move at feed with the spindle stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StillMove {
-    /// Its block.
-    pub block: Span,
-    /// The words of the block.
-    pub words: Span,
-}
-
 /// The spindle as commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spindle {
@@ -343,6 +279,11 @@ pub struct Spindle {
 }
 
 impl Spindle {
+    /// The same, no faster than the machine turns, rpm. `None` at the axis without any limit.
+    pub fn speed_within(&self, x: f64, most: Option<f64>) -> Option<f64> {
+        self.speed_at(x).map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
+    }
+
     /// Speed with the tip at radius `x`, rpm: `n = 1000·v / (π·D)` under G96, within the limits of
     /// G50 (FANUC 16/18-T B-62754EN p. 127). `None` at the axis without a limit.
     pub fn speed_at(&self, x: f64) -> Option<f64> {
@@ -389,45 +330,23 @@ impl HoleMemory {
 
 /// Things reported once in a program rather than at every block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Told(u64);
+pub struct Reported(u16);
 
 /// What is reported once.
 #[derive(Clone, Copy, Debug)]
 #[allow(missing_docs, reason = "each is one message")]
 pub enum Once {
-    SpindleStopped,
-    CompensationIdle,
-    CAxis,
-    LiveTool,
-    PolarFeed,
-    PolarRadius,
-    PolarAngle,
-    PolarCenter,
-    PlaneRapid,
+    NoFeed,
+    FeedZero,
     HoleInForce,
     AxisNotHere,
-    NoFeed,
     MachineZero,
     PlaneNotHere,
-    LetterIInG92,
-    ThreadAtSurfaceSpeed,
-    G90AsAbsolute,
-    FeedUnit,
-    SpeedMissing,
-    Checklist,
-    CompensationLeftOn,
-    CompensationSide,
-    CompensationTurnsBack,
-    CompensationTip,
-    CompensationIdleBlocks,
-    PassNotDeeper,
-    FeedZero,
-    NoSpeedClamp,
-    TaperNotExtended,
+    PlaneRapid,
     G28NoAxis,
 }
 
-impl Told {
+impl Reported {
     /// Whether it is to be said now; it counts as said from here on.
     pub fn first(&mut self, once: Once) -> bool {
         let bit = 1 << once as u64;
@@ -477,35 +396,10 @@ pub struct State {
     pub feed_mode: FeedMode,
     /// F, mm/min or mm/rev, as it was written.
     pub feed: Option<f64>,
-    /// The feed mode changed after the last F.
-    pub feed_is_old: bool,
-    /// What that F was used for.
-    pub feed_use: FeedUse,
-    /// The last pass of a thread.
-    pub thread: Option<ThreadPass>,
-    /// Coolant flows (M07, M08).
-    pub coolant: bool,
-    /// G98 or G99 stood in the program.
-    pub feed_mode_named: bool,
-    /// A code has sent the tool home since the last motion; where home is the program does not say.
-    pub sent_home: bool,
-    /// Compensation was switched since the last motion, so that it has shifted no path yet.
-    pub compensation_idle: bool,
-    /// A tap stands in its hole: the direction in which the spindle turned it in.
-    pub tap: Option<SpindleTurn>,
     /// Threads an inch (I of G32 and G92 on GSK), until an F is given.
     pub threads_per_inch: Option<f64>,
     /// Groups 02 and the M codes of the spindle.
     pub spindle: Spindle,
-    /// G96 without a highest speed, and no cut since: G50 may still give one.
-    pub unclamped: Option<Span>,
-    /// G90 without an axis, and no move since: the next code of group 01 may end it.
-    pub g90_alone: Option<Span>,
-    /// F in a block of a single cycle without an axis; `feed_use` says whether a cut has used it.
-    pub feed_alone: Option<FeedAlone>,
-    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck opens or closes
-    /// now, it stops or pulls the bar.
-    pub still_move: Option<StillMove>,
     /// Group 07.
     pub compensation: Compensation,
     /// Turret station and offset number.
@@ -518,8 +412,6 @@ pub struct State {
     pub stop: Option<Stop>,
     /// Whether a C word is an axis (M45) rather than a chamfer.
     pub c_axis: bool,
-    /// An M code was met whose meaning depends on the machine: it may have connected C or started a live tool.
-    pub unknown_m: bool,
     /// Memory of the single cycles.
     pub memory: CycleMemory,
     /// Memory of the multiple cycles.
@@ -546,8 +438,8 @@ pub struct State {
     pub doubts: Doubts,
     /// A block was not carried out: material may stand that the program takes off.
     pub incomplete: bool,
-    /// What was already said.
-    pub told: Told,
+    /// What was reported once.
+    pub reported: Reported,
 }
 
 impl State {
@@ -571,14 +463,6 @@ impl State {
             unit: Unit::Millimetre,
             feed_mode: dialect.feed_mode,
             feed: None,
-            feed_is_old: false,
-            feed_use: FeedUse::Open,
-            thread: None,
-            tap: None,
-            sent_home: false,
-            compensation_idle: false,
-            coolant: false,
-            feed_mode_named: false,
             threads_per_inch: None,
             spindle: Spindle {
                 surface: false,
@@ -591,17 +475,12 @@ impl State {
                 live_tool: false,
                 by_maker: false,
             },
-            unclamped: None,
-            g90_alone: None,
-            feed_alone: None,
-            still_move: None,
             compensation: Compensation::Off,
             tool: (0, 0),
             pending: None,
             compensating: None,
             stop: None,
             c_axis: false,
-            unknown_m: false,
             memory: CycleMemory::EMPTY,
             parameters: CycleParameters::INITIAL,
             thread_chamfer: dialect.thread_chamfer,
@@ -615,7 +494,7 @@ impl State {
             data_input: false,
             doubts: Doubts::default(),
             incomplete: false,
-            told: Told::default(),
+            reported: Reported::default(),
         }
     }
 
@@ -634,13 +513,7 @@ impl State {
         let pending = self.pending.as_ref().map_or(u32::MAX, Pending::first);
         let compensating = self.compensating.as_ref().map_or(u32::MAX, Compensating::first);
         let stop = self.stop.map_or(u32::MAX, |stop| stop.span.start);
-        let unclamped = self.unclamped.map_or(u32::MAX, |span| span.start);
-        let g90_alone = self.g90_alone.map_or(u32::MAX, |span| span.start);
-        let feed_alone = self.feed_alone.map_or(u32::MAX, |alone| alone.span.start);
-        let still_move = self.still_move.map_or(u32::MAX, |still| still.block.start);
-        [pending, compensating, stop, unclamped, g90_alone, feed_alone, still_move]
-            .into_iter()
-            .fold(u32::MAX, u32::min)
+        pending.min(compensating).min(stop)
     }
 
     /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
@@ -655,12 +528,6 @@ impl State {
         if let Some(stop) = &mut self.stop {
             stop.shift(shift);
         }
-        self.unclamped = self.unclamped.map(|span| shift.span(span));
-        self.g90_alone = self.g90_alone.map(|span| shift.span(span));
-        self.feed_alone = self.feed_alone.map(|alone| FeedAlone { span: shift.span(alone.span), ..alone });
-        self.still_move = self
-            .still_move
-            .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
         self.call_stack.head = self.call_stack.head.shifted(shift);
     }
 

@@ -16,6 +16,17 @@ pub fn behind_letter(word: &str) -> &str {
     characters.as_str()
 }
 
+/// A word with a minus where it had none, and the other way round.
+pub fn with_other_sign(word: &str) -> String {
+    let number = behind_letter(word);
+    let letter = &word[..word.len() - number.len()];
+    let number = number.trim_start();
+    match number.strip_prefix('-') {
+        Some(rest) => format!("{letter}{}", rest.trim_start()),
+        None => format!("{letter}-{}", number.trim_start_matches('+')),
+    }
+}
+
 /// The data words of a block by address; where one appears twice, the later.
 pub struct Words<'b> {
     block: &'b Block,

@@ -25,6 +25,16 @@ pub enum Direction {
     Facing,
 }
 
+impl Direction {
+    /// The code of the cycle.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Turning => "G71",
+            Self::Facing => "G72",
+        }
+    }
+}
+
 /// What contours are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {

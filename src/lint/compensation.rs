@@ -1,14 +1,212 @@
-//! Nose radius compensation: the side that belongs to a cut.
+//! Nose radius compensation: the side that belongs to a cut, where it is left on, and where it has no effect.
 
-use crate::control::codes::Compensation;
+use super::once::Once;
+use crate::control::codes::{Compensation, Multiple};
+use crate::control::events::{CompensatedMove, Moment, SinglePass};
+use crate::control::words::{plain, quote};
 use crate::geometry::Point;
+use crate::message::{Diagnostic, Message, Severity};
+use crate::motion::{Motion, MotionKind};
+use crate::setup::ToolKind;
+use crate::source::Span;
+use crate::text::block::{Block, Word};
 
 /// A cut along Z at least this many times as long as across it shows where the work is.
 const ALONG: f64 = 2.0;
 
+/// What is remembered of compensation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Compensations {
+    /// It was switched since the last motion, so that it has shifted no path yet.
+    is_idle: bool,
+    reported: Reported,
+}
+
+/// What was reported.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Reported {
+    /// That it is left on.
+    left_on: Once,
+    /// That it is on the wrong side.
+    side: Once,
+    /// That the path turns straight back.
+    turns_back: Once,
+    /// That the tool has no tip direction.
+    tip: Once,
+    /// Two blocks without a move.
+    idle_blocks: Once,
+    /// That it has no effect here.
+    no_effect: Once,
+}
+
+impl Compensations {
+    /// G40, G41 or G42.
+    pub fn switched(&mut self) {
+        self.is_idle = true;
+        self.reported.no_effect.forget();
+        self.reported.left_on.forget();
+        self.reported.side.forget();
+        self.reported.turns_back.forget();
+    }
+
+    /// The tool leaves the work at `span`, and nobody has cancelled compensation.
+    pub fn left_on(&mut self, span: Span, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let code = match at.state.compensation {
+            Compensation::Off => return,
+            Compensation::Left => "G41",
+            Compensation::Right => "G42",
+        };
+        // Switched on for the tool that comes now, it has shifted no path yet.
+        if at.contour.is_none()
+            && !self.is_idle
+            && at.state.virtual_plane.is_none()
+            && self.reported.left_on.first()
+        {
+            let message = Message::CompensationLeftOn { code, word: quote(at.text, span) };
+            reports.push(Diagnostic::new(message, span));
+        }
+    }
+
+    /// The tool goes to a place of the machine (G27, G28, G30, G53).
+    pub fn machine_place(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let goes = |word: &&Word| {
+            word.address == b'G'
+                && matches!(plain(word), Some(code) if [27.0, 28.0, 30.0, 53.0].contains(&code))
+        };
+        if let Some(word) = block.words.iter().find(goes) {
+            self.left_on(word.span, at, reports);
+        }
+    }
+
+    /// The words of a block are carried out. Two blocks without a move while compensation is on are reported.
+    #[inline]
+    pub fn block_ends(&mut self, block: &Block, moved: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        self.is_idle &= !moved;
+        let compensating = at.state.compensating.as_ref().filter(|_| !moved);
+        if compensating.is_some_and(|own| own.idle_blocks == 2 && !own.waiting.is_empty())
+            && self.reported.idle_blocks.first()
+        {
+            reports.push(Diagnostic::new(Message::CompensationIdleBlocks, block.words_span()));
+        }
+    }
+
+    /// A straight cut: the side against where the work lies (outside toward the chuck G42, bores G41).
+    #[inline]
+    pub fn line(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if at.state.compensation != Compensation::Off && at.state.virtual_plane.is_none() {
+            self.side(block, to, at, reports);
+        }
+    }
+
+    #[inline(never)]
+    fn side(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let (radius, tip) = (at.nose_radius(), at.tip_direction());
+        let (station, offset) = at.state.tool;
+        let kind = at.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);
+        let turns = !matches!(kind, Some(ToolKind::Endmill | ToolKind::Drill));
+        if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.reported.tip.first() {
+            let message = Message::CompensationTip { tip: f64::from(tip) };
+            reports.push(Diagnostic::new(message, block.words_span()));
+        }
+        let wrong = wrong_side(at.state.compensation, tip, at.state.position, to);
+        if let Some((code, right)) = wrong
+            && self.reported.side.first()
+        {
+            reports.push(Diagnostic::new(Message::CompensationSide { code, right }, block.words_span()));
+        }
+    }
+
+    /// A move is compensated: it may turn straight back, or be too short to begin or end with.
+    pub fn compensated(&mut self, own: &CompensatedMove, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if own.before.is_some_and(|before| turns_straight_back(before, own.motion))
+            && self.reported.turns_back.first()
+        {
+            let code = if at.state.compensation == Compensation::Left { "G41" } else { "G42" };
+            reports.push(Diagnostic::new(Message::CompensationTurnsBack { code }, own.words));
+        }
+        let length = own.motion.from.distance(own.motion.to);
+        let radius = at.nose_radius().abs();
+        if own.begins_or_ends && length > 0.0 && length < radius && at.contour.is_none() {
+            reports.push(Diagnostic::new(Message::CompensationShort { length, radius }, own.span));
+        }
+    }
+
+    /// A thread begins, which runs without compensation.
+    pub fn thread(&mut self, block: &Block, code: &'static str, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if at.state.compensation != Compensation::Off && self.reported.no_effect.first() {
+            reports.push(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
+        }
+    }
+
+    /// Roughing, pecks and threads run without compensation.
+    pub fn multiple_cycle(
+        &mut self,
+        block: &Block,
+        cycle: Multiple,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        let is_on = cycle != Multiple::Finishing && at.state.compensation != Compensation::Off;
+        if at.contour.is_none() && is_on && self.reported.no_effect.first() {
+            let code = cycle.cycle().code();
+            let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
+            // Newer controls rough with compensation that was on before (alarm PS0328).
+            let rough = matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
+            reports.push(if rough { told.graded(Severity::Info) } else { told });
+        }
+    }
+
+    /// G90 and G94 are compensated, but only with a nose radius; and no code of compensation may stand in their block.
+    pub fn single_cycle(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let code = pass.cycle.cycle().code();
+        if pass.lead.is_none()
+            && at.state.compensation != Compensation::Off
+            && at.nose_radius() == 0.0
+            && self.reported.no_effect.first()
+        {
+            let told = Diagnostic::new(Message::CompensationIdle { code }, pass.block.words_span());
+            // The radius may stand in the control's own table.
+            reports.push(told.graded(Severity::Info));
+        }
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &Self) {
+        self.reported = other.reported;
+    }
+}
+
+/// A code of compensation in the block of a single cycle.
+pub fn switched_in_cycle(pass: &SinglePass, at: &Moment) -> Option<Diagnostic> {
+    let switches = |word: &&Word| {
+        let code = if word.address == b'G' { plain(word) } else { None };
+        code.is_some_and(|code| {
+            (41.0..=42.0).contains(&code) || code == 40.0 && at.state.compensating.is_some()
+        })
+    };
+    let word = pass.block.words.iter().find(switches)?;
+    let message =
+        Message::CompensationInCycle { word: quote(at.text, word.span), code: pass.cycle.cycle().code() };
+    Some(Diagnostic::new(message, word.span))
+}
+
+/// Whether a straight move goes back along the cut before it.
+fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
+    /// Sine of the largest angle between the two that counts as none.
+    const STRAIGHT: f64 = 1e-6;
+    let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
+    let ((x, z), (next_x, next_z)) = (way(before), way(next));
+    let (along, across) = (x * next_x + z * next_z, x * next_z - z * next_x);
+    before.kind == MotionKind::Feed
+        && next.center.is_none()
+        && before.to.is_same(next.from)
+        && along < 0.0
+        && across.abs() <= STRAIGHT * along.abs()
+}
+
 /// The code in force and the one that belongs to the cut, where they differ. `tip`: direction of the imaginary tip, which
 /// distinguishes outside work (3) from a bore (2).
-pub fn wrong_side(
+fn wrong_side(
     compensation: Compensation,
     tip: u8,
     from: Point,

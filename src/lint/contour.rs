@@ -1,8 +1,15 @@
 //! Contours of the multiple cycles: where they begin and end, and what is left.
 
+use std::collections::BTreeSet;
+
+use crate::control::contour::{Landmarks, Purpose};
+use crate::control::events::{ContourCall, FinishingCall, Moment};
+use crate::control::words::{Words, with_other_sign};
 use crate::cycles::Contour;
-use crate::geometry::Point;
-use crate::message::Message;
+use crate::cycles::pattern::Pattern;
+use crate::cycles::roughing::{self, Direction, Roughing};
+use crate::geometry::{Point, SAME};
+use crate::message::{Diagnostic, Fix, Message};
 use crate::motion::Motion;
 use crate::setup::Stock;
 
@@ -11,8 +18,139 @@ const NEAR: f64 = 0.001;
 /// A pass of G73 deeper than this is too deep, mm: twice the usual 3 mm of roughing.
 const DEEP: f64 = 6.0;
 
+/// What is remembered of contours.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Contours {
+    /// P and Q of the cycle that reads a contour, or has read one last.
+    named: (u32, u32),
+    /// P and Q of the cycles that were to rough a contour, whether they could or not.
+    asked_to_rough: BTreeSet<(u32, u32)>,
+    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
+    for_finishing: Vec<((u32, u32), Diagnostic)>,
+}
+
+impl Contours {
+    /// P and Q of a cycle name a contour.
+    pub fn named(&mut self, purpose: Purpose, named: (u32, u32)) {
+        self.named = named;
+        match purpose {
+            Purpose::Roughing => {
+                self.asked_to_rough.insert(named);
+            }
+            Purpose::Finishing => self.for_finishing.retain(|other| other.0 != named),
+        }
+    }
+
+    /// F, S or T in a contour that is roughed.
+    pub fn ignored(&mut self, address: u8, words: &Words, at: &Moment) {
+        if self.for_finishing.len() < at.setup.limits.messages {
+            let word = words.quote(at.text, address);
+            let told = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
+            self.for_finishing.push((self.named, told));
+        }
+    }
+
+    /// The run ends: words of a contour that neither roughing nor a G70 has used.
+    pub fn run_ends(&mut self, reports: &mut Vec<Diagnostic>) {
+        reports.extend(std::mem::take(&mut self.for_finishing).into_iter().map(|(_, told)| told));
+    }
+
+    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
+    pub fn finishing(&self, call: &FinishingCall, reports: &mut Vec<Diagnostic>) {
+        let Some((own, before)) = call.landmarks.split_last() else { return };
+        if own.span != call.block.span {
+            return;
+        }
+        let roughed = before.iter().rev().find(|other| other.roughed && other.named == own.named);
+        let message = match roughed {
+            // A cycle that could not run was reported.
+            None if self.asked_to_rough.contains(&own.named) => return,
+            None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
+            Some(other) if other.start.distance(own.start) > NEAR && !clears(own.start, other, call) => {
+                Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
+            }
+            Some(_) => return,
+        };
+        reports.push(Diagnostic::new(message, call.block.words_span()));
+    }
+}
+
+/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the side from which
+/// it was roughed, and the tool goes away from the work to come there.
+fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
+    let ends = || call.ends.iter();
+    let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
+    let outside = if roughed.start.x >= roughed.first.x { 1.0 } else { -1.0 };
+    let Some(last) = ends().next_back() else { return true };
+    // The face is at Z0, where the cycle that roughed began in front of it.
+    let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
+    if front * (start.z - face) < -NEAR {
+        return false;
+    }
+    // Above all that the contour cuts the way back is free, though a rapid at its end went farther out.
+    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
+    let way_back =
+        outside * (start.x - last.x) >= -NEAR || call.leaves_at_rapid && above(start.x) && above(last.x);
+    ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
+}
+
+/// Remarks about G71 or G72 before it has its passes: the first block of the contour, and allowances that point into the part.
+pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    let (start, first) = (call.contour.start, call.contour.first);
+    let (second_named, idiom, moves, other, word) = match call.how.direction {
+        Direction::Turning => {
+            (call.first.z, call.first.w_zero, (first.z - start.z).abs() > SAME, 'Z', call.first.z_word)
+        }
+        Direction::Facing => {
+            (call.first.x, call.first.u_zero, (first.x - start.x).abs() > SAME, 'X', call.first.x_word)
+        }
+    };
+    if second_named && !idiom && !moves {
+        let code = call.how.direction.code();
+        reports.push(Diagnostic::new(Message::ContourBothAxes { code, other }, word));
+    }
+    for axis in roughing::allowance_into_material(call.contour, call.how) {
+        let address = match axis {
+            roughing::Axis::X => b'U',
+            roughing::Axis::Z => b'W',
+        };
+        reports.push(allowance_sign(call.words, address, at));
+    }
+}
+
+/// Remarks about G71 or G72 that has its passes: where the contour begins and ends.
+pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    let turning = call.how.direction == Direction::Turning;
+    let both = call.first.x && call.first.z;
+    let code = call.how.direction.code();
+    for message in remarks(code, turning, call.contour, both, at.setup.stock) {
+        let place = match message {
+            Message::ContourNotClosed { .. } => call.last_span,
+            _ => Some(call.first_span),
+        };
+        reports.push(Diagnostic::new(message, place.unwrap_or_else(|| call.block.words_span())));
+    }
+}
+
+/// Remarks about G73.
+pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    for address in allowance_into_part(call.contour, call.how.allowance) {
+        reports.push(allowance_sign(call.words, address, at));
+    }
+    let turned = |stock| turned_before(call.contour, stock, at.sink.all_motions());
+    let told = pattern_remarks(call.contour, call.how.relief.x, at.setup.stock, turned);
+    reports.extend(told.map(|message| Diagnostic::new(message, call.block.words_span())));
+}
+
+/// An allowance that points into the part.
+fn allowance_sign(words: &Words, address: u8, at: &Moment) -> Diagnostic {
+    let word = words.quote(at.text, address);
+    let fix = Fix::write(words.span(address), with_other_sign(&word));
+    Diagnostic::new(Message::AllowanceSign { word }, words.span(address)).with(fix)
+}
+
 /// Remarks about the contour of G71 (`turning`) or G72. `both`: its first block names both axes.
-pub fn remarks(
+fn remarks(
     code: &'static str,
     turning: bool,
     contour: &Contour,
@@ -36,23 +174,23 @@ pub fn remarks(
     told
 }
 
-/// Allowances of G73 (radius and length, mm) that point into the part: axis and address.
-pub fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<(char, u8)> {
+/// Addresses of the allowances of G73 (radius and length, mm) that point into the part.
+fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
     let way = |from: f64, to: f64| if (to - from).abs() <= NEAR { 0.0 } else { (to - from).signum() };
     // From the start point into the part: across to where the contour begins, along to where it ends.
     let inward = Point::new(way(contour.start.x, contour.first.x), way(contour.start.z, contour.last().z));
     let mut told = Vec::new();
     if allowance.x * inward.x > NEAR {
-        told.push(('U', b'U'));
+        told.push(b'U');
     }
     if allowance.z * inward.z > NEAR {
-        told.push(('W', b'W'));
+        told.push(b'W');
     }
     told
 }
 
 /// The radius that cuts before have left of the bar all along a contour, mm; `None` where none has.
-pub fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Motion>) -> Option<f64> {
+fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Motion>) -> Option<f64> {
     let along = |motion: &Motion| motion.kind.cuts() && (motion.to.x - motion.from.x).abs() <= NEAR;
     let places = || contour.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
     let front = places().fold(contour.first.z, f64::max).min(stock.face);
@@ -69,7 +207,7 @@ pub fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item =
 
 /// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm; `turned` the radius that cuts
 /// before have left, if any.
-pub fn pattern_remarks(
+fn pattern_remarks(
     contour: &Contour,
     relief: f64,
     stock: Option<Stock>,

@@ -1,11 +1,242 @@
-//! What a good instructor would say though the control runs it: one file for each family of rules. Lints that need the part are in
-//! `findings`.
+//! What a good instructor would say though the control runs it: one file for each family of rules.
+//!
+//! In: the events of a run (`control::events`), in one pass. Out: remarks. [`Lints`] hands each event to the families that
+//! care for it; what they remember between two events is theirs alone. Nothing here changes what the control does, so a run
+//! without lints makes the same motions. `plausible` compares the numbers of the whole program once it has run. Lints that
+//! need the part are in `findings`.
 
-pub mod compensation;
-pub mod contour;
-pub mod cycle;
+mod compensation;
+mod contour;
+mod feed;
+mod once;
 pub mod plausible;
+mod rotary;
+mod single_cycle;
+mod spindle;
 mod taper;
-pub mod thread;
+mod thread;
+mod tool;
 
-pub use taper::{Reading as TaperReading, shape as taper_shape, taper_not_extended};
+use std::any::Any;
+
+use crate::control::codes::MotionMode;
+use crate::control::events::{Event, Moment, Observer};
+use crate::cycles::single::Single;
+use crate::message::Diagnostic;
+use crate::source::shift::Shift;
+use crate::text::block::Block;
+
+/// All lints of a run, with what they remember.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lints {
+    compensations: compensation::Compensations,
+    contours: contour::Contours,
+    feed: feed::Feed,
+    rotary: rotary::Rotary,
+    single_cycles: single_cycle::SingleCycles,
+    spindle: spindle::Spindle,
+    threads: thread::Threads,
+    tool_changes: tool::ToolChanges,
+}
+
+impl Observer for Lints {
+    fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
+        match *event {
+            Event::Cut { block, words, feed } => {
+                self.feed.cut(block, words, feed, at, reports);
+                if !spindle::stays(words) {
+                    self.spindle.cut(block, self.feed.mode_named, at, reports);
+                }
+            }
+            Event::CutWithoutFeed { block } => self.spindle.cut(block, self.feed.mode_named, at, reports),
+            Event::Line { block, to } => {
+                self.compensations.line(block, to, at, reports);
+                self.threads.moves(block, to, at, reports);
+            }
+            Event::Rapid { block, to } => {
+                self.spindle.tell_still_move(reports);
+                self.threads.moves(block, to, at, reports);
+            }
+            Event::BlockEnds { block, moved } => {
+                self.tool_changes.block_ends(moved);
+                self.compensations.block_ends(block, moved, at, reports);
+            }
+            _ => self.hear_others(event, at, reports),
+        }
+    }
+
+    fn copy(&self) -> Box<dyn Observer> {
+        Box::new(self.clone())
+    }
+
+    fn goes_on_like(&self, other: &dyn Observer) -> bool {
+        own(other).is_some_and(|other| self == other)
+    }
+
+    fn shift(&mut self, shift: &Shift) {
+        self.feed.shift(shift);
+        self.single_cycles.shift(shift);
+        self.spindle.shift(shift);
+    }
+
+    fn first_waiting(&self) -> u32 {
+        let waiting =
+            [self.feed.first_waiting(), self.single_cycles.first_waiting(), self.spindle.first_waiting()];
+        waiting.into_iter().flatten().min().unwrap_or(u32::MAX)
+    }
+
+    fn set_aside(&mut self) -> Box<dyn Observer> {
+        // What is collected of contours can be much, and goes on being collected.
+        let contours = std::mem::take(&mut self.contours);
+        let aside = self.copy();
+        self.contours = contours;
+        aside
+    }
+
+    fn listen_after(&mut self, before: &mut dyn Observer) {
+        let Some(other) = (before as &mut dyn Any).downcast_mut::<Self>() else { return };
+        self.contours = std::mem::take(&mut other.contours);
+        self.compensations.has_heard_of(&other.compensations);
+        self.feed.has_heard_of(&other.feed);
+        self.rotary = other.rotary;
+        self.single_cycles.has_heard_of(&other.single_cycles);
+        self.spindle.has_heard_of(&other.spindle);
+        self.threads.has_heard_of(&other.threads);
+    }
+}
+
+impl Lints {
+    /// What happens less often than at each move.
+    #[inline(never)]
+    fn hear_others(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
+        match *event {
+            Event::Cut { .. }
+            | Event::CutWithoutFeed { .. }
+            | Event::Line { .. }
+            | Event::Rapid { .. }
+            | Event::BlockEnds { .. } => {}
+            Event::FeedMode(mode) => self.feed.mode(mode, at),
+            Event::Feed => self.feed.given(at, reports),
+            Event::SpindleSpeed { value } => self.spindle.speed(value, at),
+            Event::SpeedMode { surface, block, words } => {
+                self.spindle.speed_mode(surface, block, words, at, reports);
+            }
+            Event::HighestSpeed => self.spindle.highest_speed(),
+            Event::SpindleStops { block, moved } => self.spindle.stops(block, moved, reports),
+            Event::MCode { number, known, word } => {
+                self.spindle.m_code(number, known.is_some(), word, at, reports);
+            }
+            Event::Tool { word, before, goes_home } => {
+                if goes_home {
+                    self.tool_changes.home();
+                }
+                if at.state.tool.0 != before.0 {
+                    self.spindle.tool_changes(reports);
+                    if before.0 != 0 {
+                        self.compensations.left_on(word.span, at, reports);
+                        reports.extend(self.tool_changes.turns(word, at));
+                    }
+                }
+            }
+            Event::Home => {
+                self.tool_changes.home();
+                self.spindle.tell_still_move(reports);
+            }
+            Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
+            Event::Compensation => self.compensations.switched(),
+            Event::Compensated(own) => self.compensations.compensated(&own, at, reports),
+            Event::MotionCode { mode, block, words } => {
+                // In code system B a lone G94 sets feed per minute.
+                let is_lone = block.words.len() == 1 && at.state.motion != mode;
+                if is_lone && mode == MotionMode::Cycle(Single::Facing) {
+                    self.feed.unit_is_chosen();
+                    self.rotary.feed.leave_out();
+                }
+                self.single_cycles.motion_code(mode, block, words, at);
+            }
+            Event::OneShot => self.single_cycles.one_shot(),
+            Event::OldTaperWord { words } => reports.extend(self.single_cycles.old_taper_word(words, at)),
+            Event::CycleWithoutAxis { words, cycle, taper } => {
+                if let Some(end) = self.single_cycles.end(at) {
+                    if let Some(word) = taper {
+                        reports.extend(single_cycle::axis_missing(at, word.span, cycle, end));
+                    } else if let Some(word) = words.get(b'F') {
+                        self.feed.stands_alone(word, cycle, end);
+                    }
+                }
+            }
+            Event::CycleAxes { block } => self.single_cycles.axes(block),
+            Event::CycleCalled { pass, taper_span } => {
+                self.single_cycles.called(&pass, taper_span, at, reports);
+            }
+            Event::SinglePass(pass) => {
+                self.compensations.single_cycle(&pass, at, reports);
+                if let Some(thread) = pass.thread(at) {
+                    self.threads.pass(&thread, at, reports);
+                }
+                self.single_cycles.pass(&pass, at, reports);
+                reports.extend(compensation::switched_in_cycle(&pass, at));
+            }
+            Event::LeadOfFeed { block, code, feed } => self.feed.as_lead(block, code, feed, reports),
+            Event::Thread { block, code, to } => {
+                self.spindle.cut(block, self.feed.mode_named, at, reports);
+                self.threads.begins(block, code, to, at, reports);
+                self.compensations.thread(block, code, at, reports);
+            }
+            Event::ThreadMove { pass, code } => self.threads.cuts(&pass, code, at, reports),
+            Event::ThreadPass(pass) => self.threads.pass(&pass, at, reports),
+            Event::TapOnAxis { block } => self.threads.tap_on_axis(block, at, reports),
+            Event::Threading(call) => thread::multi_threading(&call, at, reports),
+            Event::MultipleCycle { block, cycle } => {
+                self.feed.multiple_cycle();
+                self.compensations.multiple_cycle(block, cycle, at, reports);
+            }
+            Event::ContourNamed { purpose, named } => self.contours.named(purpose, named),
+            Event::IgnoredInRoughing { address, words } => self.contours.ignored(address, words, at),
+            Event::Finishing(call) => self.contours.finishing(&call, reports),
+            Event::RoughingCalled(call) => contour::roughing_called(&call, at, reports),
+            Event::Roughing(call) => contour::roughing(&call, at, reports),
+            Event::Pattern(call) => contour::pattern(&call, at, reports),
+            Event::Milling { block } => self.mills(block, at, reports),
+            Event::PlaneMove { block, words, plane } => {
+                self.mills(block, at, reports);
+                if self.rotary.face_move(block, words, &plane, at, reports) {
+                    self.feed.unit_is_reported();
+                }
+            }
+            Event::CAxis { span } => {
+                reports.extend(self.rotary.c_moves(span, self.spindle.unknown_m, at));
+            }
+            Event::NearCenter { distance, words } => {
+                reports.extend(self.rotary.passes_center(distance, words));
+            }
+            Event::LeftOut => self.spindle.left_out(at),
+            Event::SettingsUnknown => self.spindle.is_unknown(),
+            Event::ProgramEnds { end } => {
+                self.feed.look_at_lone_word(at, reports);
+                self.spindle.tell_still_move(reports);
+                if let Some(end) = end {
+                    self.compensations.left_on(end.span, at, reports);
+                }
+            }
+            Event::RunEnds => {
+                self.spindle.tell_still_move(reports);
+                self.spindle.tell_speed_clamp(reports);
+                self.contours.run_ends(reports);
+            }
+        }
+    }
+
+    fn mills(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if let Some(told) = self.rotary.mills(block, self.spindle.unknown_m, at) {
+            // It is reported for the live tool, not for the spindle as well.
+            self.spindle.stopped.leave_out();
+            reports.push(told);
+        }
+    }
+}
+
+/// The lints, where it is they who listen.
+fn own(observer: &dyn Observer) -> Option<&Lints> {
+    (observer as &dyn Any).downcast_ref()
+}

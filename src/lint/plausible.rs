@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use crate::control::words::Reading;
 use crate::message::{Diagnostic, Fix, Message};
 use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
+use crate::setup::Setup;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
@@ -84,16 +85,47 @@ struct Program<'a> {
     increment: f64,
 }
 
-/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
-/// read at its end. Of a program that is not
-/// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
-pub fn remarks(
+/// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was reported of it.
+/// `reading`: how its numbers are read at its end.
+pub fn compare(
     text: &[u8],
     motions: &Motions,
     reading: Reading,
-    sound: bool,
-    blocks: usize,
-) -> Vec<Diagnostic> {
+    setup: &Setup,
+    reported: &mut Vec<Diagnostic>,
+) {
+    let sound = !reported.iter().any(Diagnostic::is_error);
+    let told = remarks(text, motions, reading, sound, setup.limits.compared_blocks);
+    let told = told.into_iter().map(|told| told.in_unit(reading.unit));
+    // One fault, one message.
+    let known = |new: &Diagnostic| reported.iter().any(|old| old.is_about(new.span));
+    let mut told: Vec<_> = told.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
+    if told.iter().any(turns_contour) {
+        // The allowance is right, and what the contour does is a consequence.
+        let gravest = reported.iter().filter(|old| follows(old)).map(|old| old.severity).max();
+        reported.retain(|old| !follows(old));
+        for one in told.iter_mut().filter(|one| turns_contour(one)) {
+            one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
+        }
+    }
+    let room = setup.limits.messages.saturating_sub(reported.len());
+    reported.extend(told.into_iter().take(room));
+}
+
+/// Whether a number that is wrong makes a contour turn back.
+fn turns_contour(told: &Diagnostic) -> bool {
+    matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
+}
+
+/// Whether a message is a consequence of a contour that turns back.
+fn follows(told: &Diagnostic) -> bool {
+    matches!(told.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
+}
+
+/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
+/// read at its end. Of a program that is not
+/// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
+fn remarks(text: &[u8], motions: &Motions, reading: Reading, sound: bool, blocks: usize) -> Vec<Diagnostic> {
     let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
     let mut told = program.leading_zeros();
     if program.has_both_units() {

@@ -3,25 +3,58 @@
 //! The first move of these cycles is a rapid, so the start point lies outside the blank and the cut begins
 //! before the cone of the drawing does. R must be extended in proportion (seeds 001 and 004).
 
+use crate::control::events::Moment;
+use crate::control::words::{Words, with_other_sign};
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
-use crate::message::Message;
+use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::setup::Stock;
+use crate::source::Span;
+use crate::units::Unit;
+
+/// A span longer than this, bytes, is a block and not the word of a taper.
+const LONGEST_WORD: usize = 12;
 
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;
 
 /// What may be meant by an R that is a round number at the blank's surface, while the cut leaves the blank at an odd place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+enum Reading {
     /// The height of the cone on the drawing, not extended to the start point: no drawing has the other numbers.
     HeightOnDrawing,
     /// That, or an R worked out for the start point: the cone is a usual one, or its edge could be dimensioned.
     OrForStartPoint,
 }
 
+/// Remarks about a taper that looks like that of the drawing though the cut begins outside the blank. `span`: its word, or
+/// the block where the taper is that of a block before.
+pub fn not_extended(
+    cycle: Single,
+    start: Point,
+    end: Point,
+    taper: f64,
+    span: Span,
+    at: &Moment,
+) -> Option<Diagnostic> {
+    let (message, reading) = taper_not_extended(cycle, start, end, taper, at.setup.stock?)?;
+    let told = Diagnostic::new(message, span);
+    if reading == Reading::OrForStartPoint {
+        return Some(told.graded(Severity::Info));
+    }
+    Some(match told.message {
+        Message::TaperNotExtended { needed, .. }
+            if at.state.unit == Unit::Millimetre && span.len() < LONGEST_WORD =>
+        {
+            let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
+            told.with(Fix::write(span, format!("R{needed}")))
+        }
+        _ => told,
+    })
+}
+
 /// Reports when R looks like the taper of the drawing though the cut begins outside the blank, and how sure that is.
-pub fn taper_not_extended(
+fn taper_not_extended(
     cycle: Single,
     start: Point,
     end: Point,
@@ -86,9 +119,26 @@ fn is_hundredth(length: f64) -> bool {
     (length * 100.0 - (length * 100.0).round()).abs() <= 0.01
 }
 
+/// Remarks about the word of a taper as it is called: see [`odd_shape`].
+pub fn shape(
+    cycle: Single,
+    start: Point,
+    end: Point,
+    taper: f64,
+    words: &Words,
+    address: u8,
+    at: &Moment,
+) -> Option<Diagnostic> {
+    let (word, span) = (words.quote(at.text, address), words.span(address));
+    let message = odd_shape(cycle, start, end, taper, &word, at.setup.stock)?;
+    let fix =
+        matches!(message, Message::TaperNarrows { .. }).then(|| Fix::write(span, with_other_sign(&word)));
+    Some(Diagnostic { fixes: fix.into_iter().collect(), ..Diagnostic::new(message, span) })
+}
+
 /// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the axis, or becomes
 /// narrower toward the chuck, which only an undercut does.
-pub fn shape(
+fn odd_shape(
     cycle: Single,
     start: Point,
     end: Point,

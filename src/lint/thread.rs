@@ -1,8 +1,16 @@
-//! Threads: what an instructor would remark of a pass.
+//! Threads: what an instructor would remark of a pass, of a tap, and of the amounts of G76.
 
-use crate::control::modal::ThreadPass;
-use crate::message::{Diagnostic, Message, Severity};
+use super::once::Once;
+use super::taper;
+use crate::control::events::{Moment, ThreadPass, ThreadingCall};
+use crate::control::words::{self, Words, quote};
+use crate::cycles::single::Single;
+use crate::cycles::threading::MultiThread;
+use crate::geometry::{Point, SAME};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity};
+use crate::motion::SpindleTurn;
 use crate::source::Span;
+use crate::text::block::Block;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
@@ -17,11 +25,191 @@ const FAST_SLIDE: f64 = 4000.0;
 /// Most starts of a thread that are looked for.
 const STARTS: u32 = 8;
 
+/// The last pass of a thread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Pass {
+    /// Where the thread began.
+    start: Point,
+    /// Where it ended.
+    end: Point,
+    /// Its lead, mm.
+    lead: f64,
+    /// Spindle speed, rpm.
+    speed: f64,
+    /// Station and offset of its tool.
+    tool: (u16, u16),
+}
+
+/// What is remembered of threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Threads {
+    last: Option<Pass>,
+    /// A tap stands in its hole: the direction in which the spindle turned it in.
+    tap: Option<SpindleTurn>,
+    /// That the spindle turns at a constant surface speed.
+    surface_speed: Once,
+}
+
+impl Threads {
+    /// A thread begins: it needs a spindle that turns at a constant speed. `to`: its end, where the path is known.
+    pub fn begins(
+        &mut self,
+        block: &Block,
+        code: &'static str,
+        to: Option<Point>,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        if !at.state.spindle.surface {
+            return;
+        }
+        if to.is_some_and(|to| is_on_axis(at.state.position, to)) {
+            // Reported of the tap.
+            self.surface_speed.leave_out();
+        }
+        if self.surface_speed.first() {
+            let told = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
+            // The speed that G96 has here, to the next ten below.
+            let speed = at.spindle_speed(at.state.position.x).filter(|&speed| speed >= 10.0);
+            let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
+            let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
+            reports.push(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+        }
+    }
+
+    /// A hole is tapped on the axis by a cycle.
+    pub fn tap_on_axis(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if at.state.spindle.surface && self.surface_speed.first() {
+            reports.push(Diagnostic::new(Message::TapSurface, block.words_span()));
+        }
+    }
+
+    /// G32 to G34 cut to a place. `pass`: the same as a pass of a thread, whose spindle goes on turning.
+    pub fn cuts(&mut self, pass: &ThreadPass, code: &str, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        self.tap_moves(pass.block, pass.start, pass.end, at, reports);
+        if code != "G33" && self.tap.is_none() {
+            self.pass(pass, at, reports);
+        }
+    }
+
+    /// A tap on the axis goes in by G32 and must be turned out again by a G32 with the spindle reversed.
+    fn tap_moves(
+        &mut self,
+        block: &Block,
+        from: Point,
+        to: Point,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        if !is_on_axis(from, to) {
+            return;
+        }
+        let turn = at.state.spindle.turn;
+        if to.z < from.z {
+            self.tap = Some(turn);
+            if at.state.spindle.surface {
+                reports.push(Diagnostic::new(Message::TapSurface, block.words_span()));
+            }
+        } else if self.tap.take() == Some(turn) && turn != SpindleTurn::Stopped {
+            reports.push(Diagnostic::new(Message::TapReverse, block.words_span()));
+        }
+    }
+
+    /// A move other than a thread: a tap must not leave its hole by it.
+    #[inline]
+    pub fn moves(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if self.tap.is_some() && to.z > at.state.position.z {
+            self.tap = None;
+            reports.push(Diagnostic::new(Message::TapReverse, block.words_span()));
+        }
+    }
+
+    /// A pass, against the one before.
+    pub fn pass(&mut self, pass: &ThreadPass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let spindle = &at.state.spindle;
+        let speed = if spindle.surface { 0.0 } else { spindle.rpm };
+        let &ThreadPass { start, end, lead, .. } = pass;
+        let own = Pass { start, end, lead, speed, tool: at.state.tool };
+        let before = self.last.replace(own);
+        let angle = pass.words.get(b'Q').is_some();
+        let face = at.setup.stock.map(|stock| stock.face);
+        let span = pass.block.words_span();
+        reports.append(&mut remarks(&own, before.as_ref(), angle, pass.starts as f64, face, span));
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &Self) {
+        self.surface_speed = other.surface_speed;
+    }
+}
+
+fn is_on_axis(from: Point, to: Point) -> bool {
+    from.x.abs() <= SAME && to.x.abs() <= SAME
+}
+
+/// Remarks about a G76 that has its passes.
+pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    let &ThreadingCall { block, words, start, how, lead, angle, one_block } = call;
+    reports.extend(start_clears_crest(block, start, how));
+    if let Some(message) = amounts(how.height, how.first_depth, lead, angle) {
+        let address = if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
+        let span = if one_block { block.words_span() } else { words.span(address) };
+        let fixes = swapped_amounts(at.text, words, &message);
+        reports.push(Diagnostic { fixes, ..Diagnostic::new(message, span) });
+    }
+    let way = (start.x - how.end.x).abs();
+    if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
+        let message = Message::ThreadPullOut { pull_out: out.out, way };
+        reports.push(Diagnostic::new(message, block.words_span()));
+    }
+    let taper_word = if one_block { b'I' } else { b'R' };
+    if words.get(taper_word).is_some() {
+        reports.extend(taper::shape(Single::Threading, start, how.end, how.taper, words, taper_word, at));
+    }
+}
+
+/// P and Q of G76 with their letters exchanged, where that is what the message is about.
+fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
+    let (Some(p), Some(q), Message::ThreadFirstDepth { .. }) = (words.get(b'P'), words.get(b'Q'), message)
+    else {
+        return Vec::new();
+    };
+    let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
+    let mut edits = [
+        (p.span, format!("Q{}", words::behind_letter(&p_text))),
+        (q.span, format!("P{}", words::behind_letter(&q_text))),
+    ];
+    edits.sort_by_key(|edit| edit.0.start);
+    let title =
+        Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
+    let edits = edits.map(|(span, text)| Edit { span, text });
+    vec![Fix { title, safe: false, edits: edits.into() }]
+}
+
+/// The tool returns to the start X after each pass: it must clear the crest.
+fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<Diagnostic> {
+    let external = how.end.x < start.x;
+    let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
+    let inside = if external { start.x <= crest + NEAR } else { start.x >= crest - NEAR };
+    if !inside {
+        return None;
+    }
+    // Exactly at the crest that P gives: the work may have been turned a little smaller.
+    let at_crest = (start.x - crest).abs() <= NEAR;
+    let (start, crest) = (2.0 * start.x, 2.0 * crest);
+    let message = match at_crest {
+        true => Message::ThreadStartAtCrest { start },
+        false => Message::ThreadStartInside { start, crest },
+    };
+    let told = Diagnostic::new(message, block.words_span());
+    Some(if at_crest { told.graded(Severity::Info) } else { told })
+}
+
 /// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle at which it starts.
 /// `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one is known. `span`: the block.
-pub fn remarks(
-    own: &ThreadPass,
-    before: Option<&ThreadPass>,
+fn remarks(
+    own: &Pass,
+    before: Option<&Pass>,
     angle: bool,
     starts: f64,
     face: Option<f64>,
@@ -65,7 +253,7 @@ fn is_along_flank(moved: f64, deeper: f64) -> bool {
 }
 
 /// Two passes with one tool, lead and end are one thread.
-fn is_same_thread(own: &ThreadPass, before: &ThreadPass) -> bool {
+fn is_same_thread(own: &Pass, before: &Pass) -> bool {
     own.tool == before.tool
         && (own.lead - before.lead).abs() <= NEAR
         && (own.end.z - before.end.z).abs() <= NEAR
@@ -82,7 +270,7 @@ fn is_start_of_lead(moved: f64, lead: f64) -> bool {
 }
 
 /// δ1 = 3.605 · n·L / 1800: what a slide needs to reach its speed.
-fn run_in(own: &ThreadPass, face: Option<f64>) -> Option<Message> {
+fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     let face = face?;
     if own.start.z <= face || own.end.z >= face {
         return None;
@@ -93,7 +281,7 @@ fn run_in(own: &ThreadPass, face: Option<f64>) -> Option<Message> {
 
 /// What of the amounts of a G76 does not fit: the height of a 60° thread is 0.5 to 0.75 of its pitch, and more than the
 /// first cut. Lengths in mm, the angle in degrees.
-pub fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
+fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
     if first > height + NEAR {
         return Some(Message::ThreadFirstDepth { first, height });
     }

@@ -55,6 +55,19 @@ pub struct Setup {
     pub limits: Limits,
     /// The severity of a rule, or of a group of rules.
     pub rules: Levels,
+    /// Whether lints listen to the run.
+    pub lints: Lints,
+}
+
+/// Whether lints listen to a run: what an instructor would say though the control runs it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Lints {
+    /// They do.
+    #[default]
+    On,
+    /// None does, and the run costs nothing for them.
+    Off,
 }
 
 impl Setup {

@@ -65,9 +65,10 @@ impl Interpreter {
         self.sink.muted = true;
         let flow = self.words_of(text, block, here);
         self.sink.muted = false;
-        for once in [Once::NoFeed, Once::FeedZero, Once::SpindleStopped, Once::NoSpeedClamp] {
-            self.state.told.first(once);
+        for once in [Once::NoFeed, Once::FeedZero] {
+            self.state.reported.first(once);
         }
+        self.observe(&[], Event::SettingsUnknown);
         flow
     }
 
@@ -87,7 +88,7 @@ impl Interpreter {
         }
         if request.drop {
             if let Some(mode) = request.motion {
-                self.enter(mode, block, &words);
+                self.enter(text, mode, block, &words);
             }
             self.refuse(text, block, &request, &words);
             self.forget_next_move();
@@ -106,12 +107,10 @@ impl Interpreter {
                 self.regain(&request, &words, before);
             }
         }
-        self.state.sent_home &= !request.moved;
-        self.state.compensation_idle &= !request.moved;
         if !request.moved {
             self.idle_block();
-            self.watch_idle_blocks(block);
         }
+        self.observe(text, Event::BlockEnds { block, moved: request.moved });
         if let Some(kind) = request.stop {
             self.stop(block, kind);
         }
@@ -119,15 +118,10 @@ impl Interpreter {
             self.end_of_program(text, block);
         }
         if request.stop_spindle {
-            if request.moved {
-                let stop = block.words.iter().find(|word| word.address == b'M' && plain(word) == Some(5.0));
-                let span = stop.map_or_else(|| block.words_span(), |word| word.span);
-                self.tell(Diagnostic::new(Message::StopBehindMove, span));
-            }
+            self.observe(text, Event::SpindleStops { block, moved: request.moved });
             self.state.spindle.turn = SpindleTurn::Stopped;
             self.state.spindle.live_tool = false;
             self.state.spindle.by_maker = false;
-            self.state.told.forget(Once::SpindleStopped);
         }
         match (self.program.jump.take(), request.passage) {
             _ if request.end || self.sink.is_full() => Flow::End,
@@ -149,12 +143,8 @@ impl Interpreter {
     #[inline(never)]
     fn end_of_program(&mut self, text: &[u8], block: &Block) {
         self.settle();
-        self.tell_feed_alone(text);
-        self.tell_still_move();
         let end = block.words.iter().rfind(|word| word.address == b'M');
-        if let Some(end) = end {
-            self.watch_compensation_left_on(text, end.span);
-        }
+        self.observe(text, Event::ProgramEnds { end });
         self.plane_left_on(text, end.map_or_else(|| block.words_span(), |word| word.span));
         self.state.compensation = Compensation::Off;
     }
@@ -162,7 +152,7 @@ impl Interpreter {
     /// Coordinate systems, motion, cycles.
     fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
-            self.enter(mode, block, words);
+            self.enter(text, mode, block, words);
         }
         if let Some(span) = request.extended_frame {
             self.extended_frame(text, request, words, span);
@@ -196,7 +186,6 @@ impl Interpreter {
         match self.state.motion {
             MotionMode::Rapid if words.has_any(AXES | TURNS) => {
                 self.settle_angle();
-                self.tell_still_move();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
                     self.tell(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
@@ -204,9 +193,7 @@ impl Interpreter {
                     return;
                 }
                 let to = self.target(text, words);
-                if self.state.tap.is_some() {
-                    self.watch_tap_leaving(block, to);
-                }
+                self.observe(text, Event::Rapid { block, to });
                 request.moved = words.has_any(AXES);
                 let c = self.turn_target(words);
                 if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
@@ -241,6 +228,7 @@ impl Interpreter {
     ) {
         if one_shot != OneShot::Dwell {
             self.state.memory = CycleMemory { passes: self.state.memory.passes, ..CycleMemory::EMPTY };
+            self.observe(text, Event::OneShot);
         }
         if let (OneShot::Setting | OneShot::Data | OneShot::Dwell, Some(word)) = (one_shot, words.get(b'T')) {
             // Old controls take T with G50; it was usual there, above all beside the highest speed.
@@ -268,13 +256,13 @@ impl Interpreter {
         }
         match one_shot {
             OneShot::Dwell | OneShot::Polar(_) | OneShot::Cylinder => {}
-            OneShot::Multiple(_) => {
-                self.state.feed_alone = None;
+            OneShot::Multiple(cycle) => {
+                self.observe(text, Event::MultipleCycle { block, cycle });
                 self.arrive_for_cycle();
             }
             OneShot::Home | OneShot::OtherHome | OneShot::CheckHome | OneShot::Machine => {
                 if words.has_any(AXES) {
-                    self.watch_compensation_at_home(text, block);
+                    self.observe(text, Event::MachinePlace { block });
                 }
                 self.leave_compensation();
             }
@@ -287,7 +275,7 @@ impl Interpreter {
             OneShot::FromHome => self.leave_home(text, block, request, words),
             OneShot::Machine => self.machine_move(text, block, request, words),
             OneShot::Data => self.write_data(text, request, words),
-            OneShot::Setting => self.setting(words),
+            OneShot::Setting => self.setting(text, words),
             OneShot::LocalFrame => self.local_frame(words),
             OneShot::Polar(switch) => self.polar(text, block, request, switch),
             OneShot::Cylinder => self.cylinder(text, block, request, words),
@@ -297,43 +285,24 @@ impl Interpreter {
     }
 
     /// A code of group 01 comes into force.
-    fn enter(&mut self, mode: MotionMode, block: &Block, words: &Words) {
+    fn enter(&mut self, text: &[u8], mode: MotionMode, block: &Block, words: &Words) {
+        self.observe(text, Event::MotionCode { mode, block, words });
         let state = &mut self.state;
         state.hole = None;
         if !state.doubts.is_empty() {
             state.doubts.remove(Doubt::Code);
-        }
-        if mode != state.motion {
-            state.told.forget(Once::TaperNotExtended);
         }
         match (mode, state.motion) {
             (MotionMode::Cycle(new), MotionMode::Cycle(old)) => {
                 // Spelled again, the code forgets its taper but not its end point (seed 000).
                 state.memory.taper = 0.0;
                 if new != old {
-                    state.told.forget(Once::PassNotDeeper);
                     state.memory.passes = 0;
                 }
             }
-            _ => {
-                state.told.forget(Once::PassNotDeeper);
-                state.memory = CycleMemory::EMPTY;
-            }
-        }
-        // In code system B a lone G94 sets feed per minute: whoever writes it so has chosen the unit of F.
-        let lone = block.words.len() == 1;
-        if mode == MotionMode::Cycle(Single::Facing) && state.motion != mode && lone {
-            for once in [Once::FeedUnit, Once::PolarFeed] {
-                state.told.first(once);
-            }
+            _ => state.memory = CycleMemory::EMPTY,
         }
         state.motion = mode;
-        // With F it is a cycle on purpose: the ends of its passes follow.
-        let alone = mode == MotionMode::Cycle(Single::Turning) && !words.has_any(AXES | letters(b"FR"));
-        state.g90_alone = alone.then(|| {
-            let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
-            g90.map_or_else(|| block.words_span(), |word| word.span)
-        });
     }
 }
 

@@ -4,6 +4,8 @@
 //! list, so that everything a block can say about a path can be said in a contour too.
 
 use super::*;
+use crate::control::contour::FirstBlock;
+use crate::control::events::ContourCall;
 use crate::cycles::{Approach, Contour, Piece};
 use crate::limits::BYTES_PER_STEP;
 use crate::text::parser::Parser;
@@ -19,27 +21,6 @@ pub(super) struct Contours {
     pub landmarks: Vec<Landmarks>,
     /// The contours of G71 to G73.
     roughed: Vec<Roughed>,
-    /// P and Q of the cycles that were to rough a contour, whether they could or not.
-    pub asked_to_rough: Vec<(u32, u32)>,
-    /// Words of contours that roughing ignores, with P and Q of the contour: G70 may use them yet.
-    pub for_finishing: Vec<((u32, u32), Diagnostic)>,
-}
-
-/// The places manuals name in a cycle along a contour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landmarks {
-    /// The cycle block.
-    pub span: Span,
-    /// A: where the cycle starts.
-    pub start: Point,
-    /// A′: where the contour begins.
-    pub first: Point,
-    /// B: where the contour ends.
-    pub last: Point,
-    /// P and Q.
-    pub named: (u32, u32),
-    /// Whether it was roughed there.
-    pub roughed: bool,
 }
 
 /// A contour that was roughed.
@@ -66,32 +47,8 @@ pub(super) struct Shape {
     pub ends: Resume,
     /// The state of the control after nf.
     pub state: State,
-}
-
-/// What the block ns names.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct FirstBlock {
-    /// X or U.
-    pub x: bool,
-    /// Z or W.
-    pub z: bool,
-    /// `U0`, the idiom that asks for type II of G72.
-    pub u_zero: bool,
-    /// `W0`, the same for G71.
-    pub w_zero: bool,
-    /// The word of X or U.
-    pub x_word: Span,
-    /// The word of Z or W.
-    pub z_word: Span,
-}
-
-/// What a shape is read for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Purpose {
-    /// G71 to G73: F, S, T and compensation of the blocks do not count.
-    Roughing,
-    /// G70: they do.
-    Finishing,
+    /// Who listens, after nf.
+    pub observer: Option<Box<dyn Observer>>,
 }
 
 /// Why a shape could not be read.
@@ -150,10 +107,7 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
             return None;
         };
-        match purpose {
-            Purpose::Roughing => self.contours.asked_to_rough.push((first, last)),
-            Purpose::Finishing => self.contours.for_finishing.retain(|other| other.0 != (first, last)),
-        }
+        self.observe(text, Event::ContourNamed { purpose, named: (first, last) });
         // G70 goes along the blocks that roughing found; all others search (FANUC keeps their places).
         let roughed = match purpose {
             Purpose::Roughing => None,
@@ -199,6 +153,7 @@ impl Interpreter {
             }
         }
         let before = self.state.clone();
+        let aside = self.observer.as_mut().map(|observer| observer.set_aside());
         let outer = self.contours.recorded.replace(Vec::new());
         let outer_purpose = self.contours.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
@@ -206,16 +161,13 @@ impl Interpreter {
             // The F of the contour does not count; its lack is reported for the cycle, not for each of these blocks.
             self.state.feed = Some(1.0);
         }
-        let noted = self.contours.for_finishing.len();
         let read = self.read_shape(text, block, begins, last, code, purpose);
-        for (named, _) in &mut self.contours.for_finishing[noted..] {
-            *named = (first, last);
-        }
         let moves = std::mem::replace(&mut self.contours.recorded, outer).unwrap_or_default();
         self.contours.purpose = outer_purpose;
-        let told = self.state.told;
+        let reported = self.state.reported;
         let state = std::mem::replace(&mut self.state, before);
-        self.state.told = told;
+        self.state.reported = reported;
+        let observer = self.go_on_observed_by(aside);
         if self.sink.is_full() {
             return None;
         }
@@ -234,7 +186,15 @@ impl Interpreter {
                 None
             }
             Ok((first_block, first_span, ends)) => {
-                let shape = Shape { moves, first: first_block, first_span, begins: begins.byte, ends, state };
+                let shape = Shape {
+                    moves,
+                    first: first_block,
+                    first_span,
+                    begins: begins.byte,
+                    ends,
+                    state,
+                    observer,
+                };
                 if self.contours.landmarks.len() < self.setup.limits.messages {
                     let (start, span) = (self.state.position, block.span);
                     let contour = shape.contour(start);
@@ -436,6 +396,19 @@ impl Interpreter {
 }
 
 impl Shape {
+    /// The call of a cycle that reads this shape as a contour.
+    pub(super) fn call<'a, How>(
+        &self,
+        block: &'a Block,
+        words: &'a Words<'a>,
+        contour: &'a Contour,
+        how: &'a How,
+    ) -> ContourCall<'a, How> {
+        let last_span = self.span_of(contour.pieces.len().saturating_sub(1));
+        let (first, first_span) = (self.first, self.first_span);
+        ContourCall { block, words, contour, first, first_span, last_span, how }
+    }
+
     /// The contour for a roughing cycle that starts at A: rapids inside are cut at feed.
     pub(super) fn contour(&self, start: Point) -> Contour {
         let own = self.moves.first().filter(|routed| routed.span == self.first_span);

@@ -20,11 +20,7 @@ impl Interpreter {
     pub(super) fn left_out(&mut self) {
         self.state.incomplete = true;
         self.refused = true;
-        let spindle = &self.state.spindle;
-        if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
-            // It may have given the speed; one fault, one message.
-            self.state.told.first(Once::SpeedMissing);
-        }
+        self.observe(&[], Event::LeftOut);
     }
 
     /// These things are in doubt from here on.
@@ -58,9 +54,8 @@ impl Interpreter {
     #[cold]
     pub(super) fn lose_program(&mut self) {
         self.lose(BY_A_PROGRAM);
-        for once in [Once::NoFeed, Once::SpindleStopped, Once::NoSpeedClamp] {
-            self.state.told.first(once);
-        }
+        self.state.reported.first(Once::NoFeed);
+        self.observe(&[], Event::SettingsUnknown);
     }
 
     /// A macro statement that was not carried out.

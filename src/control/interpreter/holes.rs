@@ -24,7 +24,7 @@ impl Interpreter {
             self.tell(Diagnostic::new(Message::HoleOfOthers { code }, span));
         }
         if self.state.hole.is_none() {
-            self.state.told.forget(Once::HoleInForce);
+            self.state.reported.forget(Once::HoleInForce);
         }
         self.state.hole = Some(match self.state.hole {
             // What was given holds until G80, for a cycle along the same axis.
@@ -51,7 +51,7 @@ impl Interpreter {
         }
         // What such a control alarms is not in the manuals of one that lacks the cycle.
         let foreign = lenient && matches!(hole.kind, Hole::G81 | Hole::G82 | Hole::G86);
-        if foreign || !self.state.told.first(Once::HoleInForce) {
+        if foreign || !self.state.reported.first(Once::HoleInForce) {
             return lenient;
         }
         let severity = if lenient { Severity::Warning } else { Severity::Error };
@@ -127,14 +127,14 @@ impl Interpreter {
             }
         }
         self.state.hole = Some(memory);
-        let lead = kind.is_tap().then(|| self.tap_lead(block, words, kind)).flatten();
+        let lead = kind.is_tap().then(|| self.tap_lead(text, block, words, kind)).flatten();
         if (kind.is_tap() && lead.is_none()) || (!kind.is_tap() && !self.may_cut(text, block, words, request))
         {
             request.drop = true;
             return;
         }
         if turn.is_some() || !face || at.x.abs() > crate::geometry::SAME {
-            self.watch_live_tool(block);
+            self.observe(text, Event::Milling { block });
         }
         let hole = drilling::Hole {
             initial: at,
@@ -157,13 +157,8 @@ impl Interpreter {
         };
         request.moved = true;
         self.leave_compensation();
-        if kind.is_tap()
-            && self.state.spindle.surface
-            && face
-            && at.x.abs() <= crate::geometry::SAME
-            && self.state.told.first(Once::ThreadAtSurfaceSpeed)
-        {
-            self.tell(Diagnostic::new(Message::TapSurface, block.words_span()));
+        if kind.is_tap() && face && at.x.abs() <= crate::geometry::SAME {
+            self.observe(text, Event::TapOnAxis { block });
         }
         let repeats = words
             .get(b'K')
@@ -207,8 +202,8 @@ impl Interpreter {
     }
 
     /// The lead of a tap, mm. On FANUC its F is a feed like any other: a minute's feed by the turns of a minute.
-    fn tap_lead(&mut self, block: &Block, words: &Words, kind: Hole) -> Option<f64> {
-        let lead = self.lead(block, words, kind.code())?;
+    fn tap_lead(&mut self, text: &[u8], block: &Block, words: &Words, kind: Hole) -> Option<f64> {
+        let lead = self.lead(text, block, words, kind.code())?;
         let (rpm, gsk) = (self.state.spindle.rpm, self.dialect.control == Control::Gsk);
         let by_minute = self.state.feed_mode == FeedMode::PerMinute && words.get(b'E').is_none() && !gsk;
         Some(if by_minute && rpm > 0.0 { lead / rpm } else { lead })

@@ -9,6 +9,7 @@
 
 mod block;
 mod calls;
+mod checks;
 mod contours;
 mod doubts;
 mod holes;
@@ -29,13 +30,12 @@ mod system;
 mod take;
 mod threads;
 mod trace;
-mod watch;
 
 use super::arcs::{self, CenterWords};
 use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
-use super::modal::{
-    CycleMemory, DeepestPass, FeedAlone, FeedUse, Once, Routed, State, StillMove, Target, ThreadPass,
-};
+use super::contour::{Landmarks, Purpose};
+use super::events::{Event, Moment, Observer};
+use super::modal::{CycleMemory, Once, Routed, State, Target};
 use super::program::Program;
 use super::sink::Sink;
 use super::words::{self, Reading, Words, letters, plain, quote};
@@ -46,11 +46,11 @@ use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::motion::{
     Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
 };
+use crate::setup::Setup;
 use crate::setup::dialect::{
     CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
     NegativeArcR, PqUnit, XuConflict,
 };
-use crate::setup::{Setup, Tool, ToolKind};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Resume;
@@ -60,7 +60,6 @@ use contours::Contours;
 use rotary::TURNS;
 
 pub use calls::Here;
-pub use contours::Landmarks;
 pub use snapshot::{Remainder, Snapshot};
 
 /// Words that move X or Z.
@@ -187,6 +186,8 @@ pub struct Interpreter {
     sink: Sink,
     /// Contours read by G70 to G73.
     contours: Contours,
+    /// Who listens.
+    observer: Option<Box<dyn Observer>>,
     /// The blocks carried out, in order, if they are asked for.
     trace: Option<Vec<Executed>>,
     /// A block was not carried out since this was last looked at.
@@ -213,9 +214,45 @@ impl Interpreter {
             program: Program::default(),
             sink,
             contours: Contours::default(),
+            observer: None,
             trace: None,
             refused: false,
             guessing: false,
+        }
+    }
+
+    /// Whoever is to hear what happens from here on.
+    pub fn observed_by(mut self, observer: Box<dyn Observer>) -> Self {
+        self.observer = Some(observer);
+        self
+    }
+
+    /// Something happens: what whoever listens reports of it is reported. `text`: empty where the event names no word.
+    #[inline]
+    fn observe(&mut self, text: &[u8], event: Event<'_>) {
+        if self.observer.is_some() {
+            self.hear(text, &event);
+        }
+    }
+
+    /// Another one listens from here on, for whom everything counts as reported that was; the one before.
+    fn go_on_observed_by(&mut self, observer: Option<Box<dyn Observer>>) -> Option<Box<dyn Observer>> {
+        let mut before = std::mem::replace(&mut self.observer, observer);
+        if let (Some(own), Some(before)) = (&mut self.observer, &mut before) {
+            own.listen_after(before.as_mut());
+        }
+        before
+    }
+
+    #[inline(never)]
+    fn hear(&mut self, text: &[u8], event: &Event<'_>) {
+        let Self { observer, state, setup, dialect, sink, contours, .. } = self;
+        let Some(observer) = observer else { return };
+        let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
+        let mut reports = Vec::new();
+        observer.hear(event, &at, &mut reports);
+        for report in reports {
+            self.tell(report);
         }
     }
 
@@ -262,9 +299,7 @@ impl Interpreter {
     /// Makes the moves that wait for a next one: the program has ended.
     pub fn finish(&mut self) {
         self.settle();
-        self.tell_still_move();
-        self.tell_speed_clamp();
-        self.tell_words_for_finishing();
+        self.observe(&[], Event::RunEnds);
     }
 
     /// Closes the last chunk, so that [`Interpreter::motions`] holds all motions.

@@ -2,10 +2,10 @@
 //!
 //! In: the words of a block. Out: motions. Corner words and angles are answered here too.
 
-use super::singles;
 use super::*;
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::doubt::{Doubt, Doubts};
+use crate::control::events::ThreadPass;
 use crate::control::modal::{Angle, Follower, Joint};
 use crate::geometry::SAME;
 use crate::geometry::virtual_plane::Surface;
@@ -82,7 +82,7 @@ impl Interpreter {
             self.state.doubts.remove(Doubt::Y);
             return;
         }
-        if self.state.told.first(Once::AxisNotHere) {
+        if self.state.reported.first(Once::AxisNotHere) {
             let message = Message::AxisNotHere { word: quote(text, word.span) };
             self.tell(Diagnostic::new(message, word.span));
         }
@@ -151,12 +151,7 @@ impl Interpreter {
             }
             _ => Point::new(x.from(from.x), z.from(from.z)),
         };
-        if self.state.compensation != Compensation::Off {
-            self.watch_compensation_side(block, from, to);
-        }
-        if self.state.tap.is_some() {
-            self.watch_tap_leaving(block, to);
-        }
+        self.observe(text, Event::Line { block, to });
         if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
             return;
         }
@@ -246,7 +241,7 @@ impl Interpreter {
     ) {
         let surface = self.state.virtual_plane.map(|plane| plane.surface);
         if self.state.plane != Plane::Zx && surface.is_none() {
-            if self.state.told.first(Once::PlaneNotHere) {
+            if self.state.reported.first(Once::PlaneNotHere) {
                 let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
                 self.tell(Diagnostic::new(Message::PlaneNotHere { word }, block.words_span()));
             }
@@ -298,7 +293,7 @@ impl Interpreter {
             && self.dialect.negative_arc_r == NegativeArcR::Alarm
         {
             let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
-            let fix = Fix::write(span, singles::with_other_sign(&word));
+            let fix = Fix::write(span, words::with_other_sign(&word));
             self.tell(Diagnostic::new(Message::ArcRadiusNegative { word }, span).with(fix));
             request.drop = true;
             return;
@@ -365,29 +360,22 @@ impl Interpreter {
             _ => "G32",
         };
         let to = self.target(text, words);
-        let Some(lead) = self.lead(block, words, code) else {
+        let Some(lead) = self.lead(text, block, words, code) else {
             request.drop = true;
             return;
         };
         self.leave_compensation();
-        let tap = self.state.position.x.abs() <= SAME && to.x.abs() <= SAME;
-        if tap && self.state.spindle.surface {
-            // Said of the tap.
-            let _said = self.state.told.first(Once::ThreadAtSurfaceSpeed);
-        }
-        if !self.watch_thread(text, block, words, code)
-            || !self.no_corner_in_thread(text, block, request, words)
-        {
+        self.observe(text, Event::Thread { block, code, to: Some(to) });
+        if !self.has_whole_angle(text, words) || !self.no_corner_in_thread(text, block, request, words) {
             request.drop = true;
             return;
         }
         let reading = self.reading();
         let given = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let from = self.state.position;
-        self.watch_tap(block, from, to);
-        if code != "G33" && self.state.tap.is_none() {
-            self.watch_thread_pass(block, words, from, to, lead);
-        }
+        let starts = self.starts(words, Single::Threading);
+        let pass = ThreadPass { block, words, start: from, end: to, lead, starts };
+        self.observe(text, Event::ThreadMove { pass, code });
         let gsk = self.dialect.control == Control::Gsk;
         let ends = match (self.state.motion, given(b'J'), given(b'K')) {
             (MotionMode::Tapping, ..) => [Some(to), Some(from)],
@@ -417,7 +405,13 @@ impl Interpreter {
     }
 
     /// The lead of a thread, mm.
-    pub(super) fn lead(&mut self, block: &Block, words: &Words, code: &'static str) -> Option<f64> {
+    pub(super) fn lead(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        code: &'static str,
+    ) -> Option<f64> {
         let reading = self.reading();
         if self.dialect.i_in_g92 == IInG92::Tpi
             && let Some(threads) = words.get(b'I').and_then(plain).filter(|&threads| threads > 0.0)
@@ -430,10 +424,7 @@ impl Interpreter {
         match lead {
             None => self.tell(Diagnostic::new(Message::LeadMissing { code }, block.words_span())),
             Some(feed) if by_e.is_none() && by_inch.is_none() => {
-                if self.state.feed_use == FeedUse::Cut {
-                    self.tell(Diagnostic::new(Message::LeadOfFeed { code, feed }, block.words_span()));
-                }
-                self.state.feed_use = FeedUse::Thread;
+                self.observe(text, Event::LeadOfFeed { block, code, feed });
             }
             Some(_) => {}
         }

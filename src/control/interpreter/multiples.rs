@@ -4,13 +4,12 @@
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
 //! their units and their alarms. A cycle that cannot run makes no motion at all.
 
-use super::contours::{Purpose, Shape};
-use super::singles;
+use super::contours::Shape;
 use super::*;
 use crate::control::doubt::Doubt;
+use crate::control::events::FinishingCall;
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
-use crate::lint;
 use crate::motion::Cycle;
 
 /// The least input increment, mm: D of the one-block forms counts it when written without a point.
@@ -33,17 +32,6 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        if cycle != Multiple::Finishing && self.state.compensation != Compensation::Off {
-            // Roughing, pecking and threads run without compensation.
-            if self.state.told.first(Once::CompensationIdle) {
-                let code = cycle.cycle().code();
-                let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
-                // Newer controls rough with compensation that was on before (alarm PS0328).
-                let rough =
-                    matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
-                self.tell(if rough { told.graded(Severity::Info) } else { told });
-            }
-        }
         let done = match cycle {
             Multiple::Finishing => self.finishing(text, block, words),
             Multiple::RoughTurning | Multiple::RoughFacing => self.roughing(text, block, words, cycle),
@@ -57,7 +45,13 @@ impl Interpreter {
     /// G70: the contour as it is written, then home.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
-        self.watch_finish(block, &shape);
+        let ends: Vec<_> = shape.moves.iter().map(|routed| routed.motion.to).collect();
+        let leaves_at_rapid =
+            shape.moves.last().is_some_and(|routed| routed.motion.kind == MotionKind::Rapid);
+        let landmarks = std::mem::take(&mut self.contours.landmarks);
+        let call = FinishingCall { block, landmarks: &landmarks, ends: &ends, leaves_at_rapid };
+        self.observe(text, Event::Finishing(call));
+        self.contours.landmarks = landmarks;
         let start = self.state.position;
         for routed in &shape.moves {
             let step = match routed.motion.kind {
@@ -68,31 +62,13 @@ impl Interpreter {
             self.push(block, Motion { cycle: Some(tag), ..routed.motion });
         }
         // The blocks change the modal state as they would on their own; the tool goes home.
-        let (position, told, doubts) = (self.state.position, self.state.told, self.state.doubts);
-        self.state = State { position, told, doubts, ..shape.state };
+        let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
+        self.state = State { position, reported, doubts, ..shape.state };
+        self.go_on_observed_by(shape.observer);
         let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step: Step::Return };
         let home = Motion { cycle: Some(tag), ..self.motion(MotionKind::Rapid, start) };
         self.push(block, home);
         Some(())
-    }
-
-    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
-    fn watch_finish(&mut self, block: &Block, shape: &Shape) {
-        let Some(own) = self.contours.landmarks.last().copied().filter(|own| own.span == block.span) else {
-            return;
-        };
-        let roughed =
-            self.contours.landmarks.iter().rev().find(|other| other.roughed && other.named == own.named);
-        let message = match roughed {
-            // A cycle that could not run was reported.
-            None if self.contours.asked_to_rough.contains(&own.named) => return,
-            None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
-            Some(other) if other.start.distance(own.start) > 0.001 && !clears(own.start, other, shape) => {
-                Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
-            }
-            Some(_) => return,
-        };
-        self.tell(Diagnostic::new(message, block.words_span()));
     }
 
     /// G71 and G72.
@@ -126,7 +102,7 @@ impl Interpreter {
                     let told = Diagnostic::new(message, words.span(depth_word));
                     let word = words.quote(text, depth_word);
                     let fix = (depth < 0.0)
-                        .then(|| Fix::write(words.span(depth_word), singles::with_other_sign(&word)));
+                        .then(|| Fix::write(words.span(depth_word), words::with_other_sign(&word)));
                     self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
                     return None;
                 }
@@ -189,15 +165,7 @@ impl Interpreter {
             checks: roughing::Checks::All,
         };
         let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
-        let stock = self.setup.stock;
-        for message in lint::contour::remarks(code, turning, &contour, shape.first.x && shape.first.z, stock)
-        {
-            let place = match message {
-                Message::ContourNotClosed { .. } => shape.span_of(contour.pieces.len().saturating_sub(1)),
-                _ => Some(shape.first_span),
-            };
-            self.tell(Diagnostic::new(message, place.unwrap_or_else(|| block.words_span())));
-        }
+        self.observe(text, Event::Roughing(shape.call(block, words, &contour, &how)));
         self.run_cycle(block, cycle.cycle(), None, &moves);
         Some(())
     }
@@ -222,18 +190,7 @@ impl Interpreter {
             (shape.first.x, shape.first.u_zero, (first.x - start.x).abs() > crate::geometry::SAME)
         };
         let pockets = second_named && (idiom || second_moves);
-        if second_named && !idiom && !second_moves {
-            let other = if turning { 'Z' } else { 'X' };
-            let word = if turning { shape.first.z_word } else { shape.first.x_word };
-            self.tell(Diagnostic::new(Message::ContourBothAxes { code, other }, word));
-        }
-        for axis in roughing::allowance_into_material(contour, how) {
-            let (address, other) = match axis {
-                roughing::Axis::X => (b'U', words.quote(text, b'U')),
-                roughing::Axis::Z => (b'W', words.quote(text, b'W')),
-            };
-            self.tell_allowance(words, address, other);
-        }
+        self.observe(text, Event::RoughingCalled(shape.call(block, words, contour, how)));
         let most = self.moves_left();
         let mut how = *how;
         // GSK runs along the contour after its pockets only when asked to (GSK980TDb p. 100).
@@ -297,12 +254,6 @@ impl Interpreter {
         found
     }
 
-    /// An allowance that points into the part.
-    fn tell_allowance(&mut self, words: &Words, address: u8, word: String) {
-        let fix = Fix::write(words.span(address), singles::with_other_sign(&word));
-        self.tell(Diagnostic::new(Message::AllowanceSign { word }, words.span(address)).with(fix));
-    }
-
     /// G73.
     fn pattern(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let reading = self.reading();
@@ -350,15 +301,7 @@ impl Interpreter {
             },
         };
         let contour = shape.contour(self.state.position);
-        for (axis, address) in lint::contour::allowance_into_part(&contour, how.allowance) {
-            debug_assert!(axis == address as char);
-            self.tell_allowance(words, address, words.quote(text, address));
-        }
-        let turned = |stock| lint::contour::turned_before(&contour, stock, self.sink.all_motions());
-        let told = lint::contour::pattern_remarks(&contour, how.relief.x, self.setup.stock, turned);
-        if let Some(message) = told {
-            self.tell(Diagnostic::new(message, block.words_span()));
-        }
+        self.observe(text, Event::Pattern(shape.call(block, words, &contour, &how)));
         let most = self.moves_left();
         match pattern::pattern(&shape.contour(self.state.position), &how, most) {
             Ok(moves) => self.run_cycle(block, Cycle::Pattern, None, &moves),
@@ -453,25 +396,6 @@ impl Interpreter {
         }
         None
     }
-}
-
-/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the side from which
-/// it was roughed, and the tool goes away from the work to come there.
-fn clears(start: Point, roughed: &Landmarks, shape: &Shape) -> bool {
-    let ends = || shape.moves.iter().map(|routed| routed.motion.to);
-    let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
-    let outside = if roughed.start.x >= roughed.first.x { 1.0 } else { -1.0 };
-    let Some(last) = ends().next_back() else { return true };
-    // The face is at Z0, where the cycle that roughed began in front of it.
-    let face = if front * roughed.start.z >= 0.0 { 0.0 } else { roughed.start.z };
-    if front * (start.z - face) < -NEAR {
-        return false;
-    }
-    // Above all that the contour cuts the way back is free, though a rapid at its end went farther out.
-    let leaves = shape.moves.last().is_some_and(|routed| routed.motion.kind == MotionKind::Rapid);
-    let above = |x: f64| ends().rev().skip(1).all(|end| outside * (x - end.x) > NEAR);
-    let way_back = outside * (start.x - last.x) >= -NEAR || leaves && above(start.x) && above(last.x);
-    ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.

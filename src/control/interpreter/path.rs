@@ -5,12 +5,11 @@
 //! threads, G28, changes of the frame) first settles what waits.
 
 use super::*;
-use crate::control::compensation::{
-    Compensator, Element, Nose, Origin, Outcome, Reason, Shape, Side, Travel,
-};
+use crate::control::compensation::{Compensator, Element, Origin, Outcome, Reason, Shape, Side, Travel};
 use crate::control::corners::{self, ANGLE_ALLOWANCE, Fault, Joined};
+use crate::control::events::CompensatedMove;
 use crate::control::modal::{Angle, Compensating, Follower, Joint, Pending};
-use crate::control::offsets::Column;
+use crate::control::tool_offset;
 use crate::cycles::Piece;
 use crate::motion::Programmed;
 
@@ -224,7 +223,7 @@ impl Interpreter {
     }
 
     fn compensate(&mut self, routed: Routed) {
-        let (nose, side) = (self.nose(), self.side());
+        let (nose, side) = (tool_offset::nose(&self.state, &self.setup), self.side());
         let motion = routed.motion;
         if motion.from.is_same(motion.to) && motion.center.is_none() {
             return;
@@ -248,25 +247,17 @@ impl Interpreter {
             },
             (None, _) => return self.emit(routed),
         };
-        let behind = compensating.waiting.last().filter(|(_, before)| {
-            let starts = compensating.is_new && compensating.waiting.len() == 1;
-            !starts && side.is_some() && turns_straight_back(&before.motion, &motion)
-        });
-        if behind.is_some() && self.state.told.first(Once::CompensationTurnsBack) {
-            let code = if self.state.compensation == Compensation::Left { "G41" } else { "G42" };
-            self.tell(Diagnostic::new(Message::CompensationTurnsBack { code }, routed.words));
-        }
+        let starts = compensating.is_new && compensating.waiting.len() == 1;
+        let before = compensating.waiting.last().map(|(_, before)| before.motion);
         compensating.is_new &= compensating.waiting.is_empty();
-        let length = motion.from.distance(motion.to);
-        let begins = compensating.is_new && compensating.waiting.is_empty();
-        if (begins || side.is_none())
-            && length > 0.0
-            && length < nose.radius
-            && self.contours.recorded.is_none()
-        {
-            let message = Message::CompensationShort { length, radius: nose.radius };
-            self.tell(Diagnostic::new(message, routed.span));
-        }
+        let own = CompensatedMove {
+            before: before.as_ref().filter(|_| !starts && side.is_some()),
+            motion: &motion,
+            begins_or_ends: (compensating.is_new && compensating.waiting.is_empty()) || side.is_none(),
+            words: routed.words,
+            span: routed.span,
+        };
+        self.observe(&[], Event::Compensated(own));
         let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
         compensating.waiting.push((id, routed));
         compensating.idle_blocks = 0;
@@ -463,34 +454,6 @@ impl Interpreter {
         self.tell(Diagnostic::new(message, joint.span));
     }
 
-    /// The radius of the nose or cutter in force, mm, as the offset table has it, and its tip.
-    pub(super) fn offset_entry(&self) -> (f64, u8) {
-        let (station, offset) = self.state.tool;
-        if offset == 0 {
-            return (0.0, 0);
-        }
-        let tool: Option<&Tool> = self.setup.tools.get(&format!("T{station:02}{offset:02}"));
-        let (radius, tip) = tool.map_or((0.0, 0), |tool| (tool.compensation_radius(), tool.tip_direction()));
-        let written = |column| self.state.offsets.get(offset, column);
-        let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(0.0);
-        (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
-    }
-
-    /// The offset in force where neither the setup nor the program says anything of it: the machine's own table may.
-    pub(super) fn unknown_offset(&self) -> Option<u16> {
-        let (station, offset) = self.state.tool;
-        let known = self.setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
-            || self.state.offsets.get(offset, Column::Radius).is_some();
-        (offset != 0 && !known).then_some(offset)
-    }
-
-    /// The nose of the tool in force.
-    pub(super) fn nose(&self) -> Nose {
-        let (radius, tip) = self.offset_entry();
-        // In a virtual plane it is the cutter's centre that is programmed.
-        Nose { radius: radius.abs(), tip: if self.state.virtual_plane.is_some() { 0 } else { tip } }
-    }
-
     /// The side of the path the nose is on: a negative radius changes it.
     pub(super) fn side(&self) -> Option<Side> {
         let side = match self.state.compensation {
@@ -498,7 +461,7 @@ impl Interpreter {
             Compensation::Left => Side::Left,
             Compensation::Right => Side::Right,
         };
-        Some(if self.offset_entry().0 < 0.0 { side.opposite() } else { side })
+        Some(if tool_offset::nose_entry(&self.state, &self.setup).0 < 0.0 { side.opposite() } else { side })
     }
 
     /// A cycle starts here: its start point is the programmed one, so an approach that only begins compensation
@@ -516,20 +479,6 @@ impl Interpreter {
         }
         self.leave_compensation();
     }
-}
-
-/// Whether a straight move goes back along the cut before it.
-fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
-    /// Sine of the largest angle between the two that counts as none.
-    const STRAIGHT: f64 = 1e-6;
-    let way = |motion: &Motion| (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
-    let ((x, z), (next_x, next_z)) = (way(before), way(next));
-    let (along, across) = (x * next_x + z * next_z, x * next_z - z * next_x);
-    before.kind == MotionKind::Feed
-        && next.center.is_none()
-        && before.to.is_same(next.from)
-        && along < 0.0
-        && across.abs() <= STRAIGHT * along.abs()
 }
 
 /// A motion as a piece of a path.

@@ -33,12 +33,11 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        self.state.sent_home = true;
-        self.tell_still_move();
+        self.observe(text, Event::Home);
         self.other_axes(text, words);
         let turns = words.has_any(TURNS);
         if !words.has_any(AXES) && !turns {
-            if !words.has_any(letters(b"YV")) && self.state.told.first(Once::G28NoAxis) {
+            if !words.has_any(letters(b"YV")) && self.state.reported.first(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
                 self.tell(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
             }
@@ -123,7 +122,7 @@ impl Interpreter {
             true => self.reference_point(),
             false => Point::new(-offset.x, -offset.z),
         };
-        if from_reference && !self.dialect.ref_point_given && self.state.told.first(Once::MachineZero) {
+        if from_reference && !self.dialect.ref_point_given && self.state.reported.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
             self.tell(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
         }

@@ -14,9 +14,6 @@ use crate::setup::dialect::PolarX;
 /// Words that name the C axis.
 pub(super) const TURNS: u32 = letters(b"CH");
 
-/// Nearest to the centre that C can follow without running away, mm.
-const CENTER: f64 = 0.1;
-
 impl Interpreter {
     /// The G codes that may stand in polar or cylindrical interpolation; all others are an alarm.
     pub(super) fn may_stand_in_plane(&mut self, text: &[u8], code: G, word: &Word) -> bool {
@@ -74,7 +71,7 @@ impl Interpreter {
         }
         match switch {
             Switch::On => {
-                self.watch_c_axis(block.words_span());
+                self.connect_c(text, block.words_span());
                 self.enter_plane(Surface::Face);
             }
             Switch::Off => self.leave_plane(),
@@ -126,15 +123,14 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        let _ = text;
-        self.watch_c_axis(block.words_span());
+        self.connect_c(text, block.words_span());
         self.enter_plane(Surface::Cylinder { radius, turned: self.state.plane == Plane::Yz });
     }
 
     fn enter_plane(&mut self, surface: Surface) {
         self.settle();
         self.state.tip = None;
-        self.state.told.forget(Once::PlaneRapid);
+        self.state.reported.forget(Once::PlaneRapid);
         let (at, third) = surface.enter(self.state.position, self.state.c);
         self.state.position = at;
         self.state.virtual_plane = Some(VirtualPlane { surface, third: (third, third), angle: self.state.c });
@@ -172,65 +168,18 @@ impl Interpreter {
                 Surface::Face => Message::PolarForbidden { word },
                 Surface::Cylinder { .. } => Message::CylinderForbidden { word },
             };
-            if self.state.told.first(Once::PlaneRapid) {
+            if self.state.reported.first(Once::PlaneRapid) {
                 self.tell(Diagnostic::new(message, block.words_span()));
             }
             return false;
         }
-        self.watch_plane(text, block, words, plane);
+        self.observe(text, Event::PlaneMove { block, words, plane });
         true
     }
 
-    /// What an instructor would remark in a virtual plane.
-    fn watch_plane(&mut self, text: &[u8], block: &Block, words: &Words, plane: VirtualPlane) {
-        self.watch_live_tool(block);
-        if plane.surface != Surface::Face {
-            return;
-        }
-        if self.state.feed_mode == FeedMode::PerTurn && self.state.told.first(Once::PolarFeed) {
-            self.tell(Diagnostic::new(Message::PolarFeedPerTurn, block.words_span()));
-            // Not that the old F counts otherwise as well.
-            self.state.feed_is_old = false;
-        }
-        if self.state.compensation != Compensation::Off
-            && self.nose().radius == 0.0
-            && self.state.told.first(Once::PolarRadius)
-        {
-            let span = block.words_span();
-            self.tell(match self.unknown_offset() {
-                Some(offset) => {
-                    let message = Message::PolarRadiusUnknown { offset: u32::from(offset) };
-                    Diagnostic::new(message, span).graded(Severity::Info)
-                }
-                None => Diagnostic::new(Message::PolarNoRadius, span),
-            });
-        }
-        let reading = self.reading();
-        if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
-            let x = words.get(b'X').and_then(|word| reading.radius(word)).unwrap_or(self.state.position.z);
-            let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
-            let outside = self.setup.stock.is_some_and(|stock| c > stock.diameter);
-            if (like_degrees || outside) && self.state.told.first(Once::PolarAngle) {
-                let message = Message::PolarAngle { word: quote(text, word.span) };
-                self.tell(Diagnostic::new(message, word.span));
-            }
-        }
-    }
-
-    /// A live tool should turn where the spindle only positions; which M code starts it depends on the machine.
-    pub(super) fn watch_live_tool(&mut self, block: &Block) {
-        if !self.state.spindle.live_tool && !self.state.unknown_m && self.state.told.first(Once::LiveTool) {
-            // It is reported for the live tool, not for the spindle as well.
-            self.state.told.first(Once::SpindleStopped);
-            self.tell(Diagnostic::new(Message::LiveToolStopped, block.words_span()));
-        }
-    }
-
-    /// C moves though nothing has connected it: which M code does depends on the machine.
-    fn watch_c_axis(&mut self, span: Span) {
-        if !self.state.c_axis && !self.state.unknown_m && self.state.told.first(Once::CAxis) {
-            self.tell(Diagnostic::new(Message::CAxisNotConnected, span));
-        }
+    /// C moves: it is an axis from here on.
+    fn connect_c(&mut self, text: &[u8], span: Span) {
+        self.observe(text, Event::CAxis { span });
         self.state.c_axis = true;
     }
 
@@ -248,7 +197,7 @@ impl Interpreter {
         let absolute = words.get(b'C').and_then(|word| reading.degrees(word));
         let turned = words.get(b'H').and_then(|word| reading.degrees(word));
         let span = words.span(if absolute.is_some() { b'C' } else { b'H' });
-        self.watch_c_axis(span);
+        self.connect_c(&[], span);
         match (absolute, turned) {
             (Some(way), _) if self.state.incremental => Some(from + way),
             (absolute, turned) => absolute.or(turned.map(|turned| from + turned)),
@@ -322,8 +271,8 @@ impl Interpreter {
         motion.rotary = Some(Rotary { from, to: plane.angle, virtual_move: Some(own) });
         (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
         let distance = way.distance_from_center();
-        if plane.surface == Surface::Face && distance < CENTER && self.state.told.first(Once::PolarCenter) {
-            self.tell(Diagnostic::new(Message::PolarCenter { distance }, routed.words));
+        if plane.surface == Surface::Face {
+            self.observe(&[], Event::NearCenter { distance, words: routed.words });
         }
         routed
     }

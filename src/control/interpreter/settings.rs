@@ -13,27 +13,20 @@ impl Interpreter {
             return;
         }
         let reading = self.reading();
-        if self.contours.purpose == Some(contours::Purpose::Roughing)
+        if self.contours.purpose == Some(Purpose::Roughing)
             && let Some(address) =
                 [b'F', b'S', b'T'].into_iter().find(|&address| words.get(address).is_some())
         {
-            let word = words.quote(text, address);
-            let told = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
-            if self.contours.for_finishing.len() < self.setup.limits.messages {
-                self.contours.for_finishing.push(((0, 0), told));
-            }
+            self.observe(text, Event::IgnoredInRoughing { address, words });
         }
         let setting = request.one_shot == Some(OneShot::Setting);
         if let Some(surface) = request.surface {
-            self.surface_speed(block, surface, words);
+            self.surface_speed(text, block, surface, words);
         }
         if let Some(value) = words.get(b'S').filter(|_| !setting).and_then(plain) {
+            self.observe(text, Event::SpindleSpeed { value });
             let spindle = &mut self.state.spindle;
-            if spindle.still != (value == 0.0) {
-                spindle.still = value == 0.0;
-                self.state.told.forget(Once::SpindleStopped);
-            }
-            let spindle = &mut self.state.spindle;
+            spindle.still = value == 0.0;
             if spindle.surface {
                 spindle.cutting_speed = value * self.state.unit.surface_metres();
             } else {
@@ -41,13 +34,9 @@ impl Interpreter {
             }
         }
         if let Some(value) = words.get(b'F').and_then(|word| reading.feed(word)) {
-            if self.state.feed_alone.is_some() {
-                self.tell_feed_alone(text);
-            }
+            self.observe(text, Event::Feed);
             self.state.feed = Some(value);
-            self.state.told.forget(Once::FeedZero);
-            self.state.feed_is_old = false;
-            self.state.feed_use = FeedUse::Open;
+            self.state.reported.forget(Once::FeedZero);
             self.state.threads_per_inch = None;
         }
         if let Some(word) = words.get(b'T') {
@@ -55,60 +44,20 @@ impl Interpreter {
             let before = self.state.tool;
             self.tool(text, word);
             let goes_home = matches!(request.one_shot, Some(OneShot::Home | OneShot::OtherHome));
-            self.state.sent_home |= goes_home;
-            self.watch_tool_change(text, word, before);
+            self.observe(text, Event::Tool { word, before, goes_home });
         }
     }
 
     #[inline(never)]
-    pub(super) fn surface_speed(&mut self, block: &Block, surface: bool, words: &Words) {
-        let reached = self.spindle_speed(self.state.position.x);
+    fn surface_speed(&mut self, text: &[u8], block: &Block, surface: bool, words: &Words) {
+        self.observe(text, Event::SpeedMode { surface, block, words });
+        let most = self.setup.machine.max_speed;
         let spindle = &mut self.state.spindle;
         if !surface && spindle.surface && words.get(b'S').is_none() {
             // G97 without S keeps the speed that was reached last.
-            spindle.rpm = reached.unwrap_or(spindle.rpm);
+            spindle.rpm = spindle.speed_within(self.state.position.x, most).unwrap_or(spindle.rpm);
         }
-        let begins = surface && !spindle.surface;
-        let kept = if surface { 0.0 } else { spindle.rpm.floor() };
-        let changes = surface != spindle.surface && words.get(b'S').is_none() && kept > 0.0;
-        if !surface {
-            self.state.unclamped = None;
-        }
-        let spindle = &mut self.state.spindle;
         spindle.surface = surface;
-        if changes {
-            let code = "G97";
-            let message = Message::SpeedNotRepeated { code, speed: kept };
-            self.tell(Diagnostic::new(message, block.words_span()));
-        }
-        let spindle = &self.state.spindle;
-        if begins && spindle.highest.is_none() {
-            self.state.unclamped = Some(words.span(b'S'));
-        }
-    }
-
-    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at the
-    /// axis without a limit.
-    pub(super) fn spindle_speed(&self, radius: f64) -> Option<f64> {
-        let (speed, most) = (self.state.spindle.speed_at(radius), self.setup.machine.max_speed);
-        speed.map(|speed| most.map_or(speed, |most| speed.min(most))).or(most)
-    }
-
-    /// Words of a contour that neither roughing nor a G70 has used.
-    pub(super) fn tell_words_for_finishing(&mut self) {
-        for (_, told) in std::mem::take(&mut self.contours.for_finishing) {
-            self.tell(told);
-        }
-    }
-
-    /// A motion under G96 without a highest speed: once in a program.
-    #[inline(never)]
-    pub(super) fn tell_speed_clamp(&mut self) {
-        if let Some(span) = self.state.unclamped.take()
-            && self.state.told.first(Once::NoSpeedClamp)
-        {
-            self.tell(Diagnostic::new(Message::NoSpeedClamp, span));
-        }
     }
 
     /// The T word: station and offset (seed 001).
@@ -194,7 +143,7 @@ impl Interpreter {
     }
 
     /// G50: coordinate setting and speed limits (seed 002, FANUC 16/18-T B-62754EN p. 127).
-    pub(super) fn setting(&mut self, words: &Words) {
+    pub(super) fn setting(&mut self, text: &[u8], words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let at = self.state.position;
@@ -210,7 +159,7 @@ impl Interpreter {
         let spindle = &mut self.state.spindle;
         if let Some(highest) = words.get(b'S').and_then(plain) {
             spindle.highest = Some(highest);
-            self.state.unclamped = None;
+            self.observe(text, Event::HighestSpeed);
         }
         let spindle = &mut self.state.spindle;
         if let Some(lowest) = words.get(b'Q').and_then(plain) {

@@ -12,6 +12,7 @@ pub struct Snapshot {
     /// The block to come.
     at: Resume,
     state: State,
+    observer: Option<Box<dyn Observer>>,
     /// Chunks of motions before it.
     chunks: usize,
     /// Messages reported before it.
@@ -30,6 +31,21 @@ impl Snapshot {
     pub fn at(&self) -> Resume {
         self.at
     }
+
+    /// The first byte of the blocks of which something waits for what follows; `u32::MAX` when nothing does.
+    fn first_waiting(&self) -> u32 {
+        let observer = self.observer.as_ref().map_or(u32::MAX, |observer| observer.first_waiting());
+        observer.min(self.state.first_waiting())
+    }
+
+    /// Moves the places of the text that it holds along, when the text before them has changed.
+    fn shift(&mut self, shift: &Shift) {
+        self.at = self.at.shifted(shift);
+        self.state.shift(shift);
+        if let Some(observer) = &mut self.observer {
+            observer.shift(shift);
+        }
+    }
 }
 
 /// What a run that has ended gave after one of its snapshots.
@@ -45,6 +61,7 @@ pub struct Remainder {
     hidden: usize,
     /// The state at the end.
     state: State,
+    observer: Option<Box<dyn Observer>>,
 }
 
 impl Remainder {
@@ -90,6 +107,7 @@ impl Interpreter {
         Snapshot {
             at,
             state: self.state.clone(),
+            observer: self.observer.clone(),
             chunks: self.sink.motions.chunks().len(),
             told: self.sink.diagnostics.len(),
             hidden: self.sink.hidden,
@@ -101,10 +119,11 @@ impl Interpreter {
 
     /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { at, state, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
+        let Snapshot { at, state, observer, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
         let chunk = Chunk::new(at.byte, at.line, state.position);
         self.sink.back_to(*chunks, *told, *hidden, *incomplete, chunk);
         self.state = state.clone();
+        self.observer = observer.clone();
         self.program = std::mem::take(&mut self.program).back_at(*at, *work);
         self.contours = Contours::default();
         (self.refused, self.guessing) = (false, false);
@@ -118,6 +137,7 @@ impl Interpreter {
             diagnostics: self.sink.diagnostics.split_off(first.told),
             hidden: self.sink.hidden,
             state: self.state.clone(),
+            observer: self.observer.clone(),
             snapshots,
         })
     }
@@ -131,7 +151,7 @@ impl Interpreter {
         let has_room = (self.sink.hidden, other.hidden) == (0, 0)
             && told + other.told_behind(there) <= self.setup.limits.messages;
         let holds_all = self.sink.kept() + other.motions_behind(there) <= self.setup.limits.motions;
-        let waits_behind = there.state.first_waiting() >= shift.from;
+        let waits_behind = there.first_waiting() >= shift.from;
         if !self.is_straight()
             || self.program.budget.work != there.work
             || !(as_full || has_room)
@@ -140,15 +160,20 @@ impl Interpreter {
         {
             return false;
         }
-        let mut state = there.state.clone();
-        state.shift(shift);
-        self.state.goes_on_like(&state)
+        let mut there = there.clone();
+        there.shift(shift);
+        let is_heard_alike = match (&self.observer, &there.observer) {
+            (Some(own), Some(other)) => own.goes_on_like(other.as_ref()),
+            (own, other) => own.is_none() && other.is_none(),
+        };
+        is_heard_alike && self.state.goes_on_like(&there.state)
     }
 
     /// Takes over what another run gave after its snapshot `index`, which this run has just met. The snapshots of that
     /// run after it are those of this run from here on. As many messages are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
-        let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state } = other;
+        let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state, mut observer } =
+            other;
         let (chunks_out, told_out) = (snapshots[0].chunks, snapshots[0].told);
         let mut later = snapshots.split_off(index);
         let there = later.remove(0);
@@ -160,8 +185,7 @@ impl Interpreter {
         let mut incomplete = self.sink.incomplete;
         for snapshot in &mut later {
             self.sink.incomplete |= snapshot.failed;
-            snapshot.at = snapshot.at.shifted(shift);
-            snapshot.state.shift(shift);
+            snapshot.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
             snapshot.told = snapshot.told - there.told + told;
             snapshot.incomplete = self.sink.incomplete;
@@ -177,7 +201,10 @@ impl Interpreter {
         self.sink.diagnostics.append(&mut diagnostics);
         self.sink.hidden = hidden;
         state.shift(shift);
-        self.state = state;
+        if let Some(observer) = &mut observer {
+            observer.shift(shift);
+        }
+        (self.state, self.observer) = (state, observer);
         later
     }
 }

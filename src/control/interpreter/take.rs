@@ -5,25 +5,7 @@
 use super::*;
 use crate::control::doubt::{Doubt, Doubts};
 
-/// M10 and M11, M68 and M69: which of a pair closes the chuck differs from maker to maker.
-const CLAMP_ON: u64 = 10;
-const CLAMP_OFF: u64 = 11;
-const CHUCK_CLOSE: u64 = 68;
-const CHUCK_OPEN: u64 = 69;
-
 impl Interpreter {
-    /// The chuck opens or closes. With the spindle stopped, moves at feed hold or pull the bar.
-    fn chuck_moves(&mut self, number: u64) {
-        if self.state.spindle.turn != SpindleTurn::Stopped {
-            return;
-        }
-        let held = self.state.still_move.take().is_some();
-        if held || matches!(number, CLAMP_OFF | CHUCK_OPEN) {
-            // What moves at feed from here on, before the spindle turns again, belongs to it.
-            self.state.told.first(Once::SpindleStopped);
-        }
-    }
-
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
     #[inline]
     pub(super) fn take<'b>(
@@ -125,15 +107,11 @@ impl Interpreter {
             G::Plane(plane) => state.plane = plane,
             G::Unit(unit) => state.unit = unit,
             // Roughing cycles ignore compensation in their contour (GSK980TDb p. 102).
-            G::Compensation(_) if self.contours.purpose == Some(contours::Purpose::Roughing) => {}
+            G::Compensation(_) if self.contours.purpose == Some(Purpose::Roughing) => {}
             G::Compensation(compensation) => {
                 request.switches_compensation = compensation != state.compensation;
                 state.compensation = compensation;
-                state.compensation_idle = true;
-                state.told.forget(Once::CompensationIdle);
-                state.told.forget(Once::CompensationLeftOn);
-                state.told.forget(Once::CompensationSide);
-                state.told.forget(Once::CompensationTurnsBack);
+                self.observe(text, Event::Compensation);
             }
             G::Frame(frame) => {
                 self.leave_compensation();
@@ -143,10 +121,8 @@ impl Interpreter {
             G::SurfaceSpeed => request.surface = Some(true),
             G::ConstantSpeed => request.surface = Some(false),
             G::Feed(mode) => {
-                state.feed_is_old |= mode != state.feed_mode && state.feed.is_some();
-                state.feed_mode = mode;
-                state.feed_mode_named = true;
-                state.told.forget(Once::FeedUnit);
+                self.observe(text, Event::FeedMode(mode));
+                self.state.feed_mode = mode;
             }
             // What makes coordinates doubtful is switched off.
             G::Idle if matches!(tenths, Some(502 | 690)) => self.regain_coordinates(),
@@ -202,25 +178,9 @@ impl Interpreter {
         if matches!(code, Some(M::Spindle(_))) {
             self.note_group(text, request, Exclusive::Spindle, number, word.span);
         }
-        let spindle = &self.state.spindle;
-        // M11 opens the chuck on many machines.
-        if number == 11 && spindle.turn != SpindleTurn::Stopped && !spindle.live_tool && !self.state.c_axis {
-            let message = Message::ChuckOpen { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span));
-        }
-        match number {
-            // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
-            CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number),
-            3 | 4 | 13 | 14 => self.tell_still_move(),
-            _ => {}
-        }
+        self.observe(text, Event::MCode { number, known: code, word });
         let state = &mut self.state;
         state.m_code = number.min(u64::from(u32::MAX)) as u32;
-        match number {
-            7 | 8 => state.coolant = true,
-            9 => state.coolant = false,
-            _ => {}
-        }
         match code {
             Some(M::Spindle(SpindleTurn::Stopped)) => request.stop_spindle = true,
             Some(M::Spindle(turn)) => {
@@ -238,7 +198,6 @@ impl Interpreter {
             Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
             Some(M::Return) => request.passage = Some(Passage::Return),
             None => {
-                state.unknown_m = true;
                 request.maker_m = true;
                 self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
             }

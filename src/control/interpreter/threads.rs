@@ -3,12 +3,10 @@
 //! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor remarks in
 //! `lint::thread`.
 
-use super::multiples::NEAR;
 use super::*;
+use crate::control::events::{ThreadPass, ThreadingCall};
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
-use crate::lint;
-use crate::message::{Edit, Repair};
 use crate::motion::Cycle;
 
 /// Tool angles that FANUC takes, degrees (PS0315).
@@ -28,10 +26,12 @@ impl Interpreter {
         let one_block = words.get(b'K').is_some();
         let start = self.state.position;
         let end = self.target(text, words);
-        let lead = self.lead(block, words, "G76")?;
-        self.watch_thread_spindle(block, "G76");
-        let taper_word = if one_block { b'I' } else { b'R' };
-        self.watch_thread_pass(block, words, Point::new(end.x, start.z), end, lead);
+        let lead = self.lead(text, block, words, "G76")?;
+        self.observe(text, Event::Thread { block, code: "G76", to: None });
+        let starts = self.starts(words, Single::Threading);
+        let own_start = Point::new(end.x, start.z);
+        let pass = ThreadPass { block, words, start: own_start, end, lead, starts };
+        self.observe(text, Event::ThreadPass(pass));
         let (height, first_depth, least_depth, method) = if one_block {
             let depth = words.get(b'D').and_then(|word| self.one_block_depth(word));
             (length(b'K'), depth, 0.0, words.get(b'P').and_then(plain).unwrap_or(1.0) as u32)
@@ -79,32 +79,10 @@ impl Interpreter {
         let most = self.moves_left();
         let message = match threading::thread(start, &how, most) {
             Ok(moves) => {
-                self.check_thread_start(block, start, &how);
-                let measured = if one_block { 60.0 } else { angle };
-                if let Some(message) = lint::thread::amounts(how.height, how.first_depth, lead, measured) {
-                    let address =
-                        if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
-                    let span = if one_block { block.words_span() } else { words.span(address) };
-                    let fixes = self.swapped_amounts(text, words, &message);
-                    self.tell(Diagnostic { fixes, ..Diagnostic::new(message, span) });
-                }
-                let way = (start.x - end.x).abs();
-                if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
-                    let message = Message::ThreadPullOut { pull_out: out.out, way };
-                    self.tell(Diagnostic::new(message, block.words_span()));
-                }
-                if words.get(taper_word).is_some() {
-                    let word = words.quote(text, taper_word);
-                    let stock = self.setup.stock;
-                    if let Some(message) =
-                        lint::taper_shape(Single::Threading, start, end, taper, &word, stock)
-                    {
-                        let fix = matches!(message, Message::TaperNarrows { .. })
-                            .then(|| Fix::write(words.span(taper_word), singles::with_other_sign(&word)));
-                        let told = Diagnostic::new(message, words.span(taper_word));
-                        self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
-                    }
-                }
+                let angle = if one_block { 60.0 } else { angle };
+                let how = &how;
+                let call = ThreadingCall { block, words, start, how, lead, angle, one_block };
+                self.observe(text, Event::Threading(call));
                 self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
                 return Some(());
             }
@@ -121,25 +99,6 @@ impl Interpreter {
         };
         self.tell(Diagnostic::new(message, block.words_span()));
         None
-    }
-
-    /// P and Q of G76 with their letters exchanged, where that is what the message is about.
-    pub(super) fn swapped_amounts(&self, text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
-        let (Some(p), Some(q), Message::ThreadFirstDepth { .. }) =
-            (words.get(b'P'), words.get(b'Q'), message)
-        else {
-            return Vec::new();
-        };
-        let (p_text, q_text) = (quote(text, p.span), quote(text, q.span));
-        let mut edits = [
-            (p.span, format!("Q{}", words::behind_letter(&p_text))),
-            (q.span, format!("P{}", words::behind_letter(&q_text))),
-        ];
-        edits.sort_by_key(|edit| edit.0.start);
-        let title =
-            Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
-        let edits = edits.map(|(span, text)| Edit { span, text });
-        vec![Fix { title, safe: false, edits: edits.into() }]
     }
 
     /// The first block of G76: `P(m)(r)(a) Q R`.
@@ -180,23 +139,5 @@ impl Interpreter {
             self.state.parameters.thread_allowance = allowance.abs();
         }
         Some(())
-    }
-
-    /// The tool returns to the start X after each pass: it must clear the crest.
-    pub(super) fn check_thread_start(&mut self, block: &Block, start: Point, how: &MultiThread) {
-        let external = how.end.x < start.x;
-        let crest = if external { how.end.x + how.height } else { how.end.x - how.height };
-        let inside = if external { start.x <= crest + 0.001 } else { start.x >= crest - 0.001 };
-        if inside {
-            // Exactly at the crest that P gives: the work may have been turned a little smaller.
-            let at_crest = (start.x - crest).abs() <= 0.001;
-            let (start, crest) = (2.0 * start.x, 2.0 * crest);
-            let message = match at_crest {
-                true => Message::ThreadStartAtCrest { start },
-                false => Message::ThreadStartInside { start, crest },
-            };
-            let told = Diagnostic::new(message, block.words_span());
-            self.tell(if at_crest { told.graded(Severity::Info) } else { told });
-        }
     }
 }

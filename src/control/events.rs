@@ -1,0 +1,313 @@
+//! What happens while a program runs, for whoever listens: the lints.
+//!
+//! In: the interpreter says what it does, at the moment it does it. Out: what the listener reports. The control carries the
+//! listener along in its state, so that it is kept, compared and moved with it, and knows nothing of what it remembers. A
+//! run without a listener makes no events.
+
+use std::any::Any;
+use std::fmt;
+
+use super::codes::{M, MotionMode, Multiple};
+use super::contour::{FirstBlock, Landmarks, Purpose};
+use super::modal::{State, VirtualPlane};
+use super::sink::Sink;
+use super::tool_offset;
+use super::words::{Reading, Words};
+use crate::cycles::Contour;
+use crate::cycles::pattern::Pattern;
+use crate::cycles::roughing::Roughing;
+use crate::cycles::single::Single;
+use crate::cycles::threading::MultiThread;
+use crate::geometry::Point;
+use crate::message::Diagnostic;
+use crate::motion::Motion;
+use crate::setup::Setup;
+use crate::setup::dialect::{Dialect, FeedMode};
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::text::block::{Block, Word};
+
+/// What can be seen when something happens.
+pub struct Moment<'a> {
+    /// The program; empty where the event names no word.
+    pub text: &'a [u8],
+    /// The state of the control.
+    pub state: &'a State,
+    /// The setup of the run.
+    pub setup: &'a Setup,
+    /// The switches of the control.
+    pub dialect: &'a Dialect,
+    /// Motions and messages so far.
+    pub sink: &'a Sink,
+    /// What for, while a contour is read.
+    pub contour: Option<Purpose>,
+}
+
+impl Moment<'_> {
+    /// How numbers are read at the moment.
+    pub fn reading(&self) -> Reading {
+        Reading { unit: self.state.unit, decimal: self.dialect.decimal }
+    }
+
+    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at the axis without a
+    /// limit.
+    pub fn spindle_speed(&self, radius: f64) -> Option<f64> {
+        self.state.spindle.speed_within(radius, self.setup.machine.max_speed)
+    }
+
+    /// Radius of the tool nose in force, mm; negative where the offset turns the side of compensation round.
+    pub fn nose_radius(&self) -> f64 {
+        tool_offset::nose_entry(self.state, self.setup).0
+    }
+
+    /// Direction of the imaginary tool tip in force, 0 to 9.
+    pub fn tip_direction(&self) -> u8 {
+        tool_offset::nose_entry(self.state, self.setup).1
+    }
+}
+
+/// A pass of G90, G92 or G94 that is about to be cut. Lengths in mm, X as a radius.
+#[derive(Clone, Copy)]
+pub struct SinglePass<'a> {
+    /// The block.
+    pub block: &'a Block,
+    /// Its words.
+    pub words: &'a Words<'a>,
+    /// The cycle.
+    pub cycle: Single,
+    /// Start point of the cycle.
+    pub start: Point,
+    /// End point of the cut.
+    pub end: Point,
+    /// The letter whose word gives the taper in this block, if one does.
+    pub taper_word: Option<u8>,
+    /// Lead of a thread.
+    pub lead: Option<f64>,
+    /// Starts of a thread.
+    pub starts: u64,
+}
+
+impl<'a> SinglePass<'a> {
+    /// The same as a pass of a thread, if it is one.
+    pub fn thread(&self, at: &Moment) -> Option<ThreadPass<'a>> {
+        let &Self { block, words, start, end, starts, .. } = self;
+        let start = Point::new(end.x + at.state.memory.taper, start.z);
+        self.lead.map(|lead| ThreadPass { block, words, start, end, lead, starts })
+    }
+}
+
+/// A cut along a thread. Lengths in mm, X as a radius.
+#[derive(Clone, Copy)]
+pub struct ThreadPass<'a> {
+    /// The block.
+    pub block: &'a Block,
+    /// Its words.
+    pub words: &'a Words<'a>,
+    /// Where the cut begins.
+    pub start: Point,
+    /// Where it ends.
+    pub end: Point,
+    /// Lead of the thread.
+    pub lead: f64,
+    /// Starts of the thread.
+    pub starts: u64,
+}
+
+/// A move that nose radius compensation takes in.
+#[derive(Clone, Copy)]
+pub struct CompensatedMove<'a> {
+    /// The move before it, where compensation goes on.
+    pub before: Option<&'a Motion>,
+    /// The move as it is programmed.
+    pub motion: &'a Motion,
+    /// Compensation begins or ends with it.
+    pub begins_or_ends: bool,
+    /// The words of its block.
+    pub words: Span,
+    /// Its block.
+    pub span: Span,
+}
+
+/// A cycle that reads a contour, with the contour it has read.
+#[derive(Clone, Copy)]
+pub struct ContourCall<'a, How> {
+    /// The cycle block.
+    pub block: &'a Block,
+    /// Its words.
+    pub words: &'a Words<'a>,
+    /// The contour.
+    pub contour: &'a Contour,
+    /// What the first block of the contour names.
+    pub first: FirstBlock,
+    /// Place of the first block of the contour.
+    pub first_span: Span,
+    /// Place of its last block with a move.
+    pub last_span: Option<Span>,
+    /// The amounts of the cycle.
+    pub how: &'a How,
+}
+
+/// G70, with the contour it follows.
+#[derive(Clone, Copy)]
+pub struct FinishingCall<'a> {
+    /// The cycle block.
+    pub block: &'a Block,
+    /// Contour cycles so far, this one last.
+    pub landmarks: &'a [Landmarks],
+    /// Ends of the moves along the contour.
+    pub ends: &'a [Point],
+    /// The last of them is a rapid.
+    pub leaves_at_rapid: bool,
+}
+
+/// The second block of G76. Lengths in mm, X as a radius.
+#[derive(Clone, Copy)]
+pub struct ThreadingCall<'a> {
+    /// The cycle block.
+    pub block: &'a Block,
+    /// Its words.
+    pub words: &'a Words<'a>,
+    /// Where the cycle starts.
+    pub start: Point,
+    /// The thread.
+    pub how: &'a MultiThread,
+    /// Its lead.
+    pub lead: f64,
+    /// Angle of the tool, degrees.
+    pub angle: f64,
+    /// It is written in one block.
+    pub one_block: bool,
+}
+
+/// Something that happens. Where a code or word changes the state, the event comes before the change, unless it says
+/// otherwise.
+#[derive(Clone, Copy)]
+#[allow(missing_docs, reason = "the fields are named in the line of their event")]
+pub enum Event<'a> {
+    /// G98 or G99 (G94 or G95 of the other systems).
+    FeedMode(FeedMode),
+    /// G40, G41 or G42.
+    Compensation,
+    /// A code of group 01 comes into force.
+    MotionCode { mode: MotionMode, block: &'a Block, words: &'a Words<'a> },
+    /// A one-shot code other than a dwell: single cycles forget what was given.
+    OneShot,
+    /// A move to a place of the machine: G27, G28, G30, G53.
+    MachinePlace { block: &'a Block },
+    /// G28 or G30 is carried out.
+    Home,
+    /// An M code; `known` is what this control makes of it.
+    MCode { number: u64, known: Option<M>, word: &'a Word },
+    /// F, in a block that is no macro call.
+    Feed,
+    /// S outside of G50.
+    SpindleSpeed { value: f64 },
+    /// G96 or G97.
+    SpeedMode { surface: bool, block: &'a Block, words: &'a Words<'a> },
+    /// G50 S.
+    HighestSpeed,
+    /// T, after it has come into force; `before` was in force, `goes_home`: the block also goes home.
+    Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
+    /// M05 takes effect.
+    SpindleStops { block: &'a Block, moved: bool },
+    /// A cut at a feed rate greater than zero begins.
+    Cut { block: &'a Block, words: &'a Words<'a>, feed: f64 },
+    /// A cut begins before any F.
+    CutWithoutFeed { block: &'a Block },
+    /// A move in a straight line at rapid, mm.
+    Rapid { block: &'a Block, to: Point },
+    /// A move in a straight line at feed, mm.
+    Line { block: &'a Block, to: Point },
+    /// The F in force is taken as the lead of a thread, mm.
+    LeadOfFeed { block: &'a Block, code: &'static str, feed: f64 },
+    /// A thread begins; `to` is its end for G32 to G34, whose path is known. mm.
+    Thread { block: &'a Block, code: &'static str, to: Option<Point> },
+    /// G32 to G34 cut from where the tip stands.
+    ThreadMove { pass: ThreadPass<'a>, code: &'static str },
+    /// A pass of G76.
+    ThreadPass(ThreadPass<'a>),
+    /// I in a G92 of a control that writes the taper with R.
+    OldTaperWord { words: &'a Words<'a> },
+    /// A block of a single cycle without an axis makes no motion.
+    CycleWithoutAxis { words: &'a Words<'a>, cycle: Single, taper: Option<&'a Word> },
+    /// A block of a single cycle names an axis.
+    CycleAxes { block: &'a Block },
+    /// A single cycle is called; its taper does not begin beyond the start point, or that was reported.
+    CycleCalled { pass: SinglePass<'a>, taper_span: Span },
+    /// A pass of a single cycle is about to be cut.
+    SinglePass(SinglePass<'a>),
+    /// G70 to G76 is called.
+    MultipleCycle { block: &'a Block, cycle: Multiple },
+    /// F, S or T in a contour that is roughed.
+    IgnoredInRoughing { address: u8, words: &'a Words<'a> },
+    /// P and Q of a contour cycle name a contour.
+    ContourNamed { purpose: Purpose, named: (u32, u32) },
+    /// G70 follows its contour.
+    Finishing(FinishingCall<'a>),
+    /// G71 or G72 has read its contour.
+    RoughingCalled(ContourCall<'a, Roughing>),
+    /// G71 or G72 has its passes.
+    Roughing(ContourCall<'a, Roughing>),
+    /// G73 has read its contour.
+    Pattern(ContourCall<'a, Pattern>),
+    /// G76 has its passes.
+    Threading(ThreadingCall<'a>),
+    /// A hole or a move in a virtual plane needs a live tool.
+    Milling { block: &'a Block },
+    /// A hole is tapped on the axis of the spindle.
+    TapOnAxis { block: &'a Block },
+    /// A move in a virtual plane.
+    PlaneMove { block: &'a Block, words: &'a Words<'a>, plane: VirtualPlane },
+    /// C moves.
+    CAxis { span: Span },
+    /// The path passes this near the centre of the face, mm.
+    NearCenter { distance: f64, words: Span },
+    /// A move is compensated.
+    Compensated(CompensatedMove<'a>),
+    /// The words of a block are carried out.
+    BlockEnds { block: &'a Block, moved: bool },
+    /// A block was not carried out.
+    LeftOut,
+    /// What a block or a program sets is not known.
+    SettingsUnknown,
+    /// M02 or M30; `end` is its word.
+    ProgramEnds { end: Option<&'a Word> },
+    /// There is nothing more to carry out.
+    RunEnds,
+}
+
+/// Whoever listens to a run.
+pub trait Observer: Any {
+    /// Something happens; what is to be reported of it is added to `reports`.
+    fn hear(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>);
+
+    /// The same observer once more.
+    fn copy(&self) -> Box<dyn Observer>;
+
+    /// Whether it reports the same from here on as another one of its kind.
+    fn goes_on_like(&self, other: &dyn Observer) -> bool;
+
+    /// Moves the places of the text that it holds along, when the text before them has changed.
+    fn shift(&mut self, shift: &Shift);
+
+    /// The first byte of the blocks whose remark waits for what follows; `u32::MAX` when none does.
+    fn first_waiting(&self) -> u32;
+
+    /// A contour is read, whose state is given up after it: whoever is to listen then.
+    fn set_aside(&mut self) -> Box<dyn Observer>;
+
+    /// Listens from here on instead of `before`: what that one has reported counts as reported here, too.
+    fn listen_after(&mut self, before: &mut dyn Observer);
+}
+
+impl fmt::Debug for dyn Observer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Observer")
+    }
+}
+
+impl Clone for Box<dyn Observer> {
+    fn clone(&self) -> Self {
+        self.as_ref().copy()
+    }
+}

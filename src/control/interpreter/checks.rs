@@ -1,0 +1,75 @@
+//! Checks that several kinds of blocks share: is there a feed rate, is a word a whole number?
+//!
+//! In: a block and its words. Out: whether it can be carried out; where not, that was reported.
+
+use super::*;
+
+impl Interpreter {
+    /// Checks before a cut at feed whether there is a feed rate.
+    #[inline]
+    pub(super) fn may_cut(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        words: &Words,
+        request: &mut Request,
+    ) -> bool {
+        match self.state.feed {
+            // The F of the cycle counts, and what is to be said of it is said there.
+            Some(_) if self.contours.purpose == Some(Purpose::Roughing) => true,
+            Some(feed) if feed > 0.0 => {
+                self.observe(text, Event::Cut { block, words, feed });
+                true
+            }
+            Some(_) => {
+                if self.state.reported.first(Once::FeedZero) {
+                    self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                }
+                request.drop = true;
+                false
+            }
+            None => self.without_feed(text, block, request),
+        }
+    }
+
+    /// A cut before any F. After power-up a control stops there with PS0011; else it cuts with the F of the
+    /// program before. The block is left out as after an error; later ones go on, for it is the same fault.
+    #[cold]
+    fn without_feed(&mut self, text: &[u8], block: &Block, request: &mut Request) -> bool {
+        let strict = self.dialect.strict;
+        if strict || self.state.reported.first(Once::NoFeed) {
+            let severity = if strict { Severity::Error } else { Severity::Warning };
+            self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()).graded(severity));
+            request.drop = true;
+        } else {
+            self.observe(text, Event::CutWithoutFeed { block });
+        }
+        !request.drop
+    }
+
+    /// Whether Q of G32 or G92, a start angle, is a whole number of 0.001°. False: reported.
+    pub(super) fn has_whole_angle(&mut self, text: &[u8], words: &Words) -> bool {
+        let any_number = self.dialect.control == Control::Forum;
+        any_number || words.get(b'Q').is_none_or(|word| self.is_whole(text, word))
+    }
+
+    /// Whether a word is written without a point, as its address demands here (PS0007). False: reported.
+    pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
+        let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
+        if !whole {
+            let told = Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+            let fix = without_point(text, word);
+            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+        }
+        whole
+    }
+}
+
+/// `P10.` as `P10`; nothing where digits stand after the point.
+fn without_point(text: &[u8], word: &Word) -> Option<Fix> {
+    let Value::Number { number, .. } = word.value else { return None };
+    let written = quote(text, word.span);
+    let (head, tail) = written.split_once('.')?;
+    let whole = number.value().fract() == 0.0 && tail.bytes().all(|byte| byte == b'0');
+    whole.then(|| Fix::write(word.span, head.to_owned()))
+}

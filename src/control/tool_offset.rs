@@ -1,0 +1,37 @@
+//! The tool offset in force: what the setup and the program say of the tool nose.
+//!
+//! In: state and setup. Out: radius and tip direction.
+
+use super::compensation::Nose;
+use super::modal::State;
+use super::offsets::Column;
+use crate::setup::{Setup, Tool};
+
+/// Radius (mm; negative where it turns the side of compensation round) and tip direction of the offset in force. What the
+/// program wrote overrides the setup.
+pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
+    let (station, offset) = state.tool;
+    if offset == 0 {
+        return (0.0, 0);
+    }
+    let tool: Option<&Tool> = setup.tools.get(&format!("T{station:02}{offset:02}"));
+    let (radius, tip) = tool.map_or((0.0, 0), |tool| (tool.compensation_radius(), tool.tip_direction()));
+    let written = |column| state.offsets.get(offset, column);
+    let radius = written(Column::Radius).unwrap_or(radius) + written(Column::WearRadius).unwrap_or(0.0);
+    (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
+}
+
+/// The offset in force where neither the setup nor the program says anything of it: the machine's own table may.
+pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
+    let (station, offset) = state.tool;
+    let known = setup.tools.contains_key(&format!("T{station:02}{offset:02}"))
+        || state.offsets.get(offset, Column::Radius).is_some();
+    (offset != 0 && !known).then_some(offset)
+}
+
+/// The nose of the tool in force.
+pub fn nose(state: &State, setup: &Setup) -> Nose {
+    let (radius, tip) = nose_entry(state, setup);
+    // In a virtual plane it is the cutter's centre that is programmed.
+    Nose { radius: radius.abs(), tip: if state.virtual_plane.is_some() { 0 } else { tip } }
+}

@@ -1,0 +1,170 @@
+//! F: whether it fits its unit, and whether it was given for what uses it.
+
+use super::once::Once;
+use super::single_cycle;
+use crate::control::compensation::Axis;
+use crate::control::events::Moment;
+use crate::control::modal::Target;
+use crate::control::words::{Words, letters};
+use crate::cycles::single::Single;
+use crate::message::{Diagnostic, Message};
+use crate::setup::dialect::{DecimalRule, FeedMode};
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::text::block::{Block, Value, Word};
+
+/// What the F in force was used for since it was given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Use {
+    /// Nothing yet, or both.
+    #[default]
+    Open,
+    /// Cuts at feed.
+    Cut,
+    /// Threads.
+    Thread,
+}
+
+/// A block of a single cycle with a new F and without an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Alone {
+    /// The word F.
+    span: Span,
+    /// The cycle in force.
+    cycle: Single,
+    /// The axis that was named last, and its end point.
+    end: (Axis, Target),
+}
+
+/// What is remembered of F.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Feed {
+    /// The feed mode changed after the last F.
+    is_old: bool,
+    /// What that F was used for.
+    used_for: Use,
+    /// A code of the feed mode appeared in the program.
+    pub mode_named: bool,
+    /// F in a block of a single cycle without an axis; `used_for` says whether a cut has used it.
+    alone: Option<Alone>,
+    /// That the number does not fit the unit of F.
+    unit: Once,
+}
+
+impl Feed {
+    /// A code of the feed mode.
+    pub fn mode(&mut self, mode: FeedMode, at: &Moment) {
+        self.is_old |= mode != at.state.feed_mode && at.state.feed.is_some();
+        self.mode_named = true;
+        self.unit.forget();
+    }
+
+    /// Whoever writes a lone G94 in code system B has chosen the unit of F.
+    pub fn unit_is_chosen(&mut self) {
+        self.unit.leave_out();
+    }
+
+    /// F is given.
+    pub fn given(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        self.look_at_lone_word(at, reports);
+        self.is_old = false;
+        self.used_for = Use::Open;
+    }
+
+    /// A cut at feed begins.
+    pub fn cut(
+        &mut self,
+        block: &Block,
+        words: &Words,
+        feed: f64,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        if words.has_any(letters(b"F")) {
+            self.fits_unit(words, feed, at, reports);
+        } else if self.is_old {
+            self.is_old = false;
+            if self.used_for == Use::Thread {
+                // The unit was changed: that is reported, not the lead as well.
+                self.used_for = Use::Open;
+            }
+            let message = match at.state.feed_mode {
+                FeedMode::PerTurn => Message::FeedNotRepeatedPerTurn { feed },
+                FeedMode::PerMinute => Message::FeedNotRepeatedPerMinute { feed },
+            };
+            reports.push(Diagnostic::new(message, block.words_span()));
+        } else if self.used_for == Use::Thread {
+            self.used_for = Use::Open;
+            reports.push(Diagnostic::new(Message::FeedOfThread { feed }, block.words_span()));
+        }
+        if self.used_for == Use::Open {
+            self.used_for = Use::Cut;
+        }
+    }
+
+    #[inline(never)]
+    fn fits_unit(&mut self, words: &Words, feed: f64, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let per_turn = at.state.feed_mode == FeedMode::PerTurn;
+        let mixed_up = if per_turn { feed >= 5.0 } else { feed < 2.0 };
+        // Without a point it counts increments, which each machine has its own of.
+        let counts = at.dialect.decimal == DecimalRule::LeastIncrement
+            && words.get(b'F').is_some_and(
+                |word| matches!(word.value, Value::Number { number, .. } if !number.has_point()),
+            );
+        if mixed_up && !counts && self.unit.first() {
+            let word = words.quote(at.text, b'F');
+            let message = match per_turn {
+                true => Message::FeedPerTurnTooLarge { word, feed },
+                false => Message::FeedPerMinuteTooSmall { word, feed },
+            };
+            reports.push(Diagnostic::new(message, words.span(b'F')));
+        }
+    }
+
+    /// The unit of F is reported to be wrong for what it is used for: not that the old F counts otherwise as well.
+    pub fn unit_is_reported(&mut self) {
+        self.is_old = false;
+    }
+
+    /// The F in force is taken as a lead, mm.
+    pub fn as_lead(&mut self, block: &Block, code: &'static str, feed: f64, reports: &mut Vec<Diagnostic>) {
+        if self.used_for == Use::Cut {
+            reports.push(Diagnostic::new(Message::LeadOfFeed { code, feed }, block.words_span()));
+        }
+        self.used_for = Use::Thread;
+    }
+
+    /// A block of a single cycle has F and no axis: the new F may be meant for a later cut.
+    pub fn stands_alone(&mut self, word: &Word, cycle: Single, end: (Axis, Target)) {
+        self.alone = Some(Alone { span: word.span, cycle, end });
+    }
+
+    /// A multiple cycle takes its own F.
+    pub fn multiple_cycle(&mut self) {
+        self.alone = None;
+    }
+
+    /// F changes again, or the program ends: was a cut made with the F that was alone in a block of a cycle?
+    pub fn look_at_lone_word(&mut self, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if let Some(Alone { span, cycle, end }) = self.alone.take()
+            && self.used_for == Use::Open
+        {
+            reports.extend(single_cycle::axis_missing(at, span, cycle, end));
+        }
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &Self) {
+        self.unit = other.unit;
+    }
+
+    /// First byte of a word that is looked at later.
+    pub fn first_waiting(&self) -> Option<u32> {
+        self.alone.map(|alone| alone.span.start)
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.alone = self.alone.map(|alone| Alone { span: shift.span(alone.span), ..alone });
+    }
+}

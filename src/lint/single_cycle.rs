@@ -1,0 +1,270 @@
+//! G90, G92 and G94: tapers, blocks without an axis, passes that cut nothing, starts that are too far from the work.
+
+use super::once::Once;
+use super::taper;
+use crate::control::codes::MotionMode;
+use crate::control::compensation::Axis;
+use crate::control::events::{Moment, SinglePass};
+use crate::control::modal::Target;
+use crate::control::words::{Words, behind_letter, letters, plain, quote};
+use crate::cycles::single::{self, Single};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Fix, Message};
+use crate::setup::Stock;
+use crate::setup::dialect::DecimalRule;
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::text::block::Block;
+
+/// Lengths this near are the same, mm.
+const NEAR: f64 = 0.001;
+/// A pass deeper than this is much for a small lathe, mm (radius).
+const DEEPEST_PASS: f64 = 3.0;
+/// A start farther from the work than this wastes time with each pass, mm.
+const FAR: f64 = 10.0;
+
+/// The deepest pass of a run of G90 or G94.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeepestPass {
+    /// Where it started.
+    start: Point,
+    /// Where its cut ended.
+    end: Point,
+    /// Its taper, mm.
+    taper: f64,
+}
+
+/// What is remembered of the single cycles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SingleCycles {
+    /// G90 without an axis, and no move since: the next code of group 01 may end it.
+    g90_alone: Option<Span>,
+    /// The axis that was named last.
+    named: Option<Axis>,
+    /// The deepest pass since the cycle came into force.
+    deepest: Option<DeepestPass>,
+    reported: Reported,
+}
+
+/// What was reported.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Reported {
+    /// That I of G92 is an older spelling of R.
+    old_taper_word: Once,
+    /// That G90 is meant as absolute.
+    g90_as_absolute: Once,
+    /// That a pass is no deeper.
+    pass_not_deeper: Once,
+    /// That a taper is not extended to the start point.
+    taper_not_extended: Once,
+}
+
+impl SingleCycles {
+    /// A code of group 01 comes into force.
+    pub fn motion_code(&mut self, mode: MotionMode, block: &Block, words: &Words, at: &Moment) {
+        let before = at.state.motion;
+        if mode != before {
+            self.reported.taper_not_extended.forget();
+        }
+        match (mode, before) {
+            (MotionMode::Cycle(new), MotionMode::Cycle(old)) if new == old => {}
+            (MotionMode::Cycle(_), MotionMode::Cycle(_)) => self.reported.pass_not_deeper.forget(),
+            _ => {
+                self.reported.pass_not_deeper.forget();
+                self.one_shot();
+            }
+        }
+        // With F it is a cycle on purpose: the ends of its passes follow.
+        const NAMES: u32 = letters(b"XZUWFR");
+        let alone = mode == MotionMode::Cycle(Single::Turning) && !words.has_any(NAMES);
+        self.g90_alone = alone.then(|| {
+            let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
+            g90.map_or_else(|| block.words_span(), |word| word.span)
+        });
+    }
+
+    /// A one-shot code: what was given to a cycle is forgotten.
+    pub fn one_shot(&mut self) {
+        (self.deepest, self.named) = (None, None);
+    }
+
+    /// The taper of a G92 is given by I where R is usual.
+    pub fn old_taper_word(&mut self, words: &Words, at: &Moment) -> Option<Diagnostic> {
+        self.reported.old_taper_word.first().then(|| {
+            let (word, span) = (words.quote(at.text, b'I'), words.span(b'I'));
+            let fix = Fix::write(span, format!("R{}", behind_letter(&word)));
+            Diagnostic::new(Message::LetterIInG92, span).with(fix)
+        })
+    }
+
+    /// A block names an axis.
+    pub fn axes(&mut self, block: &Block) {
+        let named = block.words.iter().rfind(|word| matches!(word.address, b'X' | b'U' | b'Z' | b'W'));
+        self.named = named.map(|word| if matches!(word.address, b'X' | b'U') { Axis::X } else { Axis::Z });
+    }
+
+    /// The axis that was named last and its end point, once a pass has been cut.
+    pub fn end(&self, at: &Moment) -> Option<(Axis, Target)> {
+        let memory = &at.state.memory;
+        let end = self.named.map(|axis| (axis, if axis == Axis::X { memory.x } else { memory.z }));
+        end.filter(|_| memory.passes > 0)
+    }
+
+    /// A cycle is called: was G90 meant as absolute, is its taper that of the drawing?
+    pub fn called(
+        &mut self,
+        pass: &SinglePass,
+        taper_span: Span,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        if let Some(span) = self.g90_alone.take()
+            && self.reported.g90_as_absolute.first()
+        {
+            reports.push(Diagnostic::new(Message::G90AsAbsolute, span));
+        }
+        let &SinglePass { cycle, start, end, .. } = pass;
+        let taper = at.state.memory.taper;
+        let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
+        // That it begins beyond the start point is reported already.
+        if !single::begins_beyond_start(way, taper)
+            && let Some(told) = taper::not_extended(cycle, start, end, taper, taper_span, at)
+            && self.reported.taper_not_extended.first()
+        {
+            reports.push(told);
+        }
+    }
+
+    /// A pass is about to be cut.
+    pub fn pass(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let &SinglePass { block, words, cycle, start, end, .. } = pass;
+        let taper = at.state.memory.taper;
+        let own = DeepestPass { start, end, taper };
+        let before = self.deepest.filter(|_| at.state.memory.passes > 0);
+        if let Some(address) = pass.taper_word {
+            reports.extend(taper::shape(cycle, start, end, taper, words, address, at));
+        }
+        let surface = before
+            .map(|before| before.end.x + before.taper)
+            .or(at.setup.stock.map(|stock| start.x.min(stock.diameter / 2.0)));
+        if let Some(depth) = edge_depth(cycle, &own, surface, before.is_none()) {
+            reports.push(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
+        }
+        let moved = match cycle {
+            Single::Facing => [b'Z', b'W'],
+            Single::Turning | Single::Threading => [b'X', b'U'],
+        };
+        let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
+        if let (Some(before), Some(address)) = (before, own_word) {
+            let word = words.quote(at.text, address);
+            if let Some(message) = pass_not_deeper(cycle, &own, &before, word)
+                && self.reported.pass_not_deeper.first()
+            {
+                reports.push(Diagnostic::new(message, words.span(address)));
+            }
+        } else if before.is_none()
+            && let Some(message) = at.setup.stock.as_ref().and_then(|stock| far_start(cycle, &own, stock))
+        {
+            reports.push(Diagnostic::new(message, block.words_span()));
+        }
+        if cycle != Single::Threading {
+            self.deepest = Some(deeper(cycle, own, before));
+        }
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &Self) {
+        self.reported = other.reported;
+    }
+
+    /// First byte of a word that is looked at later.
+    pub fn first_waiting(&self) -> Option<u32> {
+        self.g90_alone.map(|span| span.start)
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.g90_alone = self.g90_alone.map(|span| shift.span(span));
+    }
+}
+
+/// A block of a cycle with the word at `span`, but without an axis: no pass is made. `end`: the axis that was named last.
+pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
+    let (axis, target) = end;
+    let (letters, scale) = if axis == Axis::X { (['X', 'U'], 2.0) } else { (['Z', 'W'], 1.0) };
+    let (letter, value) = match target {
+        Target::Stay => return None,
+        Target::Absolute(place) => (letters[0], place),
+        Target::Incremental(way) => (letters[usize::from(!at.state.incremental)], way),
+    };
+    let number = crate::units::number(scale * value / at.state.unit.millimetres());
+    let needs_point = at.dialect.decimal == DecimalRule::LeastIncrement && !number.contains('.');
+    let end = format!("{letter}{number}{}", if needs_point { "." } else { "" });
+    let word = quote(at.text, span);
+    let fix = Fix::insert(span.start, format!("{end} "));
+    let meant = format!("{end} {word}");
+    let message = Message::CycleAxisMissing { word, code: cycle.cycle().code(), meant };
+    Some(Diagnostic::new(message, span).with(fix))
+}
+
+/// A pass that goes no deeper than one before it from the same start to the same end.
+fn pass_not_deeper(cycle: Single, own: &DeepestPass, before: &DeepestPass, word: String) -> Option<Message> {
+    let same = own.start.distance(before.start) <= NEAR && (own.taper - before.taper).abs() <= NEAR;
+    let (deep, other, deepest) = match cycle {
+        Single::Turning => {
+            let inward = (own.start.x - before.end.x).signum();
+            let deep = inward * (before.end.x - own.end.x);
+            (deep, (own.end.z - before.end.z).abs(), 2.0 * before.end.x)
+        }
+        Single::Facing => {
+            let inward = (own.start.z - before.end.z).signum();
+            (inward * (before.end.z - own.end.z), (own.end.x - before.end.x).abs(), before.end.z)
+        }
+        Single::Threading => return None,
+    };
+    let axis = if cycle == Single::Facing { 'Z' } else { 'X' };
+    let side = |pass: &DeepestPass| match cycle {
+        Single::Facing => (pass.end.z - pass.start.z).signum(),
+        _ => (pass.end.x - pass.start.x).signum(),
+    };
+    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(Message::PassNotDeeper {
+        word,
+        axis,
+        deepest,
+    })
+}
+
+/// How deep the first pass of a taper is at its thin end, outside, where that is far deeper than a pass (radius, mm).
+fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
+    let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
+    let depth = surface? - (own.end.x + own.taper);
+    // A thick bar takes a deeper cut.
+    let deepest = DEEPEST_PASS.max(0.14 * surface?);
+    (first && outside && depth > deepest).then_some(depth)
+}
+
+/// The deeper of two passes.
+fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> DeepestPass {
+    let Some(before) = before else { return own };
+    let same_end = match cycle {
+        Single::Facing => (own.end.x - before.end.x).abs() <= NEAR,
+        _ => (own.end.z - before.end.z).abs() <= NEAR,
+    };
+    let kept = same_end && pass_not_deeper(cycle, &own, &before, String::new()).is_some();
+    if kept { before } else { own }
+}
+
+/// A cycle that starts too far from the blank.
+fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
+    let radius = stock.diameter / 2.0;
+    let outside = own.end.x < own.start.x;
+    let far_x = own.start.x - radius;
+    if outside && far_x > FAR && own.end.x < radius {
+        return Some(Message::AirCut { axis: 'X', distance: far_x });
+    }
+    let far_z = own.start.z - stock.face;
+    if cycle != Single::Threading && far_z > FAR && own.end.z < stock.face {
+        return Some(Message::AirCut { axis: 'Z', distance: far_z });
+    }
+    None
+}

@@ -1,0 +1,292 @@
+//! The spindle before a cut: whether it turns, how fast, and how fast at most; and the classroom checklist of each tool.
+
+use super::once::Once;
+use crate::control::events::Moment;
+use crate::control::words::{Words, letters, plain, quote};
+use crate::message::{Diagnostic, Fix, Message};
+use crate::motion::SpindleTurn;
+use crate::source::Span;
+use crate::source::shift::Shift;
+use crate::text::block::{Block, Word};
+
+/// M10 and M11, M68 and M69: which of a pair closes the chuck differs from maker to maker.
+const CLAMP_ON: u64 = 10;
+const CLAMP_OFF: u64 = 11;
+const CHUCK_CLOSE: u64 = 68;
+const CHUCK_OPEN: u64 = 69;
+
+/// A move at feed with the spindle stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct StillMove {
+    /// Its block.
+    block: Span,
+    /// The words of the block.
+    words: Span,
+}
+
+/// G96 without a highest speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Unclamped {
+    /// Its S, or its block.
+    span: Span,
+    /// Where a block before it would stand.
+    before: u32,
+}
+
+/// What is remembered of the spindle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spindle {
+    /// G96 without a highest speed, and no cut since: G50 may still give one.
+    unclamped: Option<Unclamped>,
+    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck opens or closes
+    /// now, it stops or pulls the bar.
+    still_move: Option<StillMove>,
+    /// An M code appeared whose meaning depends on the machine: it may have connected C or started a live tool.
+    pub unknown_m: bool,
+    /// Coolant flows (M07, M08).
+    coolant: bool,
+    /// That the spindle is stopped.
+    pub stopped: Once,
+    /// That it has no speed.
+    speed_missing: Once,
+    /// That it has no highest speed.
+    no_clamp: Once,
+    /// The checklist of the tool.
+    checklist: Once,
+}
+
+impl Spindle {
+    /// A cut at feed begins. `feed_mode_named`: a code of the feed mode appeared before it.
+    #[inline]
+    pub fn cut(&mut self, block: &Block, feed_mode_named: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if self.checklist.first() {
+            self.look_at_checklist(block, feed_mode_named, at, reports);
+        }
+        if self.unclamped.is_some() {
+            self.tell_speed_clamp(reports);
+        }
+        let spindle = &at.state.spindle;
+        if spindle.turn == SpindleTurn::Stopped || spindle.still {
+            self.still_cut(block, at, reports);
+        } else {
+            let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
+            if speed == 0.0 && !self.may_be_driven(at) && self.speed_missing.first() {
+                let of_surface = spindle.surface && spindle.rpm > 0.0;
+                let message = if of_surface { Message::SurfaceSpeedMissing } else { Message::SpeedMissing };
+                reports.push(Diagnostic::new(message, block.words_span()));
+            }
+        }
+    }
+
+    /// Whether something that this control does not know may turn the work or a live tool.
+    fn may_be_driven(&self, at: &Moment) -> bool {
+        let spindle = &at.state.spindle;
+        // Which M code turns a live tool depends on the machine.
+        let milling = at.state.c_axis || at.state.virtual_plane.is_some();
+        spindle.live_tool || spindle.by_maker || milling && self.unknown_m
+    }
+
+    /// A cut with the spindle stopped.
+    #[inline(never)]
+    fn still_cut(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        if self.may_be_driven(at) || !self.stopped.first() {
+            return;
+        }
+        let still = StillMove { block: block.span, words: block.words_span() };
+        match at.contour {
+            None => self.still_move = Some(still),
+            // What is remembered in a contour is given up.
+            Some(_) => reports.push(still.message()),
+        }
+    }
+
+    /// What an instructor wants to see before the first cut of a tool.
+    #[inline(never)]
+    fn look_at_checklist(
+        &self,
+        block: &Block,
+        feed_mode_named: bool,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        let missing = [
+            (at.state.tool == (0, 0)).then_some(Message::ToolNotNamed),
+            (!feed_mode_named).then_some(Message::FeedModeNotNamed),
+            (!self.coolant).then_some(Message::CoolantOff),
+        ];
+        let missing = missing.into_iter().flatten();
+        reports.extend(missing.map(|message| Diagnostic::new(message, block.words_span())));
+    }
+
+    /// A motion under G96 without a highest speed: once in a program.
+    #[inline(never)]
+    pub fn tell_speed_clamp(&mut self, reports: &mut Vec<Diagnostic>) {
+        if let Some(Unclamped { span, before }) = self.unclamped.take()
+            && self.no_clamp.first()
+        {
+            let fix = Fix::insert(before, "G50 S2000\n".to_owned());
+            reports.push(Diagnostic::new(Message::NoSpeedClamp, span).with(fix));
+        }
+    }
+
+    /// A move at feed with the spindle stopped was no work of a bar puller.
+    #[inline]
+    pub fn tell_still_move(&mut self, reports: &mut Vec<Diagnostic>) {
+        if let Some(still) = self.still_move.take() {
+            reports.push(still.message());
+        }
+    }
+
+    /// An M code; `is_known`: this control knows what it does.
+    pub fn m_code(
+        &mut self,
+        number: u64,
+        is_known: bool,
+        word: &Word,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        let spindle = &at.state.spindle;
+        // M11 opens the chuck on many machines.
+        if number == CLAMP_OFF
+            && spindle.turn != SpindleTurn::Stopped
+            && !spindle.live_tool
+            && !at.state.c_axis
+        {
+            let message = Message::ChuckOpen { word: quote(at.text, word.span) };
+            reports.push(Diagnostic::new(message, word.span));
+        }
+        match number {
+            // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
+            CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number, at),
+            3 | 4 | 13 | 14 => self.tell_still_move(reports),
+            7 | 8 => self.coolant = true,
+            9 => self.coolant = false,
+            _ => {}
+        }
+        self.unknown_m |= !is_known;
+    }
+
+    /// The chuck opens or closes. With the spindle stopped, moves at feed hold or pull the bar.
+    fn chuck_moves(&mut self, number: u64, at: &Moment) {
+        if at.state.spindle.turn != SpindleTurn::Stopped {
+            return;
+        }
+        let held = self.still_move.take().is_some();
+        if held || matches!(number, CLAMP_OFF | CHUCK_OPEN) {
+            // What moves at feed from here on, before the spindle turns again, belongs to it.
+            self.stopped.leave_out();
+        }
+    }
+
+    /// S outside of G50: S0 stops the spindle, another speed lets it turn again.
+    pub fn speed(&mut self, value: f64, at: &Moment) {
+        if at.state.spindle.still != (value == 0.0) {
+            self.stopped.forget();
+        }
+    }
+
+    /// G96 or G97.
+    pub fn speed_mode(
+        &mut self,
+        surface: bool,
+        block: &Block,
+        words: &Words,
+        at: &Moment,
+        reports: &mut Vec<Diagnostic>,
+    ) {
+        let spindle = &at.state.spindle;
+        let speed_given = words.get(b'S').is_some();
+        if !surface {
+            self.unclamped = None;
+            if spindle.surface && !speed_given {
+                // G97 without S keeps the speed that was reached last.
+                let kept = at.spindle_speed(at.state.position.x).unwrap_or(spindle.rpm).floor();
+                if kept > 0.0 {
+                    let message = Message::SpeedNotRepeated { code: "G97", speed: kept };
+                    reports.push(Diagnostic::new(message, block.words_span()));
+                }
+            }
+        } else if !spindle.surface && spindle.highest.is_none() {
+            let span = words.span(b'S');
+            let text = &at.text[..span.start as usize];
+            let end = text.iter().rposition(|byte| matches!(byte, b'\n' | b'\r' | b';'));
+            self.unclamped = Some(Unclamped { span, before: end.map_or(0, |end| end as u32 + 1) });
+        }
+    }
+
+    /// G50 S.
+    pub fn highest_speed(&mut self) {
+        self.unclamped = None;
+    }
+
+    /// M05 takes effect.
+    pub fn stops(&mut self, block: &Block, moved: bool, reports: &mut Vec<Diagnostic>) {
+        if moved {
+            let stop = block.words.iter().find(|word| word.address == b'M' && plain(word) == Some(5.0));
+            let span = stop.map_or_else(|| block.words_span(), |word| word.span);
+            reports.push(Diagnostic::new(Message::StopBehindMove, span));
+        }
+        self.stopped.forget();
+    }
+
+    /// Another tool is called.
+    pub fn tool_changes(&mut self, reports: &mut Vec<Diagnostic>) {
+        self.checklist.forget();
+        self.tell_still_move(reports);
+    }
+
+    /// A block was left out: it may have given the speed. One fault, one message.
+    pub fn left_out(&mut self, at: &Moment) {
+        let spindle = &at.state.spindle;
+        if spindle.rpm == 0.0 && spindle.cutting_speed == 0.0 {
+            self.speed_missing.leave_out();
+        }
+    }
+
+    /// What a block or program may have set is not known.
+    pub fn is_unknown(&mut self) {
+        self.stopped.leave_out();
+        self.no_clamp.leave_out();
+    }
+
+    /// What `other` has reported counts as reported.
+    pub fn has_heard_of(&mut self, other: &Self) {
+        (self.stopped, self.speed_missing) = (other.stopped, other.speed_missing);
+        (self.no_clamp, self.checklist) = (other.no_clamp, other.checklist);
+    }
+
+    /// First byte of a block or word that is reported later.
+    pub fn first_waiting(&self) -> Option<u32> {
+        let unclamped = self.unclamped.map(|unclamped| unclamped.before);
+        unclamped.into_iter().chain(self.still_move.map(|still| still.block.start)).min()
+    }
+
+    /// Moves places along.
+    pub fn shift(&mut self, shift: &Shift) {
+        self.unclamped = self.unclamped.map(|unclamped| Unclamped {
+            span: shift.span(unclamped.span),
+            before: shift.byte(unclamped.before),
+        });
+        self.still_move = self
+            .still_move
+            .map(|still| StillMove { block: shift.span(still.block), words: shift.span(still.words) });
+    }
+}
+
+impl StillMove {
+    #[cold]
+    fn message(self) -> Diagnostic {
+        let fix = Fix::insert(self.block.start, "M03\n".to_owned());
+        Diagnostic::new(Message::SpindleStopped, self.words).with(fix)
+    }
+}
+
+/// Whether the words of a block leave the tool where it is: `W0`.
+pub fn stays(words: &Words) -> bool {
+    let idle = |address: u8| words.get(address).and_then(plain).is_some_and(|way| way == 0.0);
+    !words.has_any(letters(b"XZCHA"))
+        && words.has_any(letters(b"UW"))
+        && !words.has_any(letters(b"RIK"))
+        && [b'U', b'W'].into_iter().all(|address| words.get(address).is_none() || idle(address))
+}

@@ -1,0 +1,64 @@
+//! Lints only listen: without them a run makes the same motions and reports what the control itself does.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[allow(dead_code, reason = "only the programs are needed here")]
+mod fixtures;
+#[path = "../src/rules/format/mod.rs"]
+#[allow(dead_code, reason = "only the examples are needed here")]
+mod format;
+
+use gcode_playground::message::Diagnostic;
+use gcode_playground::run::{Analysis, Run};
+use gcode_playground::setup::{Lints, Setup};
+
+fn run(text: &[u8], setup: &Setup, lints: Lints) -> Analysis {
+    let mut run = Run::new(text.to_vec(), Setup { lints, ..setup.clone() });
+    while !run.advance(usize::MAX) {}
+    run.into_analysis()
+}
+
+/// Runs a program with lints and without, and compares the motions: what both report.
+fn compared(name: &str, text: &[u8], setup: &Setup) -> [Vec<Diagnostic>; 2] {
+    let (with, without) = (run(text, setup, Lints::On), run(text, setup, Lints::Off));
+    assert_eq!(with.motions.len(), without.motions.len(), "{name}");
+    for index in 0..with.motions.len() {
+        assert_eq!(with.motions.get(index), without.motions.get(index), "{name}, motion {index}");
+    }
+    [with.diagnostics, without.diagnostics]
+}
+
+#[test]
+fn motions_and_errors_of_the_programs_are_the_same_without_lints() {
+    for program in fixtures::all() {
+        let setup = Setup::from_json(&program.setup).expect(&program.id);
+        let [with, without] = compared(&program.id, program.text.as_bytes(), &setup);
+        let errors =
+            |all: &[Diagnostic]| all.iter().filter(|one| one.is_error()).cloned().collect::<Vec<_>>();
+        assert_eq!(errors(&with), errors(&without), "{}", program.id);
+    }
+}
+
+/// The examples of each rule show whose it is: without lints those of the lints are silent, those of the control are not.
+#[test]
+fn without_lints_the_control_reports_its_own_faults() {
+    let mut of_lints = Vec::new();
+    for (name, rule) in format::all() {
+        let Ok(rule) = rule else { continue };
+        let setup = Setup::from_json(&rule.page.setup).expect(&name);
+        let told = compared(&name, rule.page.wrong.as_bytes(), &setup);
+        let [with, without] = told.map(|told| told.iter().any(|one| one.message.slug() == rule.slug));
+        assert!(with || !without, "{name}: only without lints");
+        if with && !without {
+            of_lints.push(rule.slug);
+        }
+    }
+    let lint = |slug: &str| of_lints.iter().any(|own| own == slug);
+    for slug in
+        ["cut-with-spindle-stopped", "feed-unit-mixed-up", "taper-not-extended", "tool-change-near-work"]
+    {
+        assert!(lint(slug), "{slug} is a lint: {of_lints:?}");
+    }
+    for slug in ["unknown-g-code", "feed-missing", "taper-beyond-start-point"] {
+        assert!(!lint(slug), "{slug} is of the control");
+    }
+}
