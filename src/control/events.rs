@@ -81,6 +81,8 @@ pub struct SinglePass<'a> {
     pub end: Point,
     /// The letter whose word gives the taper in this block, if one does.
     pub taper_word: Option<u8>,
+    /// Place of that word; of the block where the taper is that of a block before.
+    pub taper_span: Span,
     /// Lead of a thread.
     pub lead: Option<f64>,
     /// Starts of a thread.
@@ -188,7 +190,7 @@ pub enum Event<'a> {
     FeedMode(FeedMode),
     /// G40, G41 or G42.
     Compensation,
-    /// A code of group 01 comes into force.
+    /// A code of group 01 comes into force: another one than before, or that of a cycle.
     MotionCode { mode: MotionMode, block: &'a Block, words: &'a Words<'a> },
     /// A one-shot code other than a dwell: single cycles forget what was given.
     OneShot,
@@ -210,14 +212,17 @@ pub enum Event<'a> {
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
     /// M05 takes effect.
     SpindleStops { block: &'a Block, moved: bool },
-    /// A cut at a feed rate greater than zero begins.
+    /// A cut at a feed rate greater than zero begins. Not announced where nothing has happened since the cut before that
+    /// matters for it.
     Cut { block: &'a Block, words: &'a Words<'a>, feed: f64 },
     /// A cut begins before any F.
     CutWithoutFeed { block: &'a Block },
-    /// A move in a straight line at rapid, mm.
-    Rapid { block: &'a Block, to: Point },
-    /// A move in a straight line at feed, mm.
-    Line { block: &'a Block, to: Point },
+    /// A move at rapid.
+    Rapid,
+    /// A move in a straight line at feed while compensation is on, mm.
+    CompensatedLine { block: &'a Block, to: Point },
+    /// A move in a straight line, at rapid or feed, from a point on the axis of the spindle, where a drill or tap stands. mm.
+    FromAxis { block: &'a Block, to: Point },
     /// The F in force is taken as the lead of a thread, mm.
     LeadOfFeed { block: &'a Block, code: &'static str, feed: f64 },
     /// A thread begins; `to` is its end for G32 to G34, whose path is known. mm.
@@ -230,10 +235,6 @@ pub enum Event<'a> {
     OldTaperWord { words: &'a Words<'a> },
     /// A block of a single cycle without an axis makes no motion.
     CycleWithoutAxis { words: &'a Words<'a>, cycle: Single, taper: Option<&'a Word> },
-    /// A block of a single cycle names an axis.
-    CycleAxes { block: &'a Block },
-    /// A single cycle is called; its taper does not begin beyond the start point, or that was reported.
-    CycleCalled { pass: SinglePass<'a>, taper_span: Span },
     /// A pass of a single cycle is about to be cut.
     SinglePass(SinglePass<'a>),
     /// G70 to G76 is called.
@@ -264,8 +265,8 @@ pub enum Event<'a> {
     NearCenter { distance: f64, words: Span },
     /// A move is compensated.
     Compensated(CompensatedMove<'a>),
-    /// The words of a block are carried out.
-    BlockEnds { block: &'a Block, moved: bool },
+    /// The words of a block are carried out while compensation is on, or ends.
+    CompensatedBlock { block: &'a Block, moved: bool },
     /// A block was not carried out.
     LeftOut,
     /// What a block or a program sets is not known.
@@ -274,6 +275,23 @@ pub enum Event<'a> {
     ProgramEnds { end: Option<&'a Word> },
     /// There is nothing more to carry out.
     RunEnds,
+}
+
+impl Event<'_> {
+    /// Whether the next cut may be another one than the cut before: by its feed, spindle, tool or axes.
+    #[inline]
+    pub fn matters_for_cuts(&self) -> bool {
+        !matches!(
+            self,
+            Self::SinglePass(_)
+                | Self::MotionCode { .. }
+                | Self::Rapid
+                | Self::CompensatedLine { .. }
+                | Self::FromAxis { .. }
+                | Self::Compensated(_)
+                | Self::CompensatedBlock { .. }
+        )
+    }
 }
 
 /// Whoever listens to a run.

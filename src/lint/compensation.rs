@@ -79,7 +79,6 @@ impl Compensations {
     }
 
     /// The words of a block are carried out. Two blocks without a move while compensation is on are reported.
-    #[inline]
     pub fn block_ends(&mut self, block: &Block, moved: bool, at: &Moment, reports: &mut Vec<Diagnostic>) {
         self.is_idle &= !moved;
         let compensating = at.state.compensating.as_ref().filter(|_| !moved);
@@ -91,15 +90,10 @@ impl Compensations {
     }
 
     /// A straight cut: the side against where the work lies (outside toward the chuck G42, bores G41).
-    #[inline]
     pub fn line(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if at.state.compensation != Compensation::Off && at.state.virtual_plane.is_none() {
-            self.side(block, to, at, reports);
+        if at.state.virtual_plane.is_some() {
+            return;
         }
-    }
-
-    #[inline(never)]
-    fn side(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let (radius, tip) = (at.nose_radius(), at.tip_direction());
         let (station, offset) = at.state.tool;
         let kind = at.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);

@@ -49,18 +49,7 @@ impl Observer for Lints {
                 }
             }
             Event::CutWithoutFeed { block } => self.spindle.cut(block, self.feed.mode_named, at, reports),
-            Event::Line { block, to } => {
-                self.compensations.line(block, to, at, reports);
-                self.threads.moves(block, to, at, reports);
-            }
-            Event::Rapid { block, to } => {
-                self.spindle.tell_still_move(reports);
-                self.threads.moves(block, to, at, reports);
-            }
-            Event::BlockEnds { block, moved } => {
-                self.tool_changes.block_ends(moved);
-                self.compensations.block_ends(block, moved, at, reports);
-            }
+            Event::Rapid => self.spindle.tell_still_move(reports),
             _ => self.hear_others(event, at, reports),
         }
     }
@@ -110,11 +99,12 @@ impl Lints {
     #[inline(never)]
     fn hear_others(&mut self, event: &Event<'_>, at: &Moment<'_>, reports: &mut Vec<Diagnostic>) {
         match *event {
-            Event::Cut { .. }
-            | Event::CutWithoutFeed { .. }
-            | Event::Line { .. }
-            | Event::Rapid { .. }
-            | Event::BlockEnds { .. } => {}
+            Event::Cut { .. } | Event::CutWithoutFeed { .. } | Event::Rapid => {}
+            Event::FromAxis { block, to } => self.threads.moves(block, to, at, reports),
+            Event::CompensatedLine { block, to } => self.compensations.line(block, to, at, reports),
+            Event::CompensatedBlock { block, moved } => {
+                self.compensations.block_ends(block, moved, at, reports);
+            }
             Event::FeedMode(mode) => self.feed.mode(mode, at),
             Event::Feed => self.feed.given(at, reports),
             Event::SpindleSpeed { value } => self.spindle.speed(value, at),
@@ -128,7 +118,7 @@ impl Lints {
             }
             Event::Tool { word, before, goes_home } => {
                 if goes_home {
-                    self.tool_changes.home();
+                    self.tool_changes.home(at);
                 }
                 if at.state.tool.0 != before.0 {
                     self.spindle.tool_changes(reports);
@@ -139,7 +129,7 @@ impl Lints {
                 }
             }
             Event::Home => {
-                self.tool_changes.home();
+                self.tool_changes.home(at);
                 self.spindle.tell_still_move(reports);
             }
             Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
@@ -165,11 +155,8 @@ impl Lints {
                     }
                 }
             }
-            Event::CycleAxes { block } => self.single_cycles.axes(block),
-            Event::CycleCalled { pass, taper_span } => {
-                self.single_cycles.called(&pass, taper_span, at, reports);
-            }
             Event::SinglePass(pass) => {
+                self.single_cycles.called(&pass, at, reports);
                 self.compensations.single_cycle(&pass, at, reports);
                 if let Some(thread) = pass.thread(at) {
                     self.threads.pass(&thread, at, reports);

@@ -14,7 +14,7 @@ use crate::setup::Stock;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::source::shift::Shift;
-use crate::text::block::Block;
+use crate::text::block::{Block, Word};
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
@@ -97,12 +97,6 @@ impl SingleCycles {
         })
     }
 
-    /// A block names an axis.
-    pub fn axes(&mut self, block: &Block) {
-        let named = block.words.iter().rfind(|word| matches!(word.address, b'X' | b'U' | b'Z' | b'W'));
-        self.named = named.map(|word| if matches!(word.address, b'X' | b'U') { Axis::X } else { Axis::Z });
-    }
-
     /// The axis that was named last and its end point, once a pass has been cut.
     pub fn end(&self, at: &Moment) -> Option<(Axis, Target)> {
         let memory = &at.state.memory;
@@ -111,13 +105,10 @@ impl SingleCycles {
     }
 
     /// A cycle is called: was G90 meant as absolute, is its taper that of the drawing?
-    pub fn called(
-        &mut self,
-        pass: &SinglePass,
-        taper_span: Span,
-        at: &Moment,
-        reports: &mut Vec<Diagnostic>,
-    ) {
+    pub fn called(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
+        let is_axis = |word: &&Word| matches!(word.address, b'X' | b'U' | b'Z' | b'W');
+        let named = pass.block.words.iter().rfind(is_axis);
+        self.named = named.map(|word| if matches!(word.address, b'X' | b'U') { Axis::X } else { Axis::Z });
         if let Some(span) = self.g90_alone.take()
             && self.reported.g90_as_absolute.first()
         {
@@ -128,7 +119,7 @@ impl SingleCycles {
         let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
         // That it begins beyond the start point is reported already.
         if !single::begins_beyond_start(way, taper)
-            && let Some(told) = taper::not_extended(cycle, start, end, taper, taper_span, at)
+            && let Some(told) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
             && self.reported.taper_not_extended.first()
         {
             reports.push(told);

@@ -110,7 +110,9 @@ impl Interpreter {
         if !request.moved {
             self.idle_block();
         }
-        self.observe(text, Event::BlockEnds { block, moved: request.moved });
+        if self.state.compensation != Compensation::Off || self.state.compensating.is_some() {
+            self.observe(text, Event::CompensatedBlock { block, moved: request.moved });
+        }
         if let Some(kind) = request.stop {
             self.stop(block, kind);
         }
@@ -193,7 +195,10 @@ impl Interpreter {
                     return;
                 }
                 let to = self.target(text, words);
-                self.observe(text, Event::Rapid { block, to });
+                self.observe(text, Event::Rapid);
+                if self.is_on_axis() {
+                    self.observe(text, Event::FromAxis { block, to });
+                }
                 request.moved = words.has_any(AXES);
                 let c = self.turn_target(words);
                 if c.is_some() || !self.travel_plainly(block, MotionKind::Rapid, to, None) {
@@ -286,7 +291,9 @@ impl Interpreter {
 
     /// A code of group 01 comes into force.
     fn enter(&mut self, text: &[u8], mode: MotionMode, block: &Block, words: &Words) {
-        self.observe(text, Event::MotionCode { mode, block, words });
+        if mode != self.state.motion || matches!(mode, MotionMode::Cycle(_)) {
+            self.observe(text, Event::MotionCode { mode, block, words });
+        }
         let state = &mut self.state;
         state.hole = None;
         if !state.doubts.is_empty() {

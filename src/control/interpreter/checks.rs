@@ -18,7 +18,11 @@ impl Interpreter {
             // The F of the cycle counts, and what is to be said of it is said there.
             Some(_) if self.contours.purpose == Some(Purpose::Roughing) => true,
             Some(feed) if feed > 0.0 => {
-                self.observe(text, Event::Cut { block, words, feed });
+                if self.cut_is_news || words.has_any(letters(b"F")) {
+                    self.observe(text, Event::Cut { block, words, feed });
+                    // `U0 W0` is no cut.
+                    self.cut_is_news = !words.has_any(letters(b"XZ"));
+                }
                 true
             }
             Some(_) => {

@@ -188,6 +188,10 @@ pub struct Interpreter {
     contours: Contours,
     /// Who listens.
     observer: Option<Box<dyn Observer>>,
+    /// What that one reports of the event under way.
+    reports: Vec<Diagnostic>,
+    /// Something has happened since the last cut that may matter for the next one.
+    cut_is_news: bool,
     /// The blocks carried out, in order, if they are asked for.
     trace: Option<Vec<Executed>>,
     /// A block was not carried out since this was last looked at.
@@ -215,6 +219,8 @@ impl Interpreter {
             sink,
             contours: Contours::default(),
             observer: None,
+            reports: Vec::new(),
+            cut_is_news: true,
             trace: None,
             refused: false,
             guessing: false,
@@ -231,12 +237,14 @@ impl Interpreter {
     #[inline]
     fn observe(&mut self, text: &[u8], event: Event<'_>) {
         if self.observer.is_some() {
+            self.cut_is_news |= event.matters_for_cuts();
             self.hear(text, &event);
         }
     }
 
     /// Another one listens from here on, for whom everything counts as reported that was; the one before.
     fn go_on_observed_by(&mut self, observer: Option<Box<dyn Observer>>) -> Option<Box<dyn Observer>> {
+        self.cut_is_news = true;
         let mut before = std::mem::replace(&mut self.observer, observer);
         if let (Some(own), Some(before)) = (&mut self.observer, &mut before) {
             own.listen_after(before.as_mut());
@@ -246,12 +254,18 @@ impl Interpreter {
 
     #[inline(never)]
     fn hear(&mut self, text: &[u8], event: &Event<'_>) {
-        let Self { observer, state, setup, dialect, sink, contours, .. } = self;
+        let Self { observer, reports, state, setup, dialect, sink, contours, .. } = self;
         let Some(observer) = observer else { return };
         let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
-        let mut reports = Vec::new();
-        observer.hear(event, &at, &mut reports);
-        for report in reports {
+        observer.hear(event, &at, reports);
+        if !self.reports.is_empty() {
+            self.tell_reports();
+        }
+    }
+
+    #[cold]
+    fn tell_reports(&mut self) {
+        for report in std::mem::take(&mut self.reports) {
             self.tell(report);
         }
     }

@@ -63,6 +63,12 @@ impl Interpreter {
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
+    /// Whether the tip stands on the axis of the spindle.
+    #[inline]
+    pub(super) fn is_on_axis(&self) -> bool {
+        self.state.position.x.abs() <= SAME
+    }
+
     /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is drawn as an uncertain one.
     #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
@@ -151,7 +157,12 @@ impl Interpreter {
             }
             _ => Point::new(x.from(from.x), z.from(from.z)),
         };
-        self.observe(text, Event::Line { block, to });
+        if self.state.compensation != Compensation::Off {
+            self.observe(text, Event::CompensatedLine { block, to });
+        }
+        if self.is_on_axis() {
+            self.observe(text, Event::FromAxis { block, to });
+        }
         if joint.is_none() && c.is_none() && self.travel_plainly(block, MotionKind::Feed, to, None) {
             return;
         }

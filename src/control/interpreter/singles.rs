@@ -58,7 +58,6 @@ impl Interpreter {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
-        self.observe(text, Event::CycleAxes { block });
         self.arrive_for_cycle();
         let start = self.state.position;
         let memory = self.state.memory;
@@ -80,18 +79,7 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        let mut pass = SinglePass {
-            block,
-            words,
-            cycle,
-            start,
-            end,
-            taper_word: self.taper_word(words, cycle),
-            lead: None,
-            starts: self.starts(words, cycle),
-        };
-        self.observe(text, Event::CycleCalled { pass, taper_span });
-        pass.lead = match cycle {
+        let lead = match cycle {
             Single::Threading => {
                 let Some(lead) = self.lead(text, block, words, "G92") else {
                     request.drop = true;
@@ -111,9 +99,10 @@ impl Interpreter {
                 None
             }
         };
+        let (taper_word, starts) = (self.taper_word(words, cycle), self.starts(words, cycle));
+        let pass = SinglePass { block, words, cycle, start, end, taper_word, taper_span, lead, starts };
         self.observe(text, Event::SinglePass(pass));
-        let lead = pass.lead;
-        for _ in 0..pass.starts {
+        for _ in 0..starts {
             self.state.memory.passes += 1;
             let pass = self.state.memory.passes;
             match (cycle, lead) {

@@ -126,7 +126,7 @@ impl Interpreter {
         self.observer = observer.clone();
         self.program = std::mem::take(&mut self.program).back_at(*at, *work);
         self.contours = Contours::default();
-        (self.refused, self.guessing) = (false, false);
+        (self.refused, self.guessing, self.cut_is_news) = (false, false, true);
     }
 
     /// Takes out what came after the first of some snapshots of this run, which has ended.
