@@ -27,7 +27,7 @@ impl Text {
 }
 
 /// Folders whose strings are texts. The strings of tests are programs and names.
-const STRINGS: [&str; 4] = ["src/", "www/src/", "www/docs/", "xtask/src/"];
+const STRINGS: [&str; 5] = ["src/", "www/src/", "www/docs/", "www/rules/", "xtask/src/"];
 
 /// Files that are not searched, and why.
 const LEFT_OUT: [(&str, &str); 3] = [
