@@ -14,6 +14,7 @@ mod play;
 mod run;
 mod serve;
 mod setup;
+mod spelling;
 mod test;
 mod tools;
 mod wasm_std;
