@@ -10,18 +10,19 @@ import { words } from '../dom/words';
 import { bytesToSave, download } from '../editor/program-files';
 import { FILE_FORMATS, type FileFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
+import exportsStyles from './exports.css?inline';
 
 /** What a file of each kind is called behind its name. */
 const ENDINGS: Readonly<Record<FileFormat, string>> = {
   svg: '.svg', png: '.png', card: '-card.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
 };
 
-export const exports: PanelKind = { make: (shell) => new Exports(shell) };
+export const exports: PanelKind = { styles: exportsStyles, make: (shell) => new Exports(shell) };
 
 class Exports implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', {
-    type: 'button', className: 'export-button quiet', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
+    type: 'button', className: 'export-button quiet outlined', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
   });
   readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
   readonly #items: readonly { readonly format: FileFormat; readonly button: HTMLButtonElement }[];

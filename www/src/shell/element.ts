@@ -41,9 +41,10 @@ import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
 import { initialProgram } from './start';
 import colours from '../colours.css?inline';
+import editorStyles from '../editor/editor.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
+const sheets = [colours, styles, editorStyles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;
