@@ -12,9 +12,9 @@ import { FILE_FORMATS, type FileFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 import exportsStyles from './exports.css?inline';
 
-/** What a file of each kind is called behind its name. */
+/** What the name of each kind of file ends in, after that of the program. */
 const ENDINGS: Readonly<Record<FileFormat, string>> = {
-  svg: '.svg', png: '.png', card: '-card.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
+  svg: '.svg', png: '.png', card: '-setup-sheet.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
 };
 
 export const exports: PanelKind = { styles: exportsStyles, make: (shell) => new Exports(shell) };
@@ -126,7 +126,8 @@ class Exports implements Panel {
 
 /** The name of an exported file, after that of the program. */
 function exportName(program: string | undefined, format: FileFormat): string {
-  const stem = (program ?? 'program').replace(/\.[^.]*$/, '');
+  const stem = (program ?? '').replace(/\.[^.]*$/, '');
+  if (stem === '' && format === 'card') return 'setup-sheet.html';
   return `${stem === '' ? 'program' : stem}${ENDINGS[format]}`;
 }
 
