@@ -35,7 +35,7 @@ const NOT_RUN: [(&str, &str); 8] = [
     ),
     ("cargo bench", "it takes minutes and measures the machine; `cargo clippy --all-targets` compiles it"),
     (
-        "cargo +nightly fuzz run program",
+        "cargo +nightly fuzz run --fuzz-dir tests/fuzz program",
         "it never ends, and needs another toolchain; xtask compiles the target",
     ),
     (
@@ -423,7 +423,7 @@ fn folded(word: &str) -> String {
 
 /// All words of the sources: names, keys, values.
 fn words_of_the_sources() -> HashSet<String> {
-    let sources = ["src/", "www/", "xtask/", "examples/", "benches/", "fuzz/", "tests/"];
+    let sources = ["src/", "www/", "xtask/", "tests/"];
     let mut words = HashSet::new();
     for file in files() {
         let code =
@@ -510,7 +510,7 @@ fn every_figure_is_held_by_something() {
     let mut unheld = Vec::new();
     for (document, parts) in documents() {
         // Of the past; of measurements, whose table is made in the same run; of sources that are no files here.
-        if ["CHANGELOG.md", "tests/programs/README.md", "benches/README.md"].contains(&document) {
+        if ["CHANGELOG.md", "tests/programs/README.md", "tests/speed/README.md"].contains(&document) {
             continue;
         }
         let mut rest = prose(&parts);

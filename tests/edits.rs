@@ -4,7 +4,7 @@
 #[allow(dead_code, reason = "only the programs are needed here")]
 mod fixtures;
 #[allow(dead_code, reason = "one of its programs is enough here")]
-#[path = "../benches/workload.rs"]
+#[path = "speed/workload.rs"]
 mod workload;
 
 use std::sync::LazyLock;

@@ -3,13 +3,13 @@
 //! All errors of all pages are reported together. `RULE_PAGES=slug,slug` looks at these only.
 #![cfg(not(target_arch = "wasm32"))]
 
-#[path = "../examples/rule-pages/book.rs"]
+#[path = "../www/rules/book.rs"]
 mod book;
 #[path = "../src/rules/format/mod.rs"]
 mod format;
-#[path = "../examples/rule-pages/outcome.rs"]
+#[path = "../www/rules/outcome.rs"]
 mod outcome;
-#[path = "../examples/rule-pages/words.rs"]
+#[path = "../www/rules/words.rs"]
 mod words;
 
 use std::path::{Component, Path, PathBuf};
@@ -61,7 +61,7 @@ fn slips(rule: &RuleFile) -> Vec<String> {
     let mut found: Vec<Mark> = wrong.told(own).map(|found| mark(&page.wrong, found)).collect();
     found.sort_unstable();
     if found.is_empty() {
-        slips.push("`wrong` does not make it speak".to_owned());
+        slips.push("`wrong` does not trigger it".to_owned());
     } else if page.is_placeless {
         if wrong.told(own).any(|told| !told.span.is_empty()) {
             slips.push(format!("it does stand at a place{}", shown(&page.wrong, &found)));
@@ -215,7 +215,7 @@ fn what_a_page_says_is_held_against_what_happens() {
     };
     assert_eq!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", ""), "");
     assert!(read("G00 X50 Z\n// ^^\nM30", "G00 X50 Z5\nM30", "").contains("elsewhere"));
-    assert!(read("G00 X50 Z5\n// ^^\nM30", "G00 X50\nM30", "").contains("does not make it speak"));
+    assert!(read("G00 X50 Z5\n// ^^\nM30", "G00 X50\nM30", "").contains("does not trigger it"));
     assert!(read("G00 X50 Z\n//      ^", "G00 X50 Z5\nM30", "").contains("no-program-end"));
     assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5", "").contains("`right` is not"));
     assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", "fix: yes").contains("the repairs"));

@@ -68,7 +68,7 @@ impl Card<'_> {
         let mut page = Page { html: String::new() };
         let _ = write!(
             page.html,
-            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n",
+            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
             language.tag(),
             escaped(title.trim()),
         );
@@ -457,34 +457,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-const STYLE: &str = "
-:root { color-scheme: only light; font: 10.5pt/1.4 'Noto Sans', 'PingFang SC', 'Microsoft YaHei', system-ui, sans-serif; color: #000; background: #fff; }
-@page { size: A4; margin: 14mm 12mm; }
-body { max-width: 186mm; margin: 8mm auto; padding: 0 4mm; }
-@media print { body { max-width: none; margin: 0; padding: 0; } }
-header { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline; gap: 0 2em; border-bottom: 1.5pt solid #000; }
-h1 { margin: 0 0 0.25em; font-size: 17pt; font-weight: 400; }
-h2 { margin: 1.1em 0 0.35em; font-size: 11.5pt; break-after: avoid; }
-.sign span { display: inline-block; min-width: 14em; margin-inline-start: 1.5em; border-bottom: 0.5pt solid #000; }
-.sign span:last-child { min-width: 9em; }
-dl { display: flex; flex-wrap: wrap; gap: 0.2em 2.2em; margin: 0.7em 0; }
-dt { font-size: 8.5pt; color: #444; }
-dd { margin: 0; font-weight: 600; }
-figure { margin: 0.8em 0; break-inside: avoid; }
-figure svg { display: block; width: 100%; height: auto; max-height: 105mm; }
-table { width: 100%; border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: 0.22em 0.5em; border: 0.5pt solid #777; text-align: start; vertical-align: top; }
-th { background: #eee; font-size: 8.5pt; font-weight: 600; print-color-adjust: exact; }
-thead { display: table-header-group; }
-tr { break-inside: avoid; }
-code { font: 600 9.5pt ui-monospace, Consolas, 'DejaVu Sans Mono', monospace; }
-.blocks td:first-child { white-space: nowrap; color: #444; }
-.blocks td:nth-child(2) { min-width: 13em; }
-.blocks td:nth-child(4) { min-width: 6em; }
-.blocks :is(td, th):last-child, .tools :is(td, th):last-child { text-align: end; white-space: nowrap; }
-.tools tr:last-child { font-weight: 600; }
-p { margin: 0.5em 0; font-size: 9pt; }
-";
+const STYLE: &str = include_str!("card.css");
 
 #[cfg(test)]
 mod tests {

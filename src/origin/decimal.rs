@@ -1,8 +1,9 @@
 //! What numbers without a decimal point count, where nobody says so: units, or least input increments.
 //!
-//! In: statements. Out: the rule, and the number that shows it best. Controls differ by one parameter (FANUC 3401#0,
-//! B-64114EN §8.3), and programs by habit: who runs a control that counts increments writes a point wherever he
-//! means millimetres or inches, even after a whole number. So the habit decides, and one number that no lathe can mean.
+//! In: statements. Out: the rule, and the number that shows it best. Controls differ by one parameter
+//! (FANUC 3401#0, B-64114EN §8.3), and programs by habit: who runs a control that counts increments writes
+//! a point wherever he means millimetres or inches, even after a whole number. So the habit decides, and
+//! one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
 use crate::message::Message;
@@ -94,7 +95,8 @@ impl Amount {
     ///
     /// * X: a swing of 1 m. What is larger is turned on special machines; Z: 2 m, beyond most beds.
     /// * A cut: 50 mm deep, or as much left for finishing; the deepest roughing takes about 15 mm a side.
-    ///   Under G20 10 in, since a bare `U1` is too much for inches and too little for increments, and so shows nothing.
+    ///   Under G20 10 in, since a bare `U1` is too much for inches and too little for increments, and so
+    ///   shows nothing.
     /// * G73 takes off what a casting has too much: 100 mm at most.
     /// * A thread is some millimetres deep; its last cut cannot be 10 mm.
     /// * Nobody dwells eight minutes.
@@ -110,7 +112,8 @@ impl Amount {
         if measure == Measure::Inch { inches } else { millimetres }
     }
 
-    /// The same where every number of the program says it: small ones do not hide that the large ones are too many.
+    /// The same where every number of the program says it: small ones do not hide that
+    /// the large ones are too many.
     fn usual_limit(self, measure: Measure) -> f64 {
         match self {
             Self::Length => Self::Diameter.limit(measure),
@@ -118,7 +121,8 @@ impl Amount {
         }
     }
 
-    /// What the word of a letter is among the others of its statement; nothing for what is no amount, or may be any.
+    /// What the word of a letter is among the others of its statement; nothing for what is
+    /// no amount, or may be any.
     fn of(letter: u8, among: &Among) -> Option<Self> {
         if among.dwells {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);

@@ -1,6 +1,6 @@
 //! Which four moves in a row are a single cycle, and which passes go on with it.
 //!
-//! In: plain moves. Out: [`Pass`]es. Pure geometry: the reverse of `cycles::single`.
+//! In: plain moves. Out: passes ([`Pass`]). Pure geometry: the reverse of `cycles::single`.
 
 use super::SAME;
 use super::places::Move;

@@ -92,7 +92,7 @@ impl Outline {
         let mut known: Vec<Option<Stretch>> = known.into_iter().map(Some).collect();
         let (mut next, mut length) = (0, 0.0);
         for (index, (chunk, &id)) in motions.chunks().iter().zip(ids).enumerate() {
-            // Ids grow, so a newer one need not be looked for; chunks that stay keep their order.
+            // Identifiers grow, so a newer one need not be looked for; chunks that stay keep their order.
             let is_of = |stretch: &Option<Stretch>| stretch.as_ref().is_some_and(|s| s.key.chunk == id);
             if newest.is_some_and(|newest| id <= newest) {
                 next += known[next..].iter().position(is_of).unwrap_or(0);

@@ -23,7 +23,7 @@ test('every kind of file holds the program', async ({ page }) => {
 
   await test.step('card', async () => {
     const { name, text } = await save(page, /Setup sheet/);
-    expect(name).toBe('program-card.html');
+    expect(name).toBe('setup-sheet.html');
     expect(text).toMatch(/^<!doctype html>/);
     for (const part of ['<h1>Setup sheet', '<svg ', '<code>G71 P50 Q120 U0.5 W0.2 F100</code>', 'rough turning', '10 passes']) {
       expect(text).toContain(part);
@@ -81,6 +81,7 @@ test('files are named after the one that was opened, and the program keeps its e
   const { name, bytes } = await save(page, /NC/);
   expect(name).toBe('втулка.MPF-plain.nc');
   expect(bytes.includes(Buffer.from([0xc2, 0xf2, 0xf3, 0xeb, 0xea, 0xe0]))).toBe(true);
+  expect((await save(page, /Setup sheet/)).name).toBe('втулка.MPF-setup-sheet.html');
 });
 
 test('the menu works by keyboard', async ({ page }) => {

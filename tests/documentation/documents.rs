@@ -7,7 +7,7 @@ pub const DOCUMENTS: [&str; 15] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
-    "benches/README.md",
+    "tests/speed/README.md",
     "tests/browser/README.md",
     "tests/programs/README.md",
     "src/rules/README.md",

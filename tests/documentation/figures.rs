@@ -115,7 +115,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "README.md",
         "runs 10,000 random programs",
-        Held::Stated("xtask/linuxcnc/src/main.rs", "programs: 10_000"),
+        Held::Stated("tests/linuxcnc/src/main.rs", "programs: 10_000"),
     ),
     figure(
         "ARCHITECTURE.md",
@@ -144,7 +144,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "ARCHITECTURE.md",
         "Level □ runs as fast as 3 there and is a fifth smaller",
-        Held::NotRun("measured with modules that are no longer built; `benches/README.md` has the table"),
+        Held::NotRun("measured with modules that are no longer built; `tests/speed/README.md` has the table"),
     ),
     figure(
         "tests/browser/README.md",
@@ -158,11 +158,11 @@ pub const FIGURES: &[Figure] = &[
     ),
 ];
 
-/// The figures of the line of a table of `benches/README.md` that begins with these words.
+/// The figures of the line of a table of `tests/speed/README.md` that begins with these words.
 fn measured(first_cell: &str) -> Vec<f64> {
-    let table = source("benches/README.md");
+    let table = source("tests/speed/README.md");
     let line = table.lines().find(|line| line.starts_with(&format!("| {first_cell} |")));
-    let line = line.unwrap_or_else(|| panic!("no line `{first_cell}` in benches/README.md"));
+    let line = line.unwrap_or_else(|| panic!("no line `{first_cell}` in tests/speed/README.md"));
     line.split('|').filter_map(|cell| cell.trim().parse().ok()).collect()
 }
 

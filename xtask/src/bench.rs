@@ -1,4 +1,4 @@
-//! In: the options. Out: the tables of `benches/README.md`: the playground beside a floor and its peers, natively, in wasm
+//! In: the options. Out: the tables of `tests/speed/README.md`: the playground beside a floor and its peers, natively, in wasm
 //! under Node and in a browser, and the times of the hostile programs.
 
 use std::fs;
@@ -9,7 +9,7 @@ use crate::run::{self, Result, command, npm, step};
 use crate::setup::Setup;
 use crate::{browser, hostile};
 
-#[path = "../../benches/workload.rs"]
+#[path = "../../tests/speed/workload.rs"]
 mod workload;
 
 /// The arguments of `cargo xtask bench`.
@@ -17,7 +17,7 @@ mod workload;
 pub struct Options {
     /// Only the playground and the floor are measured: no peer is installed.
     pub own: bool,
-    /// The tables go into `benches/README.md`.
+    /// The tables go into `tests/speed/README.md`.
     pub write: bool,
     /// How often everything is measured.
     pub rounds: Option<u32>,
@@ -37,7 +37,7 @@ pub fn main(options: Options) -> Result {
     write_programs(&folder)?;
     let [measures, hostile_times] = ["measures.md", "hostile.md"].map(|name| folder.join(name));
     let mut node = command("node");
-    node.arg("benches/measure.mjs").arg(&folder).env(browser::VARIABLE, browser);
+    node.arg("tests/speed/measure.mjs").arg(&folder).env(browser::VARIABLE, browser);
     node.arg("--binaries").arg(binaries.join("release/examples")).arg("--peers").arg(peers.join("release"));
     node.arg("--report").arg(&measures);
     if let Some(rounds) = options.rounds {
@@ -56,7 +56,7 @@ pub fn main(options: Options) -> Result {
 
 /// The floor and the crates as wasm and as a native program; the packages of npm.
 fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Result {
-    let folder = run::root().join("benches/peers");
+    let folder = run::root().join("tests/speed/peers");
     let features: &[&str] = if options.own { &[] } else { &["--features", "peers"] };
     let module = Module {
         name: "bench_peers",
@@ -102,9 +102,9 @@ fn write_programs(folder: &Path) -> Result {
     contours.try_for_each(|points| write(&format!("contour-{points}.nc"), workload::contour(points)))
 }
 
-/// Puts tables between their marks in `benches/README.md`.
+/// Puts tables between their marks in `tests/speed/README.md`.
 fn write_tables(tables: &[(&str, PathBuf)]) -> Result {
-    let path = run::root().join("benches/README.md");
+    let path = run::root().join("tests/speed/README.md");
     let read = |path: &Path| {
         fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
     };

@@ -1,4 +1,4 @@
-//! In: options. Out: random programs compared with LinuxCNC's interpreter, by the package in `xtask/linuxcnc`. It is a
+//! In: options. Out: random programs compared with LinuxCNC's interpreter, by the package in `tests/linuxcnc`. It is a
 //! package of its own because it needs the playground, which these commands themselves must not wait for.
 
 use crate::run::{Result, command, not_started, shown};

@@ -16,7 +16,7 @@ pub fn main(report: Option<&PathBuf>) -> Result<Duration> {
     native.args(["run", "--quiet", "--release", "--example", "hostile", "--"]).arg(&folder);
     let measured = step("hostile programs, native", &mut native)?;
     let mut node = command("node");
-    node.arg("benches/hostile.mjs").arg(&folder).args(["--show", &SHOWN.to_string()]);
+    node.arg("tests/speed/hostile.mjs").arg(&folder).args(["--show", &SHOWN.to_string()]);
     if let Some(report) = report {
         node.arg("--report").arg(report);
     }

@@ -14,6 +14,7 @@ mod play;
 mod run;
 mod serve;
 mod setup;
+mod spelling;
 mod test;
 mod tools;
 mod wasm_std;
@@ -28,7 +29,7 @@ cargo xtask play [--port N] [--no-open]   build the playground, serve it on loca
 cargo xtask test                          check and test everything
 cargo xtask bench [--own] [--write] [--rounds N]
                                           measure beside a floor and other programs, print the tables
-                                          (--own: without the others; --write: into benches/README.md)
+                                          (--own: without the others; --write: into tests/speed/README.md)
 cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
 cargo xtask setup                         only install what the other commands need

@@ -123,13 +123,13 @@ impl Module<'_> {
     }
 }
 
-/// Whether the module is as small as it should be and as large as `benches/README.md` says; says how large it is.
+/// Whether the module is as small as it should be and as large as `tests/speed/README.md` says; says how large it is.
 pub fn size() -> Result<Duration> {
-    let path = run::root().join("benches/README.md");
+    let path = run::root().join("tests/speed/README.md");
     let text =
         fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
     let told =
-        told_size(&text).ok_or("benches/README.md has no line of a table that begins `| shipped: `")?;
+        told_size(&text).ok_or("tests/speed/README.md has no line of a table that begins `| shipped: `")?;
     let mut node = run::command("node");
     node.args(["-e", WEIGH]).arg(run::www().join("pkg/gcode_playground_bg.wasm"));
     node.args([MOST_COMPRESSED.to_string(), (told * 1000).to_string()]);
@@ -160,7 +160,7 @@ const WEIGH: &str = "\
     const small = require('node:zlib').gzipSync(module, { level: 9 }).length;\
     console.log(`wasm module: ${module.length} bytes, ${small} compressed (at most ${most})`);\
     const off = Math.abs(small / told - 1) > 0.05;\
-    if (off) console.log(`benches/README.md says ${told}: put the table right`);\
+    if (off) console.log(`tests/speed/README.md says ${told}: put the table right`);\
     process.exitCode = small > most || off ? 1 : 0;";
 
 fn write(path: &Path, text: &str) -> Result {

@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use crate::run::{self, Result};
 use crate::wasm_std::{self, Toolchain};
-use crate::{browser, engines, tools};
+use crate::{browser, engines, spelling, tools};
 
 /// The oldest Node.js the page's tools run on.
 const NODE_MIN: u32 = 20;
@@ -67,8 +67,9 @@ fn before(folders: impl IntoIterator<Item = PathBuf>, path: &OsStr) -> Result<Os
         .map_err(|error| format!("cannot extend PATH: {error}"))
 }
 
-/// `cargo xtask setup`: everything, the browsers for the tests included.
+/// `cargo xtask setup`: everything, the browsers and hunspell for the tests included.
 pub fn main() -> Result {
+    spelling::ensure()?;
     let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
     let engines = engines::ensure()?;

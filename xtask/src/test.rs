@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, engines, hostile, package};
+use crate::{browser, engines, hostile, package, spelling};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -20,11 +20,12 @@ pub fn main() -> Result {
     done("lints", step("lints, native", &mut clippy)?);
 
     let mut fuzz = command("cargo");
-    fuzz.args(["check", "--manifest-path", "fuzz/Cargo.toml", "--no-default-features"]);
+    fuzz.args(["check", "--manifest-path", "tests/fuzz/Cargo.toml", "--no-default-features"]);
     fuzz.args(["--target-dir", "target/fuzz"]);
     done("fuzz targets", step("checking the fuzz targets", &mut fuzz)?);
 
     let setting_up = Instant::now();
+    spelling::ensure()?;
     let setup = Setup::for_testing()?;
     let browser = browser::ensure()?;
     let engines = engines::ensure()?;

@@ -14,11 +14,8 @@ use std::{fs, io};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
 /// Colours first, so that the pages and the playground have the same.
-const STYLES: [&str; 3] = [
-    include_str!("../../src/colours.css"),
-    include_str!("../../../examples/rule-pages/rules.css"),
-    include_str!("docs.css"),
-];
+const STYLES: [&str; 3] =
+    [include_str!("../../src/colours.css"), include_str!("../../rules/rules.css"), include_str!("docs.css")];
 
 /// All files by name, or every mistake in the documents.
 pub fn files() -> Result<BTreeMap<String, String>, String> {

@@ -9,6 +9,7 @@ import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { CodeRow, Codes } from '../protocol/protocol';
 import type { Panel, PanelKind, Services, Shell } from './panel';
+import codesStyles from './codes.css?inline';
 
 /** A row that is shown, and what is looked through for it, in small letters. */
 interface Shown {
@@ -18,7 +19,7 @@ interface Shown {
   readonly words: string;
 }
 
-export const codes: PanelKind = { make: (shell) => new CodesPanel(shell) };
+export const codes: PanelKind = { styles: codesStyles, make: (shell) => new CodesPanel(shell) };
 
 class CodesPanel implements Panel {
   readonly #shell: Shell;

@@ -10,18 +10,19 @@ import { words } from '../dom/words';
 import { bytesToSave, download } from '../editor/program-files';
 import { FILE_FORMATS, type FileFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
+import exportsStyles from './exports.css?inline';
 
-/** What a file of each kind is called behind its name. */
+/** What the name of each kind of file ends in, after that of the program. */
 const ENDINGS: Readonly<Record<FileFormat, string>> = {
-  svg: '.svg', png: '.png', card: '-card.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
+  svg: '.svg', png: '.png', card: '-setup-sheet.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
 };
 
-export const exports: PanelKind = { make: (shell) => new Exports(shell) };
+export const exports: PanelKind = { styles: exportsStyles, make: (shell) => new Exports(shell) };
 
 class Exports implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', {
-    type: 'button', className: 'export-button quiet', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
+    type: 'button', className: 'export-button quiet outlined', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
   });
   readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
   readonly #items: readonly { readonly format: FileFormat; readonly button: HTMLButtonElement }[];
@@ -125,7 +126,8 @@ class Exports implements Panel {
 
 /** The name of an exported file, after that of the program. */
 function exportName(program: string | undefined, format: FileFormat): string {
-  const stem = (program ?? 'program').replace(/\.[^.]*$/, '');
+  const stem = (program ?? '').replace(/\.[^.]*$/, '');
+  if (stem === '' && format === 'card') return 'setup-sheet.html';
   return `${stem === '' ? 'program' : stem}${ENDINGS[format]}`;
 }
 

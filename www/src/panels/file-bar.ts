@@ -11,8 +11,9 @@ import { programText, type ProgramFile } from '../editor/file';
 import { bytesToSave, download, readProgram, reread } from '../editor/program-files';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
 import type { Key, Panel, PanelKind, Services, Shell } from './panel';
+import fileBarStyles from './file-bar.css?inline';
 
-export const fileBar: PanelKind = { make: (shell) => new FileBar(shell) };
+export const fileBar: PanelKind = { styles: fileBarStyles, make: (shell) => new FileBar(shell) };
 
 class FileBar implements Panel {
   readonly #shell: Shell;

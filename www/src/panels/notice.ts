@@ -6,8 +6,9 @@ import { make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Panel, PanelKind, Services, Topic } from './panel';
+import noticeStyles from './notice.css?inline';
 
-export const notice: PanelKind = { make: () => new Notice() };
+export const notice: PanelKind = { styles: noticeStyles, make: () => new Notice() };
 
 class Notice implements Panel {
   readonly #element = make('div', { className: 'notice', part: 'notice', role: 'alert', hidden: true });

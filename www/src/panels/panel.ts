@@ -1,9 +1,10 @@
 // What a panel is, and what it may ask of the shell around it.
 //
 // A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this folder, with its
-// words in all languages at the end of the file, and one line in the list of `index.ts`. What is too large for one file, or is
-// loaded when it is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and other
-// panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
+// words in all languages at the end of the file, its styles beside it in a style sheet of the same name, and one line in the
+// list of `index.ts`. What is too large for one file, or is loaded when it is first needed, is a component beside it, with its
+// own words. A panel knows the shell by `Shell`, and other panels by the services they offer.
+// Must not know: where text and setup are kept, or how runs begin.
 
 import type { Language } from '../dom/language';
 import type { Editor } from '../editor/editor';

@@ -18,7 +18,7 @@ export const paste: PanelKind = { styles: pasteStyles, make: (shell) => new Past
 
 class Paste implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'paste-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', { type: 'button', className: 'paste-button quiet outlined', 'aria-haspopup': 'dialog' });
   /** Loaded when a text with programs is first found. */
   #dialog: PasteDialog | undefined;
   /** Where the text stands that is looked at. */

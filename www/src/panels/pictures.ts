@@ -10,8 +10,9 @@ import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
 import type { ClientPlace, Panel, PanelKind, Services, Shell } from './panel';
+import picturesStyles from './pictures.css?inline';
 
-export const pictures: PanelKind = { make: (shell) => new Pictures(shell) };
+export const pictures: PanelKind = { styles: picturesStyles, make: (shell) => new Pictures(shell) };
 
 class Pictures implements Panel {
   readonly #shell: Shell;

@@ -12,11 +12,12 @@ import type { Diagnostic, Fix } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import { countSafe, safeEdits } from './safe-fixes';
+import problemsStyles from './problems.css?inline';
 
 /** A program can have any number of problems; nobody reads more than these. */
 const SHOWN = 200;
 
-export const problems: PanelKind = { make: (shell) => new Problems(shell) };
+export const problems: PanelKind = { styles: problemsStyles, make: (shell) => new Problems(shell) };
 
 class Problems implements Panel {
   readonly #shell: Shell;

@@ -9,12 +9,13 @@ import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { Rewriting } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
+import rewriteStyles from './rewrite.css?inline';
 
-export const rewrite: PanelKind = { make: (shell) => new Rewrite(shell) };
+export const rewrite: PanelKind = { styles: rewriteStyles, make: (shell) => new Rewrite(shell) };
 
 class Rewrite implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'rewrite-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', { type: 'button', className: 'rewrite-button quiet outlined', 'aria-haspopup': 'dialog' });
   readonly #list = make('ul', { className: 'rewritings' });
   readonly #dialog = new Dialog('rewrite', [this.#list]);
   readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };

@@ -12,15 +12,16 @@ import type { SectionPiece } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { NewestQuestion, Panel, PanelKind, Shell } from './panel';
 import type { SolidView } from './solid-view';
+import solidStyles from './solid.css?inline';
 
 type Missing = 'loading' | 'no-part' | 'no-webgl';
 
-export const solid: PanelKind = { make: (shell) => new Solid(shell) };
+export const solid: PanelKind = { styles: solidStyles, make: (shell) => new Solid(shell) };
 
 class Solid implements Panel {
   readonly #shell: Shell;
   readonly #pieces: NewestQuestion<'section'>;
-  readonly #button = make('button', { type: 'button', className: 'solid-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', { type: 'button', className: 'solid-button quiet outlined', 'aria-haspopup': 'dialog' });
   readonly #holder = make('div', { className: 'text solid-holder' });
   readonly #message = make('p', { className: 'empty', role: 'status' });
   readonly #reset = make('button', { type: 'button', className: 'framed' });

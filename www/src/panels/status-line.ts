@@ -10,8 +10,9 @@ import { words } from '../dom/words';
 import type { Summary, Work } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
+import statusLineStyles from './status-line.css?inline';
 
-export const statusLine: PanelKind = { make: (shell) => new StatusLine(shell) };
+export const statusLine: PanelKind = { styles: statusLineStyles, make: (shell) => new StatusLine(shell) };
 
 type Shown =
   | { readonly kind: 'loading' }

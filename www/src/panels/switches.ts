@@ -9,8 +9,9 @@ import { COMMON, words } from '../dom/words';
 import type { SwitchesInText } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell, SwitchesSet } from './panel';
+import switchesStyles from './switches.css?inline';
 
-export const switches: PanelKind = { make: (shell) => new Switches(shell) };
+export const switches: PanelKind = { styles: switchesStyles, make: (shell) => new Switches(shell) };
 
 class Switches implements Panel {
   readonly #shell: Shell;

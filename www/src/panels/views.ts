@@ -9,13 +9,14 @@ import type { Comparison, ViewsState } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { shown } from './dimension';
 import type { Panel, PanelKind, Shell } from './panel';
+import viewsStyles from './views.css?inline';
 
 /** Narrower than this, CSS pixels, there is room for one picture only. */
 const ROOM_FOR_BOTH = 620;
 
 type Pictures = 'section' | 'face' | 'both';
 
-export const views: PanelKind = { make: (shell) => new Views(shell) };
+export const views: PanelKind = { styles: viewsStyles, make: (shell) => new Views(shell) };
 
 class Views implements Panel {
   readonly #shell: Shell;

@@ -14,14 +14,15 @@ import { marks, showTokens } from '../editor/marks';
 import { editorTheme } from '../editor/theme';
 import type { WrittenOut } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
+import writtenOutStyles from './written-out.css?inline';
 
 const COPIED_FOR_MS = 2_000;
 
-export const writtenOut: PanelKind = { make: (shell) => new WrittenOutPanel(shell) };
+export const writtenOut: PanelKind = { styles: writtenOutStyles, make: (shell) => new WrittenOutPanel(shell) };
 
 class WrittenOutPanel implements Panel {
   readonly #shell: Shell;
-  readonly #button = make('button', { type: 'button', className: 'written-out-button quiet', 'aria-haspopup': 'dialog' });
+  readonly #button = make('button', { type: 'button', className: 'written-out-button quiet outlined', 'aria-haspopup': 'dialog' });
   readonly #text = make('div', { className: 'text' });
   readonly #copy = make('button', { type: 'button', className: 'framed' });
   readonly #take = make('button', { type: 'button', className: 'framed' });

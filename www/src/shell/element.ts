@@ -11,24 +11,30 @@
 //   setup     JSON: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
 //   theme     auto | light | dark
-//   block-skip  "1,2"                  the levels of block skip that are on; overrides `blockSkip` of the setup
-//   program   2                        the O number that is run; overrides `program` of the setup
+//   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
+//   program   2                    the O number that is run; overrides `program` of the setup
 // The last two follow the reader, who finds a switch for each where the text has a use for it.
-// Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the text as it is
-// in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file), saveFile(), focus(), and for
-// automation
-//   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language, size and colours of
-//                              now is shown, the part with all its material off included; with the number of the run. Numbers
-//                              grow with every change of text or setup. Nothing settles in a tab that nobody sees.
-//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window; locateOnFace(x, c) of the face.
+// Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
+// text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file),
+// saveFile(), focus(), and for automation
+//   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
+//                              size and colours of now is shown, the part with all its material off included;
+//                              with the number of the run. Numbers grow with every change of text or setup.
+//                              Nothing settles in a tab that nobody sees.
+//   locate(x, z): Promise<{clientX, clientY}>   where a place (X a diameter, mm) is in the window
+//   locateOnFace(x, c): the same of the face
 // Events (bubbling, only for what the reader did, and `report` for each finished run):
-//   gcode-change  detail {value}      gcode-select  detail {stroke}      gcode-report  detail {summary, diagnostics}
-//   gcode-settled detail {run}: as `settled`, each time
-//   gcode-switch  detail {blockSkip, program}      gcode-setup  detail {setup}: the attribute follows the form
+//   gcode-change   detail {value}
+//   gcode-select   detail {stroke}
+//   gcode-report   detail {summary, diagnostics}
+//   gcode-settled  detail {run}: as `settled`, each time
+//   gcode-switch   detail {blockSkip, program}
+//   gcode-setup    detail {setup}: the attribute follows the form
 // Slot: `intro` above the program.
-// CSS custom properties: --playground-height, --playground-font, --playground-code-font, --playground-code-size and
-// the colours of colours.css. Parts: frame intro bar file switches editor problems drawing canvas legend tooltip
-// setup views assumptions playback play readout doing status notice written-out rewrite codes solid export-menu paste help.
+// CSS custom properties: --playground-height, --playground-font, --playground-code-font,
+// --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
+// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice written-out
+// rewrite codes solid export-menu paste help.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -41,9 +47,10 @@ import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
 import { initialProgram } from './start';
 import colours from '../colours.css?inline';
+import editorStyles from '../editor/editor.css?inline';
 import styles from './styles.css?inline';
 
-const sheets = [colours, styles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
+const sheets = [colours, styles, editorStyles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(text);
   return sheet;

@@ -1,13 +1,13 @@
 // One measurement of the playground's wasm package in this process, as one line of JSON.
 //
-//   node benches/own.mjs fresh|settled|part|text|motions|edits FILE
+//   node tests/speed/own.mjs fresh|settled|part|text|motions|edits FILE
 import { readFileSync } from 'node:fs';
-import { initSync, Playground } from '../www/pkg/gcode_playground.js';
+import { initSync, Playground } from '../../www/pkg/gcode_playground.js';
 import { median, time } from './stopwatch.mjs';
 
 const [what, file] = process.argv.slice(2);
 const bytes = readFileSync(file);
-const wasm = initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+const wasm = initSync({ module: readFileSync(new URL('../../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
 const encoder = new TextEncoder();
 const EDITS = 200;
 

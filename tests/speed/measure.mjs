@@ -2,7 +2,7 @@
 // own; in every round all take their turn, so that a slow minute of the machine meets them all. Ratios are taken within
 // a round. Figures are medians over the rounds.
 //
-//   node benches/measure.mjs FOLDER --binaries DIR [--peers DIR] [--rounds N] [--own] [--report FILE]
+//   node tests/speed/measure.mjs FOLDER --binaries DIR [--peers DIR] [--rounds N] [--own] [--report FILE]
 //
 // FOLDER has the programs, DIR the native binaries. With --own only the playground and the floor are measured.
 import { spawnSync } from 'node:child_process';

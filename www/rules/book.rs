@@ -60,7 +60,7 @@ impl<'a> Shown<'a> {
         let setup = Setup::from_json(&page.setup).map_err(|error| format!("setup: {error}"))?;
         let wrong = Outcome::of(&page.wrong, &setup, page.stop);
         let right = Outcome::of(&page.right, &setup, None);
-        let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not make it speak")?;
+        let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not trigger it")?;
         let pictures = [("wrong", wrong), ("right", right)].map(|(name, outcome)| {
             let picture = outcome.picture()?;
             let name = format!("pictures/{slug}-{name}.svg");

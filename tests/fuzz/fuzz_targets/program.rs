@@ -1,4 +1,4 @@
-//! No bytes break anything: `cargo +nightly fuzz run program`. The first byte chooses the G-code system and the size of
+//! No bytes break anything: `cargo +nightly fuzz run --fuzz-dir tests/fuzz program`. The first byte chooses the G-code system and the size of
 //! the slices; the rest is the program.
 #![no_main]
 

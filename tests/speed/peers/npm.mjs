@@ -1,4 +1,4 @@
-// One measurement of a peer from npm, used as its documentation shows: `node benches/peers/npm.mjs NAME FILE`. What it
+// One measurement of a peer from npm, used as its documentation shows: `node tests/speed/peers/npm.mjs NAME FILE`. What it
 // makes is kept until the clock has stopped. `rows` are segments, or lines where a peer only reads.
 import { readFileSync } from 'node:fs';
 

@@ -1,9 +1,9 @@
 // The hostile programs in the shipped wasm, each in a fresh process, beside their native times: one table, and an error
 // when one takes too long or is not answered by its message. Run by `cargo xtask test` and `cargo xtask bench`.
 //
-//   node benches/hostile.mjs FOLDER [--show ROWS] [--report FILE]
+//   node tests/speed/hostile.mjs FOLDER [--show ROWS] [--report FILE]
 //
-// FOLDER has the programs and cases.json, as benches/hostile.rs writes them.
+// FOLDER has the programs and cases.json, as tests/speed/hostile.rs writes them.
 import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -79,9 +79,9 @@ function table(rows) {
 
 /** Everything a page asks for at once, from a module that is new to this process. */
 async function answer(one) {
-  const { initSync, Playground } = await import('../www/pkg/gcode_playground.js');
+  const { initSync, Playground } = await import('../../www/pkg/gcode_playground.js');
   const bytes = readFileSync(join(folder, one.file));
-  const { memory } = initSync({ module: readFileSync(new URL('../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+  const { memory } = initSync({ module: readFileSync(new URL('../../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
   const playground = new Playground();
   playground.setSetup(one.setup);
   const [begun, computed] = [performance.now(), process.cpuUsage()];

@@ -1,9 +1,9 @@
 //! Times of the hostile programs of `tests/endless`, natively. Part of `cargo xtask test` and `cargo xtask bench`.
 //!
 //! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with what is said of
-//! them, their times and how those were taken; `benches/hostile.mjs` reads it, runs the same in wasm and judges.
+//! them, their times and how those were taken; `tests/speed/hostile.mjs` reads it, runs the same in wasm and judges.
 
-#[path = "../tests/endless/mod.rs"]
+#[path = "../endless/mod.rs"]
 #[allow(dead_code, unused_imports, reason = "the tests use the rest of it")]
 mod endless;
 

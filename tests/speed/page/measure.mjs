@@ -1,4 +1,4 @@
-// One round in headless Chromium, as a line of JSON: `node benches/page/measure.mjs FILE`. PLAYGROUND_CHROMIUM names the
+// One round in headless Chromium, as a line of JSON: `node tests/speed/page/measure.mjs FILE`. PLAYGROUND_CHROMIUM names the
 // browser; without it Playwright's own is used.
 import { createReadStream } from 'node:fs';
 import { createServer } from 'node:http';
@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { extname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const root = fileURLToPath(new URL('../../', import.meta.url));
+const root = fileURLToPath(new URL('../../../', import.meta.url));
 const file = resolve(process.argv[2]);
 // Playwright is a package of the page's.
 const { chromium } = createRequire(join(root, 'www', 'package.json'))('@playwright/test');
@@ -23,7 +23,7 @@ const executablePath = process.env.PLAYGROUND_CHROMIUM || undefined;
 const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu', '--disable-quic'] });
 try {
   const page = await browser.newPage();
-  await page.goto(`http://127.0.0.1:${server.address().port}/benches/page/index.html`);
+  await page.goto(`http://127.0.0.1:${server.address().port}/tests/speed/page/index.html`);
   await page.waitForFunction(() => 'measure' in window);
   console.log(JSON.stringify(await page.evaluate(() => window.measure('/program'))));
 } finally {

@@ -1,0 +1,86 @@
+//! The spelling of the texts in English and Russian, by hunspell and its dictionaries `en_GB` and `ru_RU`.
+//!
+//! Words that a dictionary lacks stand in `tests/spelling/en.txt` and `tests/spelling/ru.txt`, sorted, one in a line: terms,
+//! abbreviations, names. A word in lower case there is right with any capital letters. A word that no text uses does not stay.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "spelling/hunspell.rs"]
+mod hunspell;
+#[path = "fixtures/project.rs"]
+mod project;
+#[path = "fixtures/texts.rs"]
+mod texts;
+#[path = "spelling/words.rs"]
+mod words;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use words::Script;
+
+/// A language whose spelling is checked.
+struct Language {
+    dictionary: &'static str,
+    script: Script,
+    /// The words that the dictionary lacks.
+    list: &'static str,
+}
+
+const ENGLISH: Language =
+    Language { dictionary: "en_GB", script: Script::Latin, list: "tests/spelling/en.txt" };
+const RUSSIAN: Language =
+    Language { dictionary: "ru_RU", script: Script::Cyrillic, list: "tests/spelling/ru.txt" };
+
+/// The words of a script in all texts, each with the first place where it stands.
+fn used(script: Script) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    for text in texts::all() {
+        for (at, word) in words::words(&text.prose, script) {
+            let place = || {
+                let (number, line) = text.line_at(at);
+                format!("{}:{number}: {line}", text.file)
+            };
+            found.entry(word).or_insert_with(place);
+        }
+    }
+    found
+}
+
+fn check(language: &Language) {
+    let text = project::source(language.list);
+    let list: Vec<&str> = text.lines().collect();
+    let sorted: BTreeSet<&str> = list.iter().copied().collect();
+    assert!(list.iter().eq(sorted.iter()), "{} is not sorted, or a word is there twice", language.list);
+
+    let used = used(language.script);
+    assert!(used.len() > 1000, "only {} words of {:?} script", used.len(), language.script);
+    let listed = |word: &String| {
+        let lower_case = word.to_lowercase();
+        sorted.get(word.as_str()).or_else(|| sorted.get(lower_case.as_str())).copied()
+    };
+    let unknown = hunspell::unknown(language.dictionary, used.keys());
+    let wrong = unknown.iter().filter(|word| listed(word).is_none());
+    let wrong: Vec<String> = wrong.map(|word| format!("{word} in {}", used[word])).collect();
+    assert!(wrong.is_empty(), "misspelled, or missing in {}:\n{}", language.list, wrong.join("\n"));
+    let in_texts: BTreeSet<&str> = used.keys().filter_map(listed).collect();
+    let unused: Vec<_> = sorted.difference(&in_texts).collect();
+    assert!(unused.is_empty(), "{}: no text uses {unused:?}", language.list);
+}
+
+#[test]
+fn english_is_spelled_as_the_dictionary_has_it() {
+    check(&ENGLISH);
+}
+
+#[test]
+fn russian_is_spelled_as_the_dictionary_has_it() {
+    check(&RUSSIAN);
+}
+
+#[test]
+fn misspellings_would_be_found() {
+    let unknown = |dictionary, words: &[&str]| {
+        hunspell::unknown(dictionary, words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>().iter())
+    };
+    assert_eq!(unknown("en_GB", &["spindle", "spindel", "Spindle", "colour", "color"]), ["color", "spindel"]);
+    assert_eq!(unknown("ru_RU", &["шпиндель", "шпиндиль", "Подача", "передаёт"]), ["шпиндиль"]);
+}
