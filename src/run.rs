@@ -17,7 +17,7 @@ use crate::machine::fitting::Fitting;
 use crate::machine::{Shop, danger};
 use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
-use crate::origin::{self, Bare, Foreign, Numbers, Seen};
+use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
@@ -126,7 +126,7 @@ pub struct Run {
     blocks: usize,
     /// First byte of each O program met, by number.
     programs: BTreeMap<u32, u32>,
-    origin: Origin,
+    recognised: Recognised,
     /// The setup that was handed in, to which the text may add.
     given: Setup,
     /// What the text adds.
@@ -135,7 +135,7 @@ pub struct Run {
     /// is handed in; what is typed after that does not change it.
     decided: Option<DecimalRule>,
     /// What the numbers of the text show, once they are looked at.
-    numbers: Option<Numbers>,
+    numbers: Option<DecimalEvidence>,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -155,19 +155,19 @@ pub struct Run {
     meeting: u32,
 }
 
-/// Where a text comes from, as far as it can be determined.
+/// Which control a text was written for, as far as that can be determined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Origin {
+struct Recognised {
     foreign: Option<Foreign>,
     system: Option<(GSystem, Span)>,
 }
 
-impl Origin {
+impl Recognised {
     /// What of a text counts under a setup that may leave less open.
-    fn of(seen: &Seen, dialect: &DialectChoice) -> Self {
-        let foreign = seen.foreign.filter(|_| dialect.recognise != Some(false));
+    fn of(shown: &Provenance, dialect: &DialectChoice) -> Self {
+        let foreign = shown.foreign.filter(|_| dialect.recognise != Some(false));
         let is_open = foreign.is_none() && dialect.g_system.is_none();
-        Self { foreign, system: seen.system.filter(|_| is_open) }
+        Self { foreign, system: shown.system.filter(|_| is_open) }
     }
 }
 
@@ -190,8 +190,8 @@ impl Run {
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();
         // The numbers beyond the head are read only to decide by them.
-        let seen = if decides { origin::look(&text) } else { origin::look_at_head(&text) };
-        let numbers = decides.then_some(seen.numbers);
+        let shown = if decides { provenance::detect(&text) } else { provenance::detect_in_head(&text) };
+        let numbers = decides.then_some(shown.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());
@@ -204,7 +204,7 @@ impl Run {
             at: Resume::default(),
             blocks: 0,
             programs: BTreeMap::new(),
-            origin: Origin::default(),
+            recognised: Recognised::default(),
             given,
             notes,
             decided,
@@ -226,16 +226,16 @@ impl Run {
             run.finish();
             return run;
         }
-        run.origin = Origin::of(&seen, &dialect);
-        if let Some(foreign) = run.origin.foreign {
-            run.interpreter.tell(Diagnostic::new(foreign.origin.message(), foreign.evidence));
+        run.recognised = Recognised::of(&shown, &dialect);
+        if let Some(foreign) = run.recognised.foreign {
+            run.interpreter.tell(Diagnostic::new(foreign.target.message(), foreign.evidence));
             run.finish();
             return run;
         }
         for told in run.notes.diagnostics(faults, &run.text) {
             run.interpreter.tell_of_setup(told);
         }
-        if let Some((system, evidence)) = run.origin.system {
+        if let Some((system, evidence)) = run.recognised.system {
             run.interpreter.set_system(system);
             run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
         }
@@ -276,7 +276,7 @@ impl Run {
     /// again.
     pub fn decide_again(&mut self) -> bool {
         let Some(before) = self.decided else { return false };
-        let rule = origin::numbers(&self.text).rule();
+        let rule = provenance::numbers(&self.text).rule();
         if rule == before {
             return false;
         }
@@ -292,8 +292,8 @@ impl Run {
     }
 
     /// A number of the text that shows what numbers without a point count; nothing where none has to be reported.
-    fn bare_number(&self) -> Option<Bare> {
-        let numbers = self.numbers.unwrap_or_else(|| origin::numbers(&self.text));
+    fn bare_number(&self) -> Option<NumberWithoutPoint> {
+        let numbers = self.numbers.unwrap_or_else(|| provenance::numbers(&self.text));
         match self.decimal_rule() {
             DecimalRule::LeastIncrement if self.decided.is_some() => numbers.example(),
             DecimalRule::LeastIncrement => None,
@@ -585,7 +585,7 @@ impl Run {
         self.sorted = self.interpreter.diagnostics().to_vec();
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
-        if self.origin.foreign.is_some() || self.stopped {
+        if self.recognised.foreign.is_some() || self.stopped {
             // Nothing was run, or not all of it.
         } else if self.blocks > most || motions.len() > 10 * most {
             let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));

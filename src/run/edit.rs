@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Origin, Run, RunId, TextEdit};
+use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
-use crate::origin;
+use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
 use crate::text::parser::Resume;
@@ -38,7 +38,7 @@ pub(super) struct Before {
     blocks: Vec<usize>,
     /// Blocks read at its end.
     last: usize,
-    /// Numbers of the O programs met before its snapshots, in order.
+    /// DecimalEvidence of the O programs met before its snapshots, in order.
     heads: Vec<u32>,
     /// First byte of each O program met after them, by number.
     others: BTreeMap<u32, u32>,
@@ -88,8 +88,9 @@ impl Run {
         text.splice(start..end, edit.insert);
         let mark = self.marks.last().filter(|_| {
             text.len() <= self.setup().limits.text
-                && (start >= origin::HEAD
-                    || self.origin == Origin::of(&origin::look_at_head(&text), &self.setup().dialect))
+                && (start >= provenance::HEAD
+                    || self.recognised
+                        == Recognised::of(&provenance::detect_in_head(&text), &self.setup().dialect))
                 && (start >= notes::HEAD || self.notes == Notes::read(&text))
         });
         let same_way = match mark {
@@ -103,9 +104,9 @@ impl Run {
                 true
             }
             None => {
-                let (origin, setup) = (self.origin, self.setup().clone());
+                let (recognised, setup) = (self.recognised, self.setup().clone());
                 *self = Self::begin(text, self.given.clone(), self.decided);
-                !self.finished && self.origin == origin && *self.setup() == setup
+                !self.finished && self.recognised == recognised && *self.setup() == setup
             }
         };
         let filled = self.text.trim_ascii_end().len();

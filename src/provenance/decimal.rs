@@ -38,7 +38,7 @@ impl Measure {
 
 /// A number without a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bare {
+pub struct NumberWithoutPoint {
     /// Its word.
     pub span: Span,
     /// The number as it is written, with its sign.
@@ -47,7 +47,7 @@ pub struct Bare {
     pub measure: Measure,
 }
 
-impl Bare {
+impl NumberWithoutPoint {
     /// What it counts under a rule, in its measure.
     pub fn counts(&self, rule: DecimalRule) -> f64 {
         match rule {
@@ -190,7 +190,7 @@ impl Among {
 
 /// What the numbers of a program show.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Numbers {
+pub struct DecimalEvidence {
     /// Coordinates with a point.
     pointed: usize,
     /// Those of them that are whole.
@@ -202,14 +202,14 @@ pub struct Numbers {
     /// G20 is in force.
     inch: bool,
     /// The first number without a point.
-    first: Option<Bare>,
+    first: Option<NumberWithoutPoint>,
     /// The first that is too large as a unit in a program of few numbers without a point.
-    implausible: Option<Bare>,
+    implausible: Option<NumberWithoutPoint>,
     /// The first that is too large as a unit in a program without points.
-    large_one: Option<Bare>,
+    large_number: Option<NumberWithoutPoint>,
 }
 
-impl Numbers {
+impl DecimalEvidence {
     /// Takes in one more statement.
     pub fn take(&mut self, statement: &Statement) {
         let among = Among::of(statement);
@@ -243,7 +243,7 @@ impl Numbers {
             (_, false) => Measure::Millimetre,
         };
         let value = if word.negative { -magnitude } else { magnitude };
-        let bare = Bare { span: word.span, value, measure };
+        let bare = NumberWithoutPoint { span: word.span, value, measure };
         self.first = self.first.or(Some(bare));
         if magnitude >= amount.limit(measure) {
             self.implausible = self.implausible.or(Some(bare));
@@ -252,7 +252,7 @@ impl Numbers {
             self.bare += 1;
             if magnitude >= amount.usual_limit(measure) {
                 self.large += 1;
-                self.large_one = self.large_one.or(Some(bare));
+                self.large_number = self.large_number.or(Some(bare));
             }
         }
     }
@@ -266,14 +266,14 @@ impl Numbers {
     }
 
     /// The number that shows that they count least increments.
-    pub fn evidence(&self) -> Option<Bare> {
+    pub fn evidence(&self) -> Option<NumberWithoutPoint> {
         let habit = self.implausible.filter(|_| self.whole >= HABIT);
         let without_any = self.pointed == 0 && self.bare >= WITHOUT_ANY && 2 * self.large > self.bare;
-        habit.or(self.large_one.filter(|_| without_any))
+        habit.or(self.large_number.filter(|_| without_any))
     }
 
     /// A number without a point to show a rule by: the best there is.
-    pub fn example(&self) -> Option<Bare> {
+    pub fn example(&self) -> Option<NumberWithoutPoint> {
         self.evidence().or(self.implausible).or(self.first)
     }
 }
