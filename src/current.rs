@@ -346,6 +346,13 @@ impl Current {
         self.name_steps();
     }
 
+    /// Chooses the unit symbol of the rulers, that of the reader's language.
+    pub fn set_unit_symbol(&mut self, millimetre: &'static str) {
+        // The face follows the section, but only once something moves on it.
+        let (section, face) = self.reader.views.both_mut();
+        (section.millimetre, face.millimetre) = (millimetre, millimetre);
+    }
+
     /// Puts the tool somewhere; nothing shows all strokes and no tool.
     pub fn put(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());

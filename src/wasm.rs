@@ -31,8 +31,9 @@ use crate::message::sort_by_place;
 use crate::motion::Chunk;
 use crate::playback::tally::tally;
 use crate::scene::canvas::Painter;
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::Setup;
+use crate::setup::fields::Unit;
 use crate::text::highlight::highlight;
 
 /// A program, its run and its picture.
@@ -120,10 +121,11 @@ impl Playground {
         Ok(())
     }
 
-    /// Chooses the language of the messages: `en`, `zh` or `ru`.
+    /// Chooses the language of the messages and the pictures: `en`, `zh` or `ru`.
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
+        self.current.set_unit_symbol(labels::unit(Unit::Millimetre, self.language));
     }
 
     /// Runs at most so many blocks; true when the run has ended.

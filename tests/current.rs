@@ -108,6 +108,21 @@ fn nothing_of_a_run_outlives_it() {
     }
 }
 
+/// The rulers name the unit in the reader's language, whatever runs.
+#[test]
+fn the_unit_symbol_stays_from_run_to_run() {
+    let (text, setup) = program("s003-g71");
+    let mut current = fresh(&text, &setup);
+    current.set_unit_symbol("мм");
+    current.edit(0, 0, "(A)\n");
+    run(&mut current);
+    assert_eq!(section(&mut current).view.millimetre, "мм");
+    let before = section(&mut current).view.clone();
+    current.set_unit_symbol("mm");
+    assert!(!section(&mut current).view.shows_same_ground(&before));
+    assert_eq!(current.view(Plane::Face).millimetre, "mm");
+}
+
 /// A program whose run was stopped has a clock of all motions that it has.
 #[test]
 fn the_clock_of_a_stopped_run_knows_all_its_motions() {

@@ -15,6 +15,8 @@ use crate::scene::source::Picture;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
 use crate::scene::{Plane, Scene};
+use crate::sentences::labels;
+use crate::setup::fields::Unit;
 
 #[wasm_bindgen]
 impl Playground {
@@ -84,6 +86,8 @@ impl Playground {
         let motions = self.current.motions();
         let outline = Outline::of(motions);
         let work = self.current.shop().and_then(|shop| Work::of(shop, motions, None));
-        svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { ground, ..SvgOptions::default() })
+        let millimetre = labels::unit(Unit::Millimetre, self.language);
+        let options = SvgOptions { ground, millimetre, ..SvgOptions::default() };
+        svg(&Scene::new(motions, &outline, work.as_ref()), &options)
     }
 }

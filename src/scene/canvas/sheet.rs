@@ -160,8 +160,12 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
         label(pen, tick, "right", Pixel::new(left - 10.0, tick.pixel), palette)?;
     }
     let [level, upright] = plane.axes();
-    name(pen, upright, "left", Pixel::new(left + 7.0, 12.0), palette)?;
-    name(pen, level, "right", Pixel::new(width - 8.0, height - 10.0), palette)
+    let name = |axis: Axis, align: &str, at: Pixel| {
+        let text = &axis.name(view.millimetre);
+        pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
+    };
+    name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
+    name(level, "right", Pixel::new(width - 8.0, height - 10.0))
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
@@ -169,10 +173,6 @@ fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> R
         Some(text) => pen.write(&Text { text, font: FONT, align, baseline: "middle" }, at, &palette.text),
         None => Ok(()),
     }
-}
-
-fn name(pen: &Pen, axis: Axis, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
-    pen.write(&Text { text: axis.name(), font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
 }
 
 /// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.
