@@ -3,7 +3,7 @@
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
-mod assumed;
+mod inferred_stock;
 pub mod paste;
 mod readout;
 mod rewrite;
@@ -11,7 +11,7 @@ pub mod setup;
 
 use serde::Serialize;
 
-pub use assumed::{AssumedStock, StockRow};
+pub use inferred_stock::{InferredStock, StockRow};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 

@@ -13,8 +13,8 @@ use crate::control::interpreter::{Executed, Flow, Here, Interpreter, Landmarks};
 use crate::control::modal::State;
 use crate::control::program::Labels;
 use crate::control::words;
-use crate::machine::fitting::Fitting;
-use crate::machine::{Shop, danger};
+use crate::machine::resolved_setup::ResolvedSetup;
+use crate::machine::{SimulationResult, danger};
 use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
@@ -46,30 +46,31 @@ pub struct Analysis {
     /// The unit of length at the end of the program.
     pub unit: Unit,
     /// Tools and blank, once somebody has asked for them.
-    fitting: OnceLock<Fitting>,
+    resolved: OnceLock<ResolvedSetup>,
 }
 
 impl Analysis {
     /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first call and kept, so setup
     /// and motions must not change after that.
-    pub fn fitting(&self) -> &Fitting {
-        self.fitting.get_or_init(|| Fitting::new(&self.motions, &self.setup))
+    pub fn resolved_setup(&self) -> &ResolvedSetup {
+        self.resolved.get_or_init(|| ResolvedSetup::new(&self.motions, &self.setup))
     }
 
     /// The program at the machine, with all its material off.
-    pub fn shop(&self) -> Shop {
-        Shop::fitted(self.fitting().clone(), &self.motions, &self.setup)
+    pub fn simulate(&self) -> SimulationResult {
+        SimulationResult::of_resolved(self.resolved_setup().clone(), &self.motions, &self.setup)
     }
 
     /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a machine is given to hold it
     /// against, and which tools are not known.
-    pub fn look_at_machine(&mut self) {
+    pub fn check_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
-            let shop = self.shop();
-            let found = findings::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
+            let simulation = self.simulate();
+            let found =
+                findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
-            let left_out = findings::not_shown(self.fitting(), &self.motions);
+            let left_out = findings::not_shown(self.resolved_setup(), &self.motions);
             let left_out: Vec<_> = left_out.filter_map(|told| self.setup.rules.graded(told)).collect();
             self.diagnostics.extend(left_out);
         }
@@ -445,8 +446,8 @@ impl Run {
         let setup = interpreter.setup().clone();
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        let fitting = OnceLock::new();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, fitting }
+        let resolved = OnceLock::new();
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, resolved }
     }
 
     /// Begins with another program than the first of the text.

@@ -135,8 +135,9 @@ impl Playground {
 
     /// Takes the material of at most so many motions off the blank, once the run has ended; true when there is no more to
     /// do. Messages about what runs into what come with it.
-    pub fn machine(&mut self, motions: u32) -> bool {
-        self.current.machine(motions as usize)
+    #[wasm_bindgen(js_name = removeMaterial)]
+    pub fn remove_material(&mut self, motions: u32) -> bool {
+        self.current.remove_material(motions as usize)
     }
 
     /// Share of the program that has run, 0 to 1.
@@ -166,9 +167,9 @@ impl Playground {
         let places = self.places();
         let run = self.current.run();
         let (levels, told) = (&run.setup().rules, run.diagnostics());
-        let shop = self.current.shop().into_iter();
-        let findings =
-            shop.flat_map(|shop| findings::diagnostics(shop, self.current.motions(), levels, told));
+        let simulation = self.current.simulation().into_iter();
+        let findings = simulation
+            .flat_map(|simulation| findings::diagnostics(simulation, self.current.motions(), levels, told));
         let unit = run.state().unit;
         let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();

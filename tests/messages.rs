@@ -3,7 +3,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::findings;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Diagnostic, Severity};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
@@ -429,8 +429,8 @@ fn numbers_and_words_are_named_as_they_are_written() {
 fn places_at_the_machine_are_told_in_hundredths() {
     let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
     let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
-    let shop = Shop::done(&analysis.motions, &setup);
-    let told = findings::diagnostics(&shop, &analysis.motions, &setup.rules, &analysis.diagnostics);
+    let simulation = SimulationResult::of(&analysis.motions, &setup);
+    let told = findings::diagnostics(&simulation, &analysis.motions, &setup.rules, &analysis.diagnostics);
     let sentence = told.first().expect("told").message.sentence(Default::default()).message;
     let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     assert!(
@@ -510,7 +510,7 @@ fn repairs_of_what_was_likely_meant() {
 #[track_caller]
 fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
     let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     let told: Vec<_> =
         analysis.diagnostics.iter().map(|found| (found.message.slug(), found.severity)).collect();
     assert_eq!(told, expected, "{setup}\n{program}");
@@ -548,7 +548,7 @@ fn messages_of_the_machine_have_levels_too() {
     let program = "(STOCK D=60 LENGTH=80)\nT0101 M3 S500\nG00 X70 Z2\nG00 X40 Z-30\nG00 Z2\nM30\n";
     let usual = |program: &str, levels: &str| {
         let mut analysis = analyze(format!("{program}{levels}").as_bytes(), &Setup::default());
-        analysis.look_at_machine();
+        analysis.check_at_machine();
         let of_rule = |found: &&Diagnostic| found.message.slug() == "rapid-through-stock";
         analysis.diagnostics.iter().filter(of_rule).map(|found| found.severity).max()
     };

@@ -10,7 +10,7 @@ use gcode_playground::expand::expand;
 use gcode_playground::findings;
 use gcode_playground::geometry::Point;
 use gcode_playground::limits::Limits;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
@@ -73,18 +73,18 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
     check_machine(analysis, &at_machine()[text.len() % 3]);
 }
 
-/// Nothing that a program does at the machine breaks the shop, and no part is more than its blank.
+/// Nothing that a program does at the machine breaks the simulation, and no part is more than its blank.
 fn check_machine(analysis: &Analysis, setup: &Setup) {
     let motions = &analysis.motions;
-    let shop = Shop::done(motions, setup);
-    for told in findings::diagnostics(&shop, motions, &setup.rules, &[]) {
+    let simulation = SimulationResult::of(motions, setup);
+    for told in findings::diagnostics(&simulation, motions, &setup.rules, &[]) {
         assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
     }
-    let (Some(blank), Some(part)) = (shop.blank(), shop.finished()) else { return };
+    let (Some(blank), Some(part)) = (simulation.blank(), simulation.finished()) else { return };
     assert!(part.area() <= blank.area() + 1e-3, "{} of {}", part.area(), blank.area());
     let moment = Moment { motion: motions.len() / 2, share: 0.5, tip: Point::default() };
     for moment in [None, Some(moment)] {
-        let work = Work::of(&shop, motions, moment);
+        let work = Work::of(&simulation, motions, moment);
         let outline = Outline::of(motions);
         let picture = svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions::default());
         assert!(!picture.contains("NaN") && !picture.contains("inf"));

@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
@@ -118,8 +118,8 @@ proptest! {
         let (sound, faults) = setup.clone().without_faults();
         let told = analysis.diagnostics.iter().filter(|found| found.message.slug() == "setup-value").count();
         prop_assert_eq!(told, faults.len());
-        let shop = Shop::done(&analysis.motions, &sound);
-        prop_assert!(shop.finished().is_some());
+        let simulation = SimulationResult::of(&analysis.motions, &sound);
+        prop_assert!(simulation.finished().is_some());
     }
 }
 

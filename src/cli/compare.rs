@@ -82,8 +82,8 @@ impl<'a> Compared<'a> {
     /// The picture: the second part, and what only one of them has.
     pub(super) fn svg(&self) -> String {
         let analysis = &self.programs[1].analysis;
-        let shop = analysis.shop();
-        let work = Work::of(&shop, &analysis.motions, None)
+        let simulation = analysis.simulate();
+        let work = Work::of(&simulation, &analysis.motions, None)
             .map(|work| work.with_part(&self.second).compared_with(&self.comparison));
         let legend = [Side::First, Side::Second]
             .into_iter()

@@ -71,7 +71,7 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 pub(super) fn drawing(program: &Program, ground: Ground, language: Language) -> String {
     let motions = &program.analysis.motions;
     let outline = Outline::of(motions);
-    let work = Work::of(&program.analysis.shop(), motions, None);
+    let work = Work::of(&program.analysis.simulate(), motions, None);
     let x_plus = program.analysis.setup.machine.turret.into();
     let millimetre = labels::unit(Unit::Millimetre, language);
     svg(
@@ -81,5 +81,5 @@ pub(super) fn drawing(program: &Program, ground: Ground, language: Language) -> 
 }
 
 fn part(program: &Program) -> Option<Region> {
-    program.analysis.shop().finished()
+    program.analysis.simulate().finished()
 }

@@ -2,12 +2,12 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
-mod assumed;
 mod clean;
 mod compare;
 mod encoding;
 mod export;
 mod fix;
+mod inferred_stock;
 mod rewrite;
 mod rules;
 mod summary;
@@ -22,7 +22,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use serde::Serialize;
 
 use crate::api::{self, Places};
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
@@ -330,10 +330,14 @@ fn run(command: Command) -> Result<ExitCode, String> {
         }
         Command::Part { file, with } => {
             let program = program(&file, &with)?;
-            let shop = program.analysis.shop();
-            let finished = shop.finished();
+            let simulation = program.analysis.simulate();
+            let finished = simulation.finished();
             if finished.is_none() {
-                eprintln!("gcode-playground: {}: no part: {}", program.name, why_no_part(&program, &shop));
+                eprintln!(
+                    "gcode-playground: {}: no part: {}",
+                    program.name,
+                    why_no_part(&program, &simulation)
+                );
             }
             let part = finished.map(|region| api::Part::new(&region)).unwrap_or_default();
             print(|out| write_row(out, &part))?;
@@ -343,7 +347,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
             let program = program(&file, &with)?;
             print(|out| {
                 summary::write(out, &program.analysis, format)?;
-                assumed::write(out, &program, Language::English, format)
+                inferred_stock::write(out, &program, Language::English, format)
             })?;
             Ok(status(&program.analysis))
         }
@@ -372,9 +376,9 @@ fn run(command: Command) -> Result<ExitCode, String> {
 }
 
 /// Why there is no part of a program.
-fn why_no_part(program: &Program, shop: &Shop) -> String {
+fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
     let Analysis { motions, diagnostics, .. } = &program.analysis;
-    let told = crate::findings::diagnostics(shop, motions, &Levels::default(), diagnostics);
+    let told = crate::findings::diagnostics(simulation, motions, &Levels::default(), diagnostics);
     let why = told.iter().find(|told| told.message.kind() == Kind::Unsupported);
     why.map_or_else(|| "nothing is cut".to_owned(), |told| told.message.sentence(Language::English).message)
 }
@@ -383,18 +387,18 @@ fn why_no_part(program: &Program, shop: &Shop) -> String {
 fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
-    let shop = program.analysis.shop();
+    let simulation = program.analysis.simulate();
     match view {
         ViewName::Section => {
-            let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));
+            let (outline, work) = (Outline::of(motions), Work::of(&simulation, motions, None));
             let scene = Scene::new(motions, &outline, work.as_ref());
             Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
         }
         ViewName::Face => {
-            let face = Face::of(motions, &shop).ok_or_else(|| {
+            let face = Face::of(motions, &simulation).ok_or_else(|| {
                 format!("{}: nothing moves on the end face: there is no G12.1", program.name)
             })?;
-            let work = face.work(&shop, None);
+            let work = face.work(&simulation, None);
             Ok(scene::svg::svg(
                 &face.scene(work.as_ref()),
                 &SvgOptions { width: 720.0, ..SvgOptions::default() },
@@ -410,7 +414,7 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
         any_error |= has_errors(&program.analysis);
         print(|out| {
             tell(out, &program, language, format)?;
-            assumed::write(out, &program, language, format)
+            inferred_stock::write(out, &program, language, format)
         })?;
     }
     Ok(ExitCode::from(u8::from(any_error)))
@@ -506,7 +510,7 @@ fn run_text(
     let mut run = begin(Run::new(text.clone(), setup));
     while !run.advance(usize::MAX) {}
     let mut analysis = run.into_analysis();
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     Program { name, text, encoding, analysis }
 }
 

@@ -14,7 +14,7 @@ const MOST_PLUNGES: usize = 800;
 /// What is right beside a place is no further from it than this along Z, mm.
 const BESIDE: f64 = 0.3;
 
-/// What a guessed tool may cut too deep, mm.
+/// What an inferred tool may cut too deep, mm.
 pub const GOUGE: f64 = 0.05;
 
 /// How far along Z a guessed tool may shift a wall, mm.

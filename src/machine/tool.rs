@@ -321,12 +321,12 @@ fn rectangle(z: (f64, f64), x: (f64, f64)) -> [Point; 4] {
     [Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
 }
 
-/// What a guessed tool takes off.
+/// What an inferred tool takes off.
 pub(super) fn takes(tool: &Tool) -> Outline {
     over_edge(tool, &Shape::of(tool))
 }
 
-/// How long the edge of a guessed insert is, nobody knows: nothing is left standing over it.
+/// The edge length of an inferred insert is not known: nothing is left standing over it.
 pub(super) fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
     let over = match tool.kind {
         Some(ToolKind::Turning) => LONG,

@@ -8,7 +8,7 @@ use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
 use crate::machine::compare::Side;
-use crate::machine::fitting::Known;
+use crate::machine::resolved_setup::Basis;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::hatch::hatch;
@@ -130,9 +130,9 @@ impl Drawing {
     /// The blank, what is left of it, and what stands around it: above the axis, and below.
     fn work(&mut self, scene: &Scene) {
         let Some(work) = scene.work() else { return };
-        let guessed = match work.known {
-            Known::Given => "",
-            Known::Guessed => " guessed",
+        let guessed = match work.basis {
+            Basis::Given => "",
+            Basis::Inferred => " guessed",
         };
         for side in scene.plane().sides() {
             let seen = |outlines: &Outlines, camera: &Camera| -> Vec<Vec<Pixel>> {

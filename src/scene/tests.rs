@@ -1,7 +1,7 @@
 //! Tests of the scene, and hand-built paths for those of its parts.
 
 use crate::geometry::{Point, Turn};
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
@@ -114,7 +114,7 @@ fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64
     let motions = path.motions();
     let outline = Outline::of(&motions);
     let setup = Setup { stock, ..Setup::default() };
-    let work = stock.and_then(|_| Work::of(&Shop::done(&motions, &setup), &motions, None));
+    let work = stock.and_then(|_| Work::of(&SimulationResult::of(&motions, &setup), &motions, None));
     let bounds = Scene::new(&motions, &outline, work.as_ref()).bounds();
     let expected = Bounds::around(point(low.0, low.1), point(high.0, high.1));
     assert!(bounds.min.is_same(expected.min) && bounds.max.is_same(expected.max), "{bounds:?} {expected:?}");

@@ -41,7 +41,7 @@ pub fn matter(kind: Kind, language: Language) -> &'static str {
 }
 
 /// That a stock is assumed, and what was not checked because of it; `note` is the comment that names this stock.
-pub fn stock_assumed(note: &str, language: Language) -> String {
+pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
         "stock assumed, collisions not checked. This stock in the program:",
         "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",

@@ -50,13 +50,13 @@ pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: 20.0 };
 
 impl Draft {
     /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
-    /// blanks is what is usual, that of others the guess.
-    pub fn read(entries: &[Entry], given: &Setup, guessed: &Setup) -> Self {
+    /// blanks is the defaults, that of others the inferred one.
+    pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
         let mut form = Reader { entries, slips: Vec::new() };
         // Single rules have no place in the form, and stay as they are.
         let rules = given.rules.clone().without_groups();
         let mut setup = Setup {
-            stock: form.group("stock.", fields::STOCK, stock_base(given, guessed)),
+            stock: form.group("stock.", fields::STOCK, stock_base(given, inferred)),
             tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
             machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
             initial: form.group("initial.", fields::START, start_base()),
@@ -66,9 +66,9 @@ impl Draft {
         };
         for name in form.tools() {
             let prefix = format!("tools.{name}.");
-            let base = if given.tools.contains_key(&name) { None } else { guessed.tools.get(&name) };
+            let base = if given.tools.contains_key(&name) { None } else { inferred.tools.get(&name) };
             let base = base.cloned().unwrap_or_default();
-            let tool = form.group(&prefix, fields::TOOL, form.fitting_base(&prefix, base));
+            let tool = form.group(&prefix, fields::TOOL, form.matching_base(&prefix, base));
             setup.tools.extend(tool.map(|tool| (name, tool)));
         }
         let mut slips = form.slips;
@@ -83,11 +83,11 @@ impl Draft {
 }
 
 /// What is assumed of a blank where some of it is said.
-pub fn stock_base(given: &Setup, guessed: &Setup) -> Stock {
-    let guess = guessed.stock.unwrap_or(NO_STOCK);
+pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
+    let inferred = inferred.stock.unwrap_or(NO_STOCK);
     match given.stock {
-        Some(_) => Stock { bore: 0.0, face: 0.0, ..guess },
-        None => guess,
+        Some(_) => Stock { bore: 0.0, face: 0.0, ..inferred },
+        None => inferred,
     }
 }
 
@@ -143,18 +143,18 @@ impl<'a> Reader<'a> {
         names
     }
 
-    /// A guess without what the entries take the ground from: of another kind nothing is left of it.
-    fn fitting_base(&self, prefix: &str, guess: Tool) -> Tool {
+    /// An inferred tool without what the entries contradict: of another kind nothing is left of it.
+    fn matching_base(&self, prefix: &str, inferred: Tool) -> Tool {
         let entered =
             |wanted: &str| self.entered(prefix).find(|(key, _)| *key == wanted).map(|found| found.1);
-        let other_kind = |kind: &str| guess.kind.is_none_or(|own| !own.name().eq_ignore_ascii_case(kind));
+        let other_kind = |kind: &str| inferred.kind.is_none_or(|own| !own.name().eq_ignore_ascii_case(kind));
         if entered("type").is_some_and(other_kind) {
             return Tool::default();
         }
         if entered("insert").is_some() {
-            return Tool { insert: None, point_angle: None, edge_length: None, ..guess };
+            return Tool { insert: None, point_angle: None, edge_length: None, ..inferred };
         }
-        guess
+        inferred
     }
 }
 
@@ -240,11 +240,11 @@ mod tests {
         list.iter().map(|(key, text)| Entry { key: (*key).into(), text: (*text).into() }).collect()
     }
 
-    /// The JSON that comes of entries, and what is wrong with them, under a guess.
+    /// The JSON that comes of entries, and what is wrong with them, under an inferred setup.
     #[track_caller]
-    fn check(list: &[(&str, &str)], guessed: &str, json: &str, slips: &[(&str, Slip)]) {
-        let guessed = Setup::from_json(guessed).expect("a setup");
-        let draft = Draft::read(&entries(list), &Setup::default(), &guessed);
+    fn check(list: &[(&str, &str)], inferred: &str, json: &str, slips: &[(&str, Slip)]) {
+        let inferred = Setup::from_json(inferred).expect("a setup");
+        let draft = Draft::read(&entries(list), &Setup::default(), &inferred);
         let found: Vec<_> = draft.slips.iter().map(|(key, slip)| (key.as_str(), *slip)).collect();
         assert_eq!(found, slips);
         if slips.is_empty() {
@@ -256,26 +256,26 @@ mod tests {
 
     #[test]
     fn what_is_left_empty_is_what_was_assumed() {
-        let guess = r#"{"stock": {"diameter": 60, "length": 75},
+        let inferred = r#"{"stock": {"diameter": 60, "length": 75},
             "tools": {"T0303": {"type": "grooving", "side": "face"}}}"#;
-        check(&[], guess, "", &[]);
-        check(&[("stock.diameter", " ")], guess, "", &[]);
-        check(&[("stock.diameter", "65,5")], guess, r#"{"stock":{"diameter":65.5,"length":75}}"#, &[]);
+        check(&[], inferred, "", &[]);
+        check(&[("stock.diameter", " ")], inferred, "", &[]);
+        check(&[("stock.diameter", "65,5")], inferred, r#"{"stock":{"diameter":65.5,"length":75}}"#, &[]);
         check(
             &[("tools.T0303.width", "4")],
-            guess,
+            inferred,
             r#"{"tools":{"T0303":{"side":"face","type":"grooving","width":4}}}"#,
             &[],
         );
         check(
             &[("tools.T0303.type", "drill"), ("tools.T0303.diameter", "12")],
-            guess,
+            inferred,
             r#"{"tools":{"T0303":{"diameter":12,"type":"drill"}}}"#,
             &[],
         );
         check(
             &[("machine.travel.xMin", "-5"), ("machine.turret", "front"), ("initial.x", "150")],
-            guess,
+            inferred,
             r#"{"initial":{"x":150,"z":200},"machine":{"travel":{"xMin":-5},"turret":"front"}}"#,
             &[],
         );

@@ -38,7 +38,7 @@ pub struct Setup {
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
-    /// What prose in comments says of tools, by turret station: a hint for whoever guesses them. Never in a file.
+    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file.
     #[serde(skip)]
     pub spoken: BTreeMap<u16, Tool>,
     /// The blank.

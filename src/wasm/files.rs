@@ -85,7 +85,7 @@ impl Playground {
     fn drawing(&self, ground: Ground) -> String {
         let motions = self.current.motions();
         let outline = Outline::of(motions);
-        let work = self.current.shop().and_then(|shop| Work::of(shop, motions, None));
+        let work = self.current.simulation().and_then(|simulation| Work::of(simulation, motions, None));
         let millimetre = labels::unit(Unit::Millimetre, self.language);
         let options = SvgOptions { ground, millimetre, ..SvgOptions::default() };
         svg(&Scene::new(motions, &outline, work.as_ref()), &options)

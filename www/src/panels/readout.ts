@@ -113,12 +113,12 @@ export class ReadoutBoard {
   }
 
   #toolText(readout: Readout | undefined): string {
-    const { tool, toolKind, toolGuessed } = readout ?? {};
+    const { tool, toolKind, toolInferred } = readout ?? {};
     const texts = WORDS[this.#language];
     const kind = toolKind === undefined ? '' : texts.kinds[toolKind];
     const said = [tool, kind].filter((text) => text !== undefined && text !== '').join(' ');
     if (said === '') return NOTHING;
-    return toolGuessed === true ? texts.assumed(said) : said;
+    return toolInferred === true ? texts.assumed(said) : said;
   }
 }
 

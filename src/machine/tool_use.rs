@@ -1,7 +1,7 @@
-//! What is seen of each use that a program puts a turret station to.
+//! What a program uses each turret station for, as its motions show it.
 //!
-//! In: the motions, what comments say of the tools, the blank. Out: a [`Seen`] for each use, and the [`Tool`] that could do what
-//! was seen.
+//! In: the motions, what comments say of the tools, the blank. Out: a [`ToolUse`] for each purpose of a station, and the [`Tool`] that
+//! could do it.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const ASIDE: f64 = 0.1;
 
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Use {
+pub enum Purpose {
     /// Turns, faces, bores.
     Turning,
     /// Cuts a thread.
@@ -34,7 +34,7 @@ pub enum Use {
     Live,
 }
 
-impl Use {
+impl Purpose {
     /// That of a motion.
     pub fn of(motion: &Motion) -> Self {
         let on_axis = motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
@@ -52,11 +52,11 @@ impl Use {
     }
 }
 
-/// What is seen of one use of a station.
+/// One use of a station: its purpose, and what the motions show of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct ToolUse {
     pub station: u16,
-    pub purpose: Use,
+    pub purpose: Purpose,
     /// The first motion of this use.
     pub first: usize,
     /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
@@ -99,7 +99,7 @@ impl Clamping {
     }
 }
 
-impl Seen {
+impl ToolUse {
     /// What is seen of each use of a station in a clamping.
     pub fn all(
         motions: &Motions,
@@ -107,7 +107,7 @@ impl Seen {
         stock: Option<Stock>,
         clamping: Clamping,
     ) -> Vec<Self> {
-        let mut seen: Vec<Seen> = Vec::new();
+        let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
         let moves = motions.iter().take(LOOKED_AT).enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
@@ -116,23 +116,23 @@ impl Seen {
             if !motion.kind.cuts() || motion.process.uncertain || Clamping::of(&motion) != clamping {
                 continue;
             }
-            let (station, purpose) = (motion.process.tool.0, Use::of(&motion));
+            let (station, purpose) = (motion.process.tool.0, Purpose::of(&motion));
             let at = seen
                 .iter()
                 .position(|own| (own.station, own.purpose) == (station, purpose))
                 .unwrap_or_else(|| {
-                    seen.push(Seen::new(station, purpose, index));
+                    seen.push(ToolUse::new(station, purpose, index));
                     seen.len() - 1
                 });
             seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
         }
         // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
         let stations: Vec<u16> =
-            seen.iter().filter(|own| own.purpose != Use::Hole).map(|own| own.station).collect();
-        seen.retain(|own| own.purpose != Use::Hole || own.holes > 0 || !stations.contains(&own.station));
+            seen.iter().filter(|own| own.purpose != Purpose::Hole).map(|own| own.station).collect();
+        seen.retain(|own| own.purpose != Purpose::Hole || own.holes > 0 || !stations.contains(&own.station));
         // A live cutter that also moves along X or Z alone bores nothing.
         let live: Vec<u16> =
-            seen.iter().filter(|own| own.purpose == Use::Live).map(|own| own.station).collect();
+            seen.iter().filter(|own| own.purpose == Purpose::Live).map(|own| own.station).collect();
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
@@ -141,7 +141,7 @@ impl Seen {
             own.outside = if bores(spoken.get(&own.station)) { -1 } else { 0 };
         }
         // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
-        let is_drilled = seen.iter().any(|own| own.purpose == Use::Hole);
+        let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
         if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
             for own in seen.iter_mut().filter(|own| !bores(spoken.get(&own.station))) {
                 own.outside = own.outside.max(0);
@@ -150,7 +150,7 @@ impl Seen {
         seen
     }
 
-    fn new(station: u16, purpose: Use, first: usize) -> Self {
+    fn new(station: u16, purpose: Purpose, first: usize) -> Self {
         Self {
             station,
             purpose,
@@ -174,7 +174,7 @@ impl Seen {
 
     /// Whether it works in a bore.
     pub fn is_inside(&self) -> bool {
-        self.outside < 0 && matches!(self.purpose, Use::Turning | Use::Threading | Use::Grooving)
+        self.outside < 0 && matches!(self.purpose, Purpose::Turning | Purpose::Threading | Purpose::Grooving)
     }
 
     fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
@@ -228,16 +228,18 @@ impl Seen {
         let inside = self.is_inside();
         let side = if inside { Side::Inside } else { Side::Outside };
         match self.purpose {
-            Use::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
-            Use::Hole => {
+            Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
+            Purpose::Hole => {
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
                 let diameter = if bore.is_finite() && bore > 0.0 { Some(2.0 * bore) } else { None };
                 Tool { kind: Some(kind), diameter, ..Tool::default() }
             }
-            Use::Threading => Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() },
-            Use::Grooving => self.blade(if self.face { Side::Face } else { side }),
-            Use::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
-            Use::Turning => {
+            Purpose::Threading => {
+                Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() }
+            }
+            Purpose::Grooving => self.blade(if self.face { Side::Face } else { side }),
+            Purpose::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
+            Purpose::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();
                 // One that only cuts away from the chuck has its edge on the other side.
