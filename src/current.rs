@@ -23,7 +23,7 @@ use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
@@ -40,7 +40,7 @@ pub struct Current {
     /// The lines of its text; made when first asked for.
     lines: OnceCell<LineIndex>,
     /// It keeps the boxes of the motions that an edit leaves, and finds out itself which those are.
-    outline: Outline,
+    path_index: PathIndex,
     derived: Derived,
     view_state: ViewState,
 }
@@ -48,7 +48,7 @@ pub struct Current {
 /// All that is worked out of a run as it is now: another run begins with none of it.
 #[derive(Default)]
 struct Derived {
-    /// The outline is of the motions as they are now.
+    /// The path index is of the motions as they are now.
     measured: bool,
     /// The clock of the motions as they are now; made when first asked for.
     clock: OnceCell<Clock>,
@@ -82,8 +82,8 @@ enum Material {
 impl Current {
     /// Begins a run; its picture is 300 × 150 CSS pixels large, as a canvas is.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
-        let (run, outline) = (Run::new(text, setup), Outline::new());
-        let scene = Scene::new(run.motions(), &outline, None);
+        let (run, path_index) = (Run::new(text, setup), PathIndex::new());
+        let scene = Scene::new(run.motions(), &path_index, None);
         let views = PerPlane::new(|plane| {
             let height = match plane {
                 Plane::Section => 150.0,
@@ -92,7 +92,7 @@ impl Current {
             View::new(&scene.on(plane), Size { width: 300.0, height })
         });
         let view_state = ViewState { views, cursor: None, turret: None, kept: None };
-        Self { run, lines: OnceCell::new(), outline, derived: Derived::default(), view_state }
+        Self { run, lines: OnceCell::new(), path_index, derived: Derived::default(), view_state }
     }
 
     // ---- from one run to the next ---------------------------------------------------------------------
@@ -211,7 +211,7 @@ impl Current {
     }
 
     fn finish_material(&mut self, simulation: SimulationResult) {
-        // The outline may still be that of the program before.
+        // The path index may still be that of the program before.
         self.measure();
         let mut machined = Machined::new(simulation, self.run.motions());
         machined.compare(&self.run, self.view_state.kept.as_ref());
@@ -292,7 +292,7 @@ impl Current {
     /// Length of the whole path, mm.
     pub fn path_length(&mut self) -> f64 {
         self.measure();
-        self.outline.length()
+        self.path_index.length()
     }
 
     fn machined_part(&self) -> Option<&Machined> {
@@ -420,7 +420,7 @@ impl Current {
 
     /// The strokes of the section, without the work.
     pub fn scene(&self) -> Scene<'_> {
-        Scene::new(self.run.motions(), &self.outline, None)
+        Scene::new(self.run.motions(), &self.path_index, None)
     }
 
     /// A picture as it is to be painted: the section always, the end face where anything moves on it.
@@ -450,7 +450,7 @@ impl Current {
 
     /// What there is to see in a picture, and how it is looked at.
     fn looked_at(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
-        let Self { run, outline, derived, view_state, .. } = self;
+        let Self { run, path_index, derived, view_state, .. } = self;
         let machined = match &derived.material {
             Material::Off(machined) => Some(machined),
             Material::Untouched | Material::UnderWay(_) => None,
@@ -458,10 +458,10 @@ impl Current {
         let work = machined.and_then(|machined| machined.work(plane));
         let face = machined.and_then(|machined| machined.face());
         let scene = match (plane, face) {
-            (Plane::Section, _) => Scene::new(run.motions(), outline, work),
+            (Plane::Section, _) => Scene::new(run.motions(), path_index, work),
             (Plane::Face, Some(face)) => face.scene(work),
             // Where nothing moves on the face there is nothing to fit it to either.
-            (Plane::Face, None) => Scene::new(run.motions(), outline, None).on(Plane::Face),
+            (Plane::Face, None) => Scene::new(run.motions(), path_index, None).on(Plane::Face),
         };
         (scene, &mut view_state.views[plane])
     }
@@ -484,10 +484,10 @@ impl Current {
             return;
         }
         self.derived.measured = true;
-        self.outline.update(self.run.motions());
+        self.path_index.update(self.run.motions());
         // Until then the picture that is shown is of the last run, or moved by the reader.
         if self.run.is_finished() {
-            self.outline.settle();
+            self.path_index.settle();
             let (scene, view) = self.looked_at(Plane::Section);
             view.follow(&scene);
         }
@@ -495,8 +495,8 @@ impl Current {
     }
 
     fn turn(&mut self) {
-        // The outline may still be that of the program before.
-        self.outline.update(self.run.motions());
+        // The path index may still be that of the program before.
+        self.path_index.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
         let (scene, view) = self.looked_at(Plane::Section);
         view.turn(&scene, x_plus);

@@ -9,7 +9,7 @@ use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Analysis;
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
@@ -31,10 +31,10 @@ fn analysis(id: &str) -> Analysis {
 }
 
 fn section(Analysis { motions, setup, .. }: &Analysis) -> String {
-    let outline = Outline::of(motions);
+    let path_index = PathIndex::of(motions);
     let work = Work::of(&SimulationResult::of(motions, setup), motions, None);
     let x_plus = setup.machine.turret.into();
-    svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
+    svg(&Scene::new(motions, &path_index, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
 }
 
 fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {

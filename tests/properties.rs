@@ -14,7 +14,7 @@ use gcode_playground::machine::SimulationResult;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
 use gcode_playground::sentences::Language;
@@ -66,8 +66,8 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
         let turn = motion.rotary.map_or(0.0, |rotary| rotary.from + rotary.to);
         assert!(turn.is_finite() && motion.lead.or(motion.seconds).unwrap_or(0.0).is_finite(), "{motion:?}");
     }
-    let outline = Outline::of(&analysis.motions);
-    let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
+    let path_index = PathIndex::of(&analysis.motions);
+    let picture = svg(&Scene::new(&analysis.motions, &path_index, None), &SvgOptions::default());
     assert!(picture.contains("<svg"));
     // One of them for each program: there are enough programs.
     check_machine(analysis, &at_machine()[text.len() % 3]);
@@ -85,8 +85,8 @@ fn check_machine(analysis: &Analysis, setup: &Setup) {
     let moment = Moment { motion: motions.len() / 2, share: 0.5, tip: Point::default() };
     for moment in [None, Some(moment)] {
         let work = Work::of(&simulation, motions, moment);
-        let outline = Outline::of(motions);
-        let picture = svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions::default());
+        let path_index = PathIndex::of(motions);
+        let picture = svg(&Scene::new(motions, &path_index, work.as_ref()), &SvgOptions::default());
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
     }
 }

@@ -10,7 +10,7 @@ use crate::export::{csv, dxf, stl};
 use crate::machine::region::Region;
 use crate::run::Run;
 use crate::scene::Scene;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
 use crate::sentences::{Language, labels};
@@ -70,12 +70,12 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 /// The drawing.
 pub(super) fn drawing(program: &Program, ground: Ground, language: Language) -> String {
     let motions = &program.analysis.motions;
-    let outline = Outline::of(motions);
+    let path_index = PathIndex::of(motions);
     let work = Work::of(&program.analysis.simulate(), motions, None);
     let x_plus = program.analysis.setup.machine.turret.into();
     let millimetre = labels::unit(Unit::Millimetre, language);
     svg(
-        &Scene::new(motions, &outline, work.as_ref()),
+        &Scene::new(motions, &path_index, work.as_ref()),
         &SvgOptions { ground, x_plus, millimetre, ..SvgOptions::default() },
     )
 }

@@ -26,7 +26,7 @@ use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::svg::SvgOptions;
 use crate::scene::work::Work;
 use crate::scene::{self, Scene};
@@ -390,8 +390,8 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let simulation = program.analysis.simulate();
     match view {
         ViewName::Section => {
-            let (outline, work) = (Outline::of(motions), Work::of(&simulation, motions, None));
-            let scene = Scene::new(motions, &outline, work.as_ref());
+            let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
+            let scene = Scene::new(motions, &path_index, work.as_ref());
             Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
         }
         ViewName::Face => {

@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use super::outline::Outline;
+use super::path_index::PathIndex;
 use super::work::{ToolOutline, Work};
 use super::{Place, Plane, Scene};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
@@ -29,7 +29,7 @@ const CORNERS: u32 = 256;
 pub struct Face {
     /// The moves, in the plane of the face.
     motions: Motions,
-    outline: Outline,
+    path_index: PathIndex,
     /// For each of them the motion of the run it is.
     of: Vec<usize>,
     /// For each of them what its cutter sweeps, where its radius is known and it cuts.
@@ -65,13 +65,13 @@ impl Face {
         }
         let mut list = Motions::default();
         list.push(own?);
-        let outline = Outline::of(&list);
-        Some(Self { motions: list, outline, of, cutters })
+        let path_index = PathIndex::of(&list);
+        Some(Self { motions: list, path_index, of, cutters })
     }
 
     /// The picture.
     pub fn scene<'a>(&'a self, work: Option<&'a Work>) -> Scene<'a> {
-        Scene::new(&self.motions, &self.outline, work).on(Plane::Face)
+        Scene::new(&self.motions, &self.path_index, work).on(Plane::Face)
     }
 
     /// The motion of the run that a move of this picture is.

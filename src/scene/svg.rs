@@ -433,14 +433,14 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline::Outline;
+    use super::super::path_index::PathIndex;
     use super::super::tests::Path;
     use super::*;
 
     fn draw(path: Path) -> String {
         let motions = path.motions();
-        let outline = Outline::of(&motions);
-        svg(&Scene::new(&motions, &outline, None), &SvgOptions::default())
+        let path_index = PathIndex::of(&motions);
+        svg(&Scene::new(&motions, &path_index, None), &SvgOptions::default())
     }
 
     fn paths(file: &str) -> Vec<&str> {
@@ -484,9 +484,9 @@ mod tests {
     #[test]
     fn rulers_name_the_unit_in_the_language_of_the_picture() {
         let motions = Path::from(100.0, 20.0).motions();
-        let outline = Outline::of(&motions);
+        let path_index = PathIndex::of(&motions);
         let options = SvgOptions { millimetre: "мм", ..SvgOptions::default() };
-        let scene = Scene::new(&motions, &outline, None);
+        let scene = Scene::new(&motions, &path_index, None);
         let names = |file: &str| -> Vec<String> {
             let names = file.lines().filter(|line| line.contains(r#"class="name"#));
             names.filter_map(|line| Some(line.split_once('>')?.1.split_once('<')?.0.to_owned())).collect()

@@ -10,7 +10,7 @@ use crate::api;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
 use crate::scene::canvas::{Painter, Progress};
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::source::Picture;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
@@ -84,10 +84,10 @@ impl Playground {
 impl Playground {
     fn drawing(&self, ground: Ground) -> String {
         let motions = self.current.motions();
-        let outline = Outline::of(motions);
+        let path_index = PathIndex::of(motions);
         let work = self.current.simulation().and_then(|simulation| Work::of(simulation, motions, None));
         let millimetre = labels::unit(Unit::Millimetre, self.language);
         let options = SvgOptions { ground, millimetre, ..SvgOptions::default() };
-        svg(&Scene::new(motions, &outline, work.as_ref()), &options)
+        svg(&Scene::new(motions, &path_index, work.as_ref()), &options)
     }
 }
