@@ -186,7 +186,7 @@ impl Run {
 
     fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
         let notes = Notes::read(&text);
-        let (mut setup, faults) = notes.applied_to(given.clone()).without_faults();
+        let (mut setup, faults) = notes.applied_to(given.clone()).without_invalid_values();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();

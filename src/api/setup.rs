@@ -130,7 +130,7 @@ pub struct SetupState {
     /// What is wrong with it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-    pub slip: Option<String>,
+    pub error: Option<String>,
     /// Whether such a tool has a use for it.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"shown\" | \"hidden\""))]
     pub shown: &'static str,
@@ -296,12 +296,12 @@ impl Subject<'_> {
             SetupPlace::Page => (Vec::new(), draft.setup.clone()),
         };
         let fields = entries.iter().map(|entry| {
-            let slip = draft.slips.iter().find(|slip| slip.0 == entry.key);
+            let error = draft.errors.iter().find(|error| error.0 == entry.key);
             let shown = assumed.get(&entry.key);
             SetupState {
                 key: entry.key.clone(),
                 assumed: shown.cloned().flatten().unwrap_or_default(),
-                slip: slip.map(|slip| labels::slip(slip.1, self.language)),
+                error: error.map(|error| labels::entry_error(error.1, self.language)),
                 shown: if shown.is_some() || !entry.text.trim().is_empty() { "shown" } else { "hidden" },
             }
         });

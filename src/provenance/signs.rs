@@ -7,7 +7,7 @@ use super::Target;
 /// Which target a sign suggests or excludes, and how much; the weights of one target add up, each sign counting once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// For an target.
+    /// For a target.
     For(Target, u8),
     /// For a lathe with FANUC's words: not a mill, not a printer.
     Lathe(u8),

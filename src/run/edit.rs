@@ -38,7 +38,7 @@ pub(super) struct Before {
     blocks: Vec<usize>,
     /// Blocks read at its end.
     last: usize,
-    /// DecimalEvidence of the O programs met before its snapshots, in order.
+    /// Numbers of the O programs met before its snapshots, in order.
     heads: Vec<u32>,
     /// First byte of each O program met after them, by number.
     others: BTreeMap<u32, u32>,

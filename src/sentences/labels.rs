@@ -1,13 +1,13 @@
 //! Short labels: severity and category of a message; the setup form: names of fields, and errors in entries.
 //!
-//! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
+//! In: a severity, a field's name, a choice, an error in an entry. Out: the words in a language, short enough to stand beside it.
 
 use super::language::Language;
 use crate::message::{Kind, Severity};
 use crate::setup::ToolKind;
-use crate::setup::draft::Slip;
-use crate::setup::faults::Need;
-use crate::setup::fields::{Name, Unit, Unread};
+use crate::setup::draft::EntryError;
+use crate::setup::fields::{Name, ReadError, Unit};
+use crate::setup::invalid::Requirement;
 use crate::units::{self, number};
 
 impl Language {
@@ -172,26 +172,30 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
 }
 
 /// What is wrong with an entry.
-pub fn slip(slip: Slip, language: Language) -> String {
+pub fn entry_error(error: EntryError, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
-    match slip {
-        Slip::Unread(Unread::NotANumber) => language.among(["Not a number", "不是数字", "Не число"]).into(),
-        Slip::Unread(Unread::NotWhole) => {
+    match error {
+        EntryError::Unreadable(ReadError::NotANumber) => {
+            language.among(["Not a number", "不是数字", "Не число"]).into()
+        }
+        EntryError::Unreadable(ReadError::NotWhole) => {
             language.among(["Must be a whole number", "必须是整数", "Нужно целое число"]).into()
         }
-        Slip::Unread(Unread::NotKnown) => {
+        EntryError::Unreadable(ReadError::NotKnown) => {
             language.among(["Unknown value", "无法识别", "Неизвестное значение"]).into()
         }
-        Slip::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
-        Slip::Need(Need::Positive) => {
+        EntryError::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
+        EntryError::Unmet(Requirement::Positive) => {
             language.among(["Must be greater than zero", "必须大于零", "Должно быть больше нуля"]).into()
         }
-        Slip::Need(Need::NotNegative) => {
+        EntryError::Unmet(Requirement::NotNegative) => {
             language.among(["Cannot be negative", "不能为负", "Не может быть отрицательным"]).into()
         }
-        Slip::Need(Need::Below(most)) => {
+        EntryError::Unmet(Requirement::Below(most)) => {
             with(["Must be less than {most}", "必须小于 {most}", "Должно быть меньше {most}"], most)
         }
-        Slip::Need(Need::AtMost(most)) => with(["{most} at most", "最大 {most}", "Не больше {most}"], most),
+        EntryError::Unmet(Requirement::AtMost(most)) => {
+            with(["{most} at most", "最大 {most}", "Не больше {most}"], most)
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! A setup as a form holds it: a text for each key, some of them wrong, most of them empty.
 //!
 //! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each entry; the setup as
-//! JSON, with all else that a JSON says kept. The rules of values are those of `faults`.
+//! JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
 
 use serde_json::{Map, Value as Json};
 
-use super::faults::Need;
-use super::fields::{self, Field, Name, Unread, Value};
+use super::fields::{self, Field, Name, ReadError, Value};
+use super::invalid::Requirement;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::setup::dialect::DialectChoice;
 
@@ -21,13 +21,13 @@ pub struct Entry {
 
 /// What is wrong with an entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Slip {
+pub enum EntryError {
     /// It cannot be read.
-    Unread(Unread),
+    Unreadable(ReadError),
     /// It is empty, and nothing can be assumed.
     Missing,
     /// The value is invalid.
-    Need(Need),
+    Unmet(Requirement),
 }
 
 /// What a form says.
@@ -36,7 +36,7 @@ pub struct Draft {
     /// Stock, tools, tailstock, machine, start, rules and decimal rule as they would be kept.
     pub setup: Setup,
     /// What is wrong, by key.
-    pub slips: Vec<(String, Slip)>,
+    pub errors: Vec<(String, EntryError)>,
 }
 
 /// Stands for a length that is not known: of what has no name in a setup, only in a form.
@@ -52,7 +52,7 @@ impl Draft {
     /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
     /// blanks is the defaults, that of others the inferred one.
     pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
-        let mut form = Reader { entries, slips: Vec::new() };
+        let mut form = FormReader { entries, errors: Vec::new() };
         // Single rules have no place in the form, and stay as they are.
         let rules = given.rules.clone().without_groups();
         let mut setup = Setup {
@@ -71,14 +71,14 @@ impl Draft {
             let tool = form.group(&prefix, fields::TOOL, form.matching_base(&prefix, base));
             setup.tools.extend(tool.map(|tool| (name, tool)));
         }
-        let mut slips = form.slips;
-        let told = |key: &str, slips: &[(String, Slip)]| slips.iter().any(|slip| slip.0 == key);
-        for fault in setup.clone().without_faults().1 {
-            if !told(&fault.key, &slips) {
-                slips.push((fault.key, Slip::Need(fault.need)));
+        let mut errors = form.errors;
+        let told = |key: &str, errors: &[(String, EntryError)]| errors.iter().any(|error| error.0 == key);
+        for invalid in setup.clone().without_invalid_values().1 {
+            if !told(&invalid.key, &errors) {
+                errors.push((invalid.key, EntryError::Unmet(invalid.requirement)));
             }
         }
-        Self { setup, slips }
+        Self { setup, errors }
     }
 }
 
@@ -97,12 +97,12 @@ pub fn start_base() -> Position {
 }
 
 /// The entries, and what is wrong with those that were read.
-struct Reader<'a> {
+struct FormReader<'a> {
     entries: &'a [Entry],
-    slips: Vec<(String, Slip)>,
+    errors: Vec<(String, EntryError)>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> FormReader<'a> {
     /// The entries of a group that are not blank: the rest of the key, and the text.
     fn entered<'k>(&self, prefix: &'k str) -> impl Iterator<Item = (&'a str, &'a str)> + use<'a, 'k> {
         let filled = self.entries.iter().filter(|entry| !entry.text.trim().is_empty());
@@ -120,15 +120,15 @@ impl<'a> Reader<'a> {
             let Some(field) = fields.iter().find(|field| field.key == key) else { continue };
             match field.entry.read(text) {
                 Ok(value) => (field.set)(&mut own, &value),
-                Err(unread) => self.slips.push((format!("{prefix}{key}"), Slip::Unread(unread))),
+                Err(error) => self.errors.push((format!("{prefix}{key}"), EntryError::Unreadable(error))),
             }
         }
         let mut whole = true;
         for field in fields.iter().filter(|field| field.name.is_needed() && (field.get)(&own).is_none()) {
             whole = false;
             let key = format!("{prefix}{}", field.key);
-            if self.slips.iter().all(|slip| slip.0 != key) {
-                self.slips.push((key, Slip::Missing));
+            if self.errors.iter().all(|error| error.0 != key) {
+                self.errors.push((key, EntryError::Missing));
             }
         }
         whole.then_some(own)
@@ -242,12 +242,12 @@ mod tests {
 
     /// The JSON that comes of entries, and what is wrong with them, under an inferred setup.
     #[track_caller]
-    fn check(list: &[(&str, &str)], inferred: &str, json: &str, slips: &[(&str, Slip)]) {
+    fn check(list: &[(&str, &str)], inferred: &str, json: &str, errors: &[(&str, EntryError)]) {
         let inferred = Setup::from_json(inferred).expect("a setup");
         let draft = Draft::read(&entries(list), &Setup::default(), &inferred);
-        let found: Vec<_> = draft.slips.iter().map(|(key, slip)| (key.as_str(), *slip)).collect();
-        assert_eq!(found, slips);
-        if slips.is_empty() {
+        let found: Vec<_> = draft.errors.iter().map(|(key, error)| (key.as_str(), *error)).collect();
+        assert_eq!(found, errors);
+        if errors.is_empty() {
             assert_eq!(put_into_json("{}", &draft.setup), json);
             let read = Setup::from_json(if json.is_empty() { "{}" } else { json });
             assert_eq!(read, Ok(draft.setup));
@@ -288,25 +288,25 @@ mod tests {
             "{}",
             "",
             &[
-                ("stock.diameter", Slip::Unread(Unread::NotANumber)),
-                ("stock.length", Slip::Unread(Unread::NotANumber)),
+                ("stock.diameter", EntryError::Unreadable(ReadError::NotANumber)),
+                ("stock.length", EntryError::Unreadable(ReadError::NotANumber)),
             ],
         );
-        check(&[("stock.diameter", "60")], "{}", "", &[("stock.length", Slip::Missing)]);
+        check(&[("stock.diameter", "60")], "{}", "", &[("stock.length", EntryError::Missing)]);
         check(
             &[("stock.diameter", "60"), ("stock.length", "80"), ("stock.bore", "70")],
             "{}",
             "",
-            &[("stock.bore", Slip::Need(Need::Below(60.0)))],
+            &[("stock.bore", EntryError::Unmet(Requirement::Below(60.0)))],
         );
         check(
             &[("tools.T0101.tip", "3.5"), ("tools.T0101.type", "hammer"), ("tools.T0101.insert", "(C)")],
             "{}",
             "",
             &[
-                ("tools.T0101.tip", Slip::Unread(Unread::NotWhole)),
-                ("tools.T0101.type", Slip::Unread(Unread::NotKnown)),
-                ("tools.T0101.insert", Slip::Unread(Unread::NotKnown)),
+                ("tools.T0101.tip", EntryError::Unreadable(ReadError::NotWhole)),
+                ("tools.T0101.type", EntryError::Unreadable(ReadError::NotKnown)),
+                ("tools.T0101.insert", EntryError::Unreadable(ReadError::NotKnown)),
             ],
         );
         check(
@@ -314,8 +314,8 @@ mod tests {
             r#"{"stock": {"diameter": 60, "length": 75}}"#,
             "",
             &[
-                ("stock.length", Slip::Unread(Unread::NotANumber)),
-                ("stock.diameter", Slip::Need(Need::Positive)),
+                ("stock.length", EntryError::Unreadable(ReadError::NotANumber)),
+                ("stock.diameter", EntryError::Unmet(Requirement::Positive)),
             ],
         );
     }

@@ -5,8 +5,8 @@
 
 pub mod dialect;
 pub mod draft;
-pub mod faults;
 pub mod fields;
+pub mod invalid;
 pub mod machine;
 pub mod notes;
 mod side;
