@@ -849,9 +849,9 @@ impl Motions {
 
     /// Cuts that are uncertain.
     pub fn uncertain_cuts(&self) -> usize {
-        let doubtful = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
+        let chunks = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
         let cuts = |chunk: &Chunk, index: &usize| chunk.is_uncertain(*index) && chunk.kind(*index).cuts();
-        doubtful.map(|chunk| (0..chunk.len()).filter(|index| cuts(chunk, index)).count()).sum()
+        chunks.map(|chunk| (0..chunk.len()).filter(|index| cuts(chunk, index)).count()).sum()
     }
 
     fn locate(&self, index: usize) -> (&Chunk, usize) {

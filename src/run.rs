@@ -26,7 +26,7 @@ use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 use crate::{findings, lint};
-use edit::{Before, Mark};
+use edit::{Checkpoint, PreviousRun};
 
 /// What a program does and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -147,11 +147,11 @@ pub struct Run {
     /// All messages in order of their place, once it has ended.
     sorted: Vec<Diagnostic>,
     /// Snapshots on the way, in order.
-    marks: Vec<Mark>,
+    checkpoints: Vec<Checkpoint>,
     /// Blocks read when the next one is to be made at the latest.
     due: usize,
     /// The run before the edit, until its rest is taken over.
-    before: Option<Before>,
+    previous: Option<PreviousRun>,
     /// The byte where it may be met next.
     meeting: u32,
 }
@@ -215,9 +215,9 @@ impl Run {
             finished: false,
             stopped: false,
             sorted: Vec::new(),
-            marks: Vec::new(),
+            checkpoints: Vec::new(),
             due: 0,
-            before: None,
+            previous: None,
             meeting: u32::MAX,
             text,
         };
@@ -482,8 +482,8 @@ impl Run {
             self.interpreter.tell_of_setup(told);
         }
         self.begun = false;
-        self.marks.clear();
-        self.before = None;
+        self.checkpoints.clear();
+        self.previous = None;
         self.meeting = u32::MAX;
         self.begin_at(main);
     }
@@ -634,7 +634,7 @@ fn offer(told: &mut Diagnostic, text: &[u8]) {
     match told.message {
         Message::NoEnd if told.fixes.is_empty() => {
             let end = text.trim_ascii_end();
-            // Before the sign that ends the tape, or another program.
+            // PreviousRun the sign that ends the tape, or another program.
             let (at, insert) = match told.span.end as usize {
                 _ if end.ends_with(b"%") && told.span.end as usize == end.len() => (end.len() - 1, "M30\n"),
                 at if at == end.len() => (at, "\nM30"),

@@ -29,7 +29,7 @@ use crate::findings;
 use crate::geometry::Point;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
-use crate::playback::tally::tally;
+use crate::playback::totals::totals;
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
@@ -239,7 +239,7 @@ impl Playground {
     /// Time, cutting length and extents: of each tool, and at last of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
-        let (tools, all) = tally(self.current.motions(), &self.current.run().setup().machine);
+        let (tools, all) = totals(self.current.motions(), &self.current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
     }
 }

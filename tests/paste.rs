@@ -64,7 +64,7 @@ fn a_slide_with_bullets_becomes_one_block_a_line() {
     let found = find(text);
     assert_eq!(found.programs[0].name, Name::Number(8234));
     assert_eq!(found.programs[0].lines, (2, 2));
-    assert!(found.doubtful);
+    assert!(found.needs_review);
 }
 
 #[test]
@@ -233,12 +233,12 @@ fn a_program_as_a_control_takes_it_stays_as_it_is() {
     let text = "%\nO1000 (PART)\n(ROUGH)\nN10 G18 G20 G40 G80 G99\n/2 M98 P2000\n/\n#100=[#1+2.5]*3\nIF [#100 GT 4] GOTO 20\n\
 G01 X#100 Z[-#3/2] ,C2 ,R1. F.2\nX-21.75,A30\nN20 G65 P9010 A1. B2.\nWHILE [#1 LT 3] DO1\nEND1\nG28 U0. W0.\nM30\n%\n";
     let found = checked(text);
-    assert!(!found.doubtful, "{found:#?}");
+    assert!(!found.needs_review, "{found:#?}");
     assert_eq!(found.programs.len(), 1);
     assert_eq!(found.programs[0].text(), text.replace("%\n", ""));
-    assert!(!checked("O1;\nG00U2W1;每刀切深2毫米\nM30;\n").doubtful);
+    assert!(!checked("O1;\nG00U2W1;每刀切深2毫米\nM30;\n").needs_review);
     let with_subprogram = "O1\nG00 X5 Z5\nM98 P2\nM30\nO2\nG01 U-1 F.1\nM99\n";
-    assert!(!checked(with_subprogram).doubtful);
+    assert!(!checked(with_subprogram).needs_review);
     assert_eq!(checked(with_subprogram).programs.len(), 2);
 }
 
@@ -248,7 +248,7 @@ fn every_fixture_stays_as_it_is() {
         let path = folder.expect("a folder").path().join("program.nc");
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let found = checked(&text);
-        assert!(!found.doubtful, "{}: {found:#?}", path.display());
+        assert!(!found.needs_review, "{}: {found:#?}", path.display());
         for program in &found.programs {
             let motions =
                 |text: &str| gcode_playground::analyze(text.as_bytes(), &Setup::default()).motions.len();

@@ -4,10 +4,10 @@
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};
+use gcode_playground::setup::as_comments::{changes, lines};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
-use gcode_playground::setup::written::{changes, lines};
 use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::run::Analysis;
 use crate::sentences::{Language, labels};
 use crate::setup::Stock;
-use crate::setup::written;
+use crate::setup::as_comments;
 
 /// A stock that is inferred, and what was not checked because of that.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,7 +44,7 @@ impl InferredStock {
         let (stock, _) = resolved.stock().filter(|_| resolved.unknown().is_empty())?;
         let Stock { diameter, bore, face, length, .. } = stock;
         let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);
-        let note = written::stock(&Stock { diameter, bore, face, length, grip: None });
+        let note = as_comments::stock(&Stock { diameter, bore, face, length, grip: None });
         Some(Self {
             note: "stock-assumed",
             not_checked: ["collisions"],

@@ -14,11 +14,11 @@ use crate::machine::defaults::with_defaults;
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
 use crate::sentences::{Language, labels};
+use crate::setup::as_comments::{self, Change};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
 use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
-use crate::setup::written::{self, Change};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
 
 /// What of stock and tools is given, and what is inferred.
@@ -292,7 +292,7 @@ impl Subject<'_> {
         let draft = Draft::read(entries, self.given, self.inferred);
         let assumed = self.assumed(entries, &draft);
         let (lines, page) = match keep {
-            SetupPlace::Program => (written::lines(&draft.setup), self.covered(&draft.setup)),
+            SetupPlace::Program => (as_comments::lines(&draft.setup), self.covered(&draft.setup)),
             SetupPlace::Page => (Vec::new(), draft.setup.clone()),
         };
         let fields = entries.iter().map(|entry| {
@@ -305,7 +305,7 @@ impl Subject<'_> {
                 shown: if shown.is_some() || !entry.text.trim().is_empty() { "shown" } else { "hidden" },
             }
         });
-        let edits = written::changes(text, &lines);
+        let edits = as_comments::changes(text, &lines);
         SetupAnswer {
             fields: fields.collect(),
             setup: draft::put_into_json(json, &page),

@@ -11,8 +11,8 @@ use std::fmt::Write;
 use crate::control::codes::{self, Function};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
-use crate::playback::tally::{Tally, tally};
 use crate::playback::timing::Total;
+use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion};
 use crate::setup::dialect::CodeList;
 use crate::setup::{Setup, Stock};
@@ -81,7 +81,7 @@ impl Card<'_> {
             w.date,
         );
         let resolved = ResolvedSetup::new(self.motions, self.setup);
-        self.facts(&mut page, &resolved, w);
+        self.metadata(&mut page, &resolved, w);
         if let Some(drawing) = self.drawing {
             let _ = writeln!(page.html, "<figure>{drawing}</figure>");
         }
@@ -113,15 +113,15 @@ impl Card<'_> {
         number.map(|number| format!("O{number:04}")).unwrap_or_default()
     }
 
-    fn facts(&self, page: &mut Page, resolved: &ResolvedSetup, w: &Words) {
-        let mut facts = vec![(w.control, self.codes.name().to_owned())];
+    fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, w: &Words) {
+        let mut metadata = vec![(w.control, self.codes.name().to_owned())];
         if let Some((stock, basis)) = resolved.stock() {
-            facts.push((w.blank, blank(&stock, basis, w)));
+            metadata.push((w.blank, blank(&stock, basis, w)));
         }
-        let (_, all) = tally(self.motions, &self.setup.machine);
-        facts.push((w.time, clock(&all.time)));
+        let (_, all) = totals(self.motions, &self.setup.machine);
+        metadata.push((w.time, clock(&all.time)));
         page.html.push_str("<dl>");
-        for (name, value) in facts {
+        for (name, value) in metadata {
             let _ = write!(page.html, "<div><dt>{name}</dt><dd>{}</dd></div>", escaped(&value));
         }
         page.html.push_str("</dl>\n");
@@ -129,7 +129,7 @@ impl Card<'_> {
 
     fn tools(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
         let w = words(language);
-        let (tools, all) = tally(self.motions, &self.setup.machine);
+        let (tools, all) = totals(self.motions, &self.setup.machine);
         if tools.is_empty() {
             return;
         }
@@ -147,7 +147,7 @@ impl Card<'_> {
         }
         page.row([w.total, "", "", "", "", &clock(&all.time)]);
         page.end_table();
-        let Tally { time, .. } = &all;
+        let ToolTotals { time, .. } = &all;
         let unknown = time.unknown_cuts + time.unknown_rapids;
         if unknown > 0 {
             page.paragraph(&w.not_in_time.replace("{}", &unknown.to_string()));

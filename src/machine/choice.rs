@@ -5,11 +5,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::stations::{Places, Stations};
 use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
 use super::sweep::way_of;
 use super::tool::takes;
 use super::tool_use::{LOOKED_AT, Purpose, ToolUse};
+use super::z_positions::{Places, ZPositions};
 use crate::geometry::SAME;
 use crate::motion::{Motion, Motions, Process};
 use crate::setup::{Side, Stock, Tool, ToolKind};
@@ -38,12 +38,12 @@ const LONGEST: f64 = 5000.0;
 pub(super) fn decide(
     motions: &Motions,
     uses: &[ToolUse],
-    spoken: &BTreeMap<u16, Tool>,
+    described_tools: &BTreeMap<u16, Tool>,
     stock: Option<Stock>,
     mut tools: Vec<&mut Tool>,
 ) -> Vec<usize> {
     for (own, tool) in uses.iter().zip(&mut tools) {
-        if let Some(words) = spoken.get(&own.station) {
+        if let Some(words) = described_tools.get(&own.station) {
             **tool = with_words(own.purpose, tool, words);
         }
     }
@@ -59,7 +59,7 @@ pub(super) fn decide(
         }
         let grooves =
             uses.iter().any(|other| other.station == own.station && other.purpose == Purpose::Grooving);
-        let words = spoken.get(&own.station).cloned().unwrap_or_default();
+        let words = described_tools.get(&own.station).cloned().unwrap_or_default();
         let is_blade = words.kind == Some(ToolKind::Grooving) || (grooves && own.station > 0 && !own.contour);
         let mut all = candidates(first, own, &words);
         let (inserts, blades): (Vec<Tool>, Vec<Tool>) =
@@ -149,7 +149,7 @@ fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
 /// Where tools are led, and what is to stay.
 struct Led {
     tracks: Vec<Track>,
-    stations: Stations,
+    positions: ZPositions,
     outside: Surface,
     inside: Surface,
     /// Z of the finished face, mm.
@@ -190,14 +190,14 @@ impl Led {
         }
         // Where the work may begin and end.
         [back, stock.face, 0.0].into_iter().for_each(|z| places.end(z));
-        let stations = places.between(low, high);
+        let positions = places.between(low, high);
         let facing = |own: &ToolUse| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
-        let mut tracks = vec![Track::new(&stations); uses.len()];
+        let mut tracks = vec![Track::new(&positions); uses.len()];
         let mut faces: Vec<(f64, usize)> = Vec::new();
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
-            tracks[index].add(&way, facing(&uses[index]), &stations);
+            tracks[index].add(&way, facing(&uses[index]), &positions);
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if across && motion.to.x <= TO_AXIS && motion.from.x > TO_AXIS {
                 faces.push((motion.to.z, index));
@@ -208,29 +208,30 @@ impl Led {
             uses.iter().zip(&tracks).filter(own).map(|(_, track)| track)
         };
         // Where something was turned in front of it, a cut to the axis parts it off.
-        let turned = of(Facing::Outwards)
-            .filter_map(|track| track.highest_between(&stations, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME));
+        let turned = of(Facing::Outwards).filter_map(|track| {
+            track.highest_between(&positions, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME)
+        });
         let turned = turned.fold(f64::NEG_INFINITY, f64::max);
         let face = if behind { stock.face.min(0.0) } else { stock.face };
         let is_face = |&(z, index): &(f64, usize)| {
             let [goes_on, ends] = IN_FRONT;
-            let left = if tracks[index].goes_on_behind(&stations, z) { goes_on } else { ends };
+            let left = if tracks[index].goes_on_behind(&positions, z) { goes_on } else { ends };
             z + left >= turned
         };
         let front = faces.iter().filter(|face| is_face(face)).map(|face| face.0).fold(face, f64::min);
         let outside = Surface::of(
             of(Facing::Outwards),
-            (Facing::Outwards, stations.clone()),
+            (Facing::Outwards, positions.clone()),
             stock.diameter / 2.0,
             (back, front),
         );
         let inside = Surface::of(
             of(Facing::Inwards),
-            (Facing::Inwards, stations.clone()),
+            (Facing::Inwards, positions.clone()),
             stock.bore / 2.0,
             (back, front),
         );
-        Some(Self { tracks, stations, outside, inside, front })
+        Some(Self { tracks, positions, outside, inside, front })
     }
 
     /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
@@ -268,14 +269,14 @@ impl Led {
         // A tip alone: what it makes is the contour, if it or another one is led along all of it.
         if tool.tip.is_some() {
             if own.contour {
-                return surface.clears_plunges(&track.without_last_step(&self.stations), self.front);
+                return surface.clears_plunges(&track.without_last_step(&self.positions), self.front);
             }
             return surface.clears_plunges(track, self.front);
         }
         // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but a contour is made by one.
-        let begins_at_face = track.goes_on_behind(&self.stations, self.front);
-        let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.stations);
-        let own_surface = Surface::of_one(track, (facing, self.stations.clone()));
+        let begins_at_face = track.goes_on_behind(&self.positions, self.front);
+        let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.positions);
+        let own_surface = Surface::of_one(track, (facing, self.positions.clone()));
         let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };
         is_groove || !own_surface.is_gouged(&takes(tool), &track.without_parting(parting), SHIFT)
     }

@@ -31,9 +31,9 @@ impl InferredSetup {
         Self::with(motions, &BTreeMap::new(), None)
     }
 
-    /// Infers tools and blank of a program. `spoken` is what its comments say of the tools, by station; `stock` the blank, where one is given.
-    pub fn with(motions: &Motions, spoken: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
-        let uses = ToolUse::all(motions, spoken, stock, Clamping::First);
+    /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by station; `stock` the blank, where one is given.
+    pub fn with(motions: &Motions, described_tools: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
+        let uses = ToolUse::all(motions, described_tools, stock, Clamping::First);
         let mut tools = tools_of(&uses);
         let mut cuts = Cuts::default();
         for (own, (.., tool)) in uses.iter().zip(&tools) {
@@ -41,11 +41,11 @@ impl InferredSetup {
         }
         let blank = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
         let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
-        let unknown = choice::decide(motions, &uses, spoken, stock.or(blank), choices);
+        let unknown = choice::decide(motions, &uses, described_tools, stock.or(blank), choices);
         let mut inferred = Self { tools, unknown, stock: blank };
         // No material is removed there: for these the first tool will do.
         if motions.cuts_elsewhere().is_some() {
-            for other in tools_of(&ToolUse::all(motions, spoken, stock, Clamping::Other)) {
+            for other in tools_of(&ToolUse::all(motions, described_tools, stock, Clamping::Other)) {
                 if inferred.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
                     inferred.tools.push(other);
                 }
@@ -63,7 +63,7 @@ impl InferredSetup {
 /// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is what cuts
 /// before any T word.
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
-    let inferred = InferredSetup::with(motions, &given.spoken, given.stock);
+    let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
     let mut names: Vec<(u16, u16)> = Vec::new();
     for motion in motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts()) {

@@ -14,12 +14,12 @@ pub mod inferred;
 pub mod part;
 pub mod region;
 pub mod resolved_setup;
-mod stations;
 mod surface;
 pub mod sweep;
 pub mod thread_point;
 pub mod tool;
 mod tool_use;
+mod z_positions;
 
 use crate::limits::Limits;
 use crate::motion::Motions;

@@ -55,7 +55,7 @@ pub struct ResolvedSetup {
 impl ResolvedSetup {
     /// Of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
-        let inferred = InferredSetup::with(motions, &setup.spoken, setup.stock);
+        let inferred = InferredSetup::with(motions, &setup.described_tools, setup.stock);
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| {
             let lead = leads.iter().find(|own| own.0 == station);

@@ -103,7 +103,7 @@ impl ToolUse {
     /// What is seen of each use of a station in a clamping.
     pub fn all(
         motions: &Motions,
-        spoken: &BTreeMap<u16, Tool>,
+        described_tools: &BTreeMap<u16, Tool>,
         stock: Option<Stock>,
         clamping: Clamping,
     ) -> Vec<Self> {
@@ -138,12 +138,12 @@ impl ToolUse {
         }
         // What motions leave open, words decide.
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
-            own.outside = if bores(spoken.get(&own.station)) { -1 } else { 0 };
+            own.outside = if bores(described_tools.get(&own.station)) { -1 } else { 0 };
         }
         // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
         let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
         if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
-            for own in seen.iter_mut().filter(|own| !bores(spoken.get(&own.station))) {
+            for own in seen.iter_mut().filter(|own| !bores(described_tools.get(&own.station))) {
                 own.outside = own.outside.max(0);
             }
         }

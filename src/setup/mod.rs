@@ -3,6 +3,7 @@
 //! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
 //! Lengths here are as people write them: X values are diameters, mm.
 
+pub mod as_comments;
 pub mod dialect;
 pub mod draft;
 pub mod fields;
@@ -14,7 +15,6 @@ pub mod stock;
 pub mod thread_insert;
 pub mod tool;
 pub mod tool_words;
-pub mod written;
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ pub struct Setup {
     pub tools: BTreeMap<String, Tool>,
     /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file.
     #[serde(skip)]
-    pub spoken: BTreeMap<u16, Tool>,
+    pub described_tools: BTreeMap<u16, Tool>,
     /// The blank.
     pub stock: Option<Stock>,
     /// The centre of the tailstock, where the work is held by one.
