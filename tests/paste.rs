@@ -2,6 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
+use gcode_playground::control::codes::{self, Section};
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
 use gcode_playground::paste::{Found, Name, Program, Reason, find};
 use gcode_playground::sentences::Language;
@@ -110,6 +111,22 @@ fn ends_of_blocks_that_print_has_lost_are_put_in() {
 fn captions_between_blocks_are_left_out() {
     let text = "A\n2工进\nO0002;\n3工进\n4快退\nT0101;\n\nG00 X32 Z2; G90 X26 Z-30 F0.1;\n\nM30;\n\n1快进\n";
     assert_eq!(only(text), "O0002;\nT0101;\nG00 X32 Z2;\nG90 X26 Z-30 F0.1;\nM30;\n");
+}
+
+#[test]
+fn an_unreadable_digit_may_be_that_of_any_turning_cycle() {
+    let choices = |read: &str| -> Vec<String> {
+        let found = checked(&format!("O0001; G00 X26; {read}ቤተ X20 Z-30 F0.1; X32; M30;"));
+        found.programs[0].questions().flat_map(|piece| piece.choices.clone()).collect()
+    };
+    assert_eq!(choices("G7"), ["G7", "G70", "G71", "G72", "G73", "G74", "G75", "G76"]);
+    assert_eq!(choices("G9"), ["G9", "G90", "G92", "G94", "G96", "G97", "G98"]);
+    for row in codes::rows() {
+        if matches!(row.function.section(), Section::SingleCycles | Section::MultipleCycles) {
+            let code = &row.codes[0];
+            assert!(choices(&code[..2]).contains(code), "{code}");
+        }
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, way_of};
 use super::tool::Action;
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, Motion, MotionKind, Step};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Step};
 use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 
 /// A place where something is wrong.
@@ -258,10 +258,12 @@ impl DangerDetector {
     /// Whether a cycle starts in the material: each pass comes back at rapid to the start, along the work.
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
-        let facing = match tag.cycle {
-            Cycle::Turning | Cycle::Threading | Cycle::MultiThreading => false,
-            Cycle::Facing => true,
-            _ => return false,
+        let facing = match tag.cycle.family() {
+            CycleFamily::Turning => tag.cycle == Cycle::Facing,
+            CycleFamily::Threading => false,
+            CycleFamily::Contour | CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole => {
+                return false;
+            }
         };
         match tag.step {
             Step::Infeed => {

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::blank::Extents;
 use crate::geometry::SAME;
-use crate::motion::{Cycle, Motion, MotionKind, Motions};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// So many motions are looked at.
@@ -39,15 +39,21 @@ impl Purpose {
     pub fn of(motion: &Motion) -> Self {
         let on_axis = motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
         let along = (motion.to.z - motion.from.z).abs() > SAME;
-        match motion.cycle.map(|step| step.cycle) {
-            _ if motion.rotary.is_some() => Self::Live,
-            Some(Cycle::SideDrilling | Cycle::SideTapping | Cycle::SideBoring) => Self::Live,
-            Some(Cycle::Turning | Cycle::Facing) => Self::Turning,
+        let of_motion = match motion.kind {
             _ if on_axis && along && motion.kind.cuts() => Self::Hole,
-            Some(Cycle::Threading | Cycle::MultiThreading) => Self::Threading,
-            _ if motion.kind == MotionKind::Thread => Self::Threading,
-            Some(Cycle::Grooving | Cycle::FacePecking) => Self::Grooving,
+            MotionKind::Thread => Self::Threading,
             _ => Self::Turning,
+        };
+        match motion.cycle.map(|step| step.cycle.family()) {
+            _ if motion.rotary.is_some() => Self::Live,
+            Some(CycleFamily::SideHole) => Self::Live,
+            Some(CycleFamily::Turning) => Self::Turning,
+            Some(CycleFamily::Threading) if of_motion != Self::Hole => Self::Threading,
+            Some(CycleFamily::Pecking) if of_motion == Self::Turning => Self::Grooving,
+            Some(
+                CycleFamily::Threading | CycleFamily::Pecking | CycleFamily::Contour | CycleFamily::FaceHole,
+            )
+            | None => of_motion,
         }
     }
 }
@@ -189,8 +195,7 @@ impl ToolUse {
         self.outside += leaves(motion, self.along, own_next);
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         let cycle = motion.cycle.map(|step| step.cycle);
-        let contour = [Cycle::Finishing, Cycle::RoughTurning, Cycle::RoughFacing, Cycle::Pattern];
-        self.contour |= cycle.is_some_and(|cycle| contour.contains(&cycle));
+        self.contour |= cycle.is_some_and(|cycle| cycle.family() == CycleFamily::Contour);
         let back =
             |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
         let (before_x, before_z) = before.map_or((0.0, 0.0), way);

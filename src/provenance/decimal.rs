@@ -5,8 +5,9 @@
 //! means millimetres or inches, even after a whole number. So the habit decides, and one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
+use crate::control::codes::{G, Multiple, g_code};
 use crate::message::Message;
-use crate::setup::dialect::DecimalRule;
+use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
 use crate::units::Unit;
 
@@ -124,16 +125,35 @@ impl Amount {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
         // In the first of their two blocks the cycles have amounts, in the second a contour or a place.
-        match (letter, among.cycle) {
-            (b'U' | b'W', 73) if !among.names_contour => Some(Self::Relief),
-            (b'U' | b'W', 71..=73) => Some(Self::Cut),
-            (b'R', 71 | 72) if !among.names_contour => Some(Self::Cut),
-            (b'R', 74 | 75) if !among.names_place => Some(Self::Cut),
-            (b'R', 76) if !among.names_place => Some(Self::ThreadAllowance),
-            (b'X' | b'U' | b'Y' | b'V', _) => Some(Self::Diameter),
-            (b'Z' | b'W', _) => Some(Self::Length),
+        let of_cycle = match (among.cycle, letter) {
+            (Some(Multiple::Pattern), b'U' | b'W') if !among.names_contour => Some(Self::Relief),
+            (Some(Multiple::Pattern | Multiple::RoughTurning | Multiple::RoughFacing), b'U' | b'W') => {
+                Some(Self::Cut)
+            }
+            (Some(Multiple::RoughTurning | Multiple::RoughFacing), b'R') if !among.names_contour => {
+                Some(Self::Cut)
+            }
+            (Some(Multiple::FacePecking | Multiple::Grooving), b'R') if !among.names_place => Some(Self::Cut),
+            (Some(Multiple::Threading), b'R') if !among.names_place => Some(Self::ThreadAllowance),
+            (
+                Some(
+                    Multiple::Finishing
+                    | Multiple::RoughTurning
+                    | Multiple::RoughFacing
+                    | Multiple::Pattern
+                    | Multiple::FacePecking
+                    | Multiple::Grooving
+                    | Multiple::Threading,
+                )
+                | None,
+                _,
+            ) => None,
+        };
+        of_cycle.or(match letter {
+            b'X' | b'U' | b'Y' | b'V' => Some(Self::Diameter),
+            b'Z' | b'W' => Some(Self::Length),
             _ => None,
-        }
+        })
     }
 }
 
@@ -142,8 +162,8 @@ impl Amount {
 struct Among {
     /// G04.
     dwells: bool,
-    /// G70 to G76; 0 without one.
-    cycle: u32,
+    /// The multiple cycle it calls.
+    cycle: Option<Multiple>,
     /// P or Q.
     names_contour: bool,
     /// X, Z, U or W.
@@ -167,11 +187,11 @@ impl Among {
                     among.codes += 1;
                     match word.number.and_then(|number| number.tenths()) {
                         Some(40) => among.dwells = true,
-                        Some(code @ 700..=760) => among.cycle = code as u32 / 10,
                         Some(650 | 660 | 661) => among.calls_macro = true,
                         Some(200) => among.unit = Some(Unit::Inch),
                         Some(210) => among.unit = Some(Unit::Millimetre),
-                        _ => {}
+                        Some(key) => among.cycle = multiple(key).or(among.cycle),
+                        None => {}
                     }
                 }
                 b'P' | b'Q' => among.names_contour = true,
@@ -185,6 +205,14 @@ impl Among {
             among.unit = None;
         }
         among
+    }
+}
+
+/// The multiple cycle of a code, ten times its number, in systems A and B.
+fn multiple(key: u64) -> Option<Multiple> {
+    match g_code(key, CodeList::A)?.code {
+        G::Multiple(cycle) => Some(cycle),
+        _ => None,
     }
 }
 
