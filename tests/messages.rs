@@ -4,7 +4,8 @@
 use gcode_playground::analyze;
 use gcode_playground::findings;
 use gcode_playground::machine::SimulationResult;
-use gcode_playground::message::{Diagnostic, Severity};
+use gcode_playground::message::{Diagnostic, Kind, Severity};
+use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
@@ -626,4 +627,22 @@ fn a_block_of_a_cycle_without_an_axis_makes_no_pass() {
     check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nG1 X90 F50"));
     check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nM30"));
     check(&format!("{start}M8\nG4 X1\nG0 X100"));
+}
+
+/// The page translates severity and category itself: its table and that of the command line must agree.
+#[test]
+fn the_page_names_severities_and_categories_as_the_command_line_does() {
+    let table = std::fs::read_to_string("www/src/editor/problem-words.ts").expect("the table of the page");
+    for language in Language::ALL {
+        let own = table.split(&format!("  {}: {{", language.tag())).nth(1).expect("a table of each language");
+        let words = |name: &str| -> Vec<String> {
+            let row = own.split(&format!("{name}: {{")).nth(1).and_then(|rest| rest.split('}').next());
+            row.expect("a row").split('\'').skip(1).step_by(2).map(str::to_owned).collect()
+        };
+        let severities = [Severity::Error, Severity::Warning, Severity::Info];
+        assert_eq!(words("severity"), severities.map(|own| labels::severity(own, language)));
+        // That the program is wrong goes without saying beside a message.
+        let categories = [Kind::Unsupported, Kind::Machine].map(|own| labels::category(own, language));
+        assert_eq!(words("kind"), ["", categories[0], categories[1]]);
+    }
 }

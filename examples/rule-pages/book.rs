@@ -124,7 +124,7 @@ impl<'a> Shown<'a> {
             format!("<span class=\"severity {}\">{severity}</span>", self.severity.name()),
             codes.join(" "),
             format!("<code>{slug}</code>"),
-            labels::matter(*kind, language).to_owned(),
+            labels::category(*kind, language).to_owned(),
         ];
         if !alarms.is_empty() {
             metadata.push(format!("{} {}", words.alarm, alarms.join(", ")));

@@ -10,7 +10,7 @@ use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
 use crate::playback::clock::{Clock, Playhead, stop_at};
 use crate::playback::timing::{self, Total};
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::ToolKind;
 
 #[cfg(target_arch = "wasm32")]
@@ -53,15 +53,9 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
-    /// What kind of tool it is.
+    /// What kind of tool it is, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(
-        target_arch = "wasm32",
-        tsify(
-            optional,
-            type = "\"turning\" | \"boring\" | \"grooving\" | \"threading\" | \"drill\" | \"tap\" | \"endmill\""
-        )
-    )]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool_kind: Option<&'static str>,
     /// Nobody has said so: it is concluded from what the program does with it.
     pub tool_inferred: bool,
@@ -133,8 +127,9 @@ impl Readout {
             elapsed: Time::new(&reading.time),
             total: Time::new(&whole.time),
             tool: tool_name(motion.process.tool),
-            tool_kind: resolved_tool
-                .map(|resolved_tool| resolved_tool.tool.kind.unwrap_or(ToolKind::Turning).name()),
+            tool_kind: resolved_tool.map(|resolved_tool| {
+                labels::tool_kind(resolved_tool.tool.kind.unwrap_or(ToolKind::Turning), language)
+            }),
             tool_inferred: resolved_tool.is_some_and(|resolved_tool| {
                 resolved_tool.basis == Basis::Inferred || resolved_tool.tool.kind.is_none()
             }),

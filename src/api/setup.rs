@@ -185,7 +185,7 @@ impl SetupOverview {
         };
         let tools = resolved.tools().map(|tool| ToolOverview {
             station: tool.station,
-            kind: labels::kind(tool.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
+            kind: labels::tool_kind(tool.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
             known: name(tool.basis),
         });
         Self { stock: resolved.stock().map(|stock| name(stock.1)), tools: tools.collect() }

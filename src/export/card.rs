@@ -513,7 +513,7 @@ mod tests {
             " passes",
             "coolant off",
             "program end",
-            "<td>T0101</td><td>turning CNMG120408</td><td>0.8 mm</td><td>3</td><td>800 rpm, 0.25 mm/rev; 800 rpm, 0.1 mm/rev</td>",
+            "<td>T0101</td><td>turning tool CNMG120408</td><td>0.8 mm</td><td>3</td><td>800 rpm, 0.25 mm/rev; 800 rpm, 0.1 mm/rev</td>",
         ] {
             assert!(page.contains(wanted), "{wanted} in\n{page}");
         }

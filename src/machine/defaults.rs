@@ -41,7 +41,7 @@ pub fn with_defaults(tool: &Tool) -> Tool {
         }
         ToolKind::Tap => complete.diameter = tool.diameter.or(Some(DRILL)),
         ToolKind::Endmill => {
-            let diameter = tool.tool_radius.map(|radius| 2.0 * radius);
+            let diameter = tool.cutter_radius().map(|radius| 2.0 * radius);
             complete.diameter = tool.diameter.or(diameter).or(Some(DRILL));
         }
     }

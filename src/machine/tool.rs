@@ -103,8 +103,7 @@ impl Shape {
                 (Action::Turning, edge, body)
             }
             ToolKind::Endmill => {
-                let radius =
-                    tool.tool_radius.or(tool.diameter.map(|diameter| diameter / 2.0)).unwrap_or(DRILL / 2.0);
+                let radius = tool.cutter_radius().unwrap_or(DRILL / 2.0);
                 (Action::Live, Outline::around(rectangle((0.0, LONG / 10.0), (-radius, radius))), None)
             }
         };

@@ -157,7 +157,7 @@ fn in_plane(motion: &Motion, moved: &VirtualMove) -> Motion {
 /// The radius of a live cutter, mm, where somebody has said it.
 fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
     let tool = &resolved_tool.tool;
-    let radius = tool.tool_radius.or(tool.diameter.map(|diameter| diameter / 2.0)).or(tool.geometry_r)?;
+    let radius = tool.cutter_radius().or(tool.geometry_r)?;
     (radius > 0.0 && radius.is_finite()).then_some(radius)
 }
 

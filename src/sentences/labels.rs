@@ -32,7 +32,7 @@ pub fn severity(severity: Severity, language: Language) -> &'static str {
 }
 
 /// The name of a category of messages.
-pub fn matter(kind: Kind, language: Language) -> &'static str {
+pub fn category(kind: Kind, language: Language) -> &'static str {
     language.among(match kind {
         Kind::Wrong => ["error in the program", "程序有误", "ошибка в программе"],
         Kind::Unsupported => ["not supported here", "此处不支持", "здесь не поддерживается"],
@@ -131,13 +131,13 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// What a kind of tool is called.
-pub fn kind(kind: ToolKind, language: Language) -> &'static str {
+/// What a kind of tool is called, wherever it is named: form, readout, setup sheet.
+pub fn tool_kind(kind: ToolKind, language: Language) -> &'static str {
     language.among(match kind {
-        ToolKind::Turning => ["turning", "车刀", "проходной"],
-        ToolKind::Boring => ["boring", "镗刀", "расточной"],
-        ToolKind::Grooving => ["grooving", "切槽刀", "канавочный"],
-        ToolKind::Threading => ["threading", "螺纹刀", "резьбовой"],
+        ToolKind::Turning => ["turning tool", "车刀", "проходной резец"],
+        ToolKind::Boring => ["boring bar", "镗刀", "расточной резец"],
+        ToolKind::Grooving => ["grooving tool", "切槽刀", "канавочный резец"],
+        ToolKind::Threading => ["threading tool", "螺纹刀", "резьбовой резец"],
         ToolKind::Drill => ["drill", "钻头", "сверло"],
         ToolKind::Tap => ["tap", "丝锥", "метчик"],
         ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
@@ -167,7 +167,7 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         _ => ToolKind::ALL
             .into_iter()
             .find(|kind| kind.name() == choice)
-            .map_or(choice, |own| kind(own, language)),
+            .map_or(choice, |own| tool_kind(own, language)),
     }
 }
 

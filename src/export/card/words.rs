@@ -1,7 +1,7 @@
 //! The words of the setup sheet in every language. A card without a translation does not compile.
 
 use crate::control::codes::Function;
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::{Side, ToolKind};
 
 /// What is printed on a card.
@@ -86,27 +86,19 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
     Some(text.to_owned())
 }
 
-/// The name of a kind of tool.
+/// The name of a kind of tool, with the side it works on where that is not the outside.
 pub(super) fn tool_kind(kind: ToolKind, side: Side, language: Language) -> String {
-    let [en, zh, ru] = match kind {
-        ToolKind::Turning => ["turning", "车刀", "проходной резец"],
-        ToolKind::Boring => ["boring", "镗刀", "расточной резец"],
-        ToolKind::Grooving => ["grooving", "切槽刀", "канавочный резец"],
-        ToolKind::Threading => ["threading", "螺纹刀", "резьбовой резец"],
-        ToolKind::Drill => ["drill", "钻头", "сверло"],
-        ToolKind::Tap => ["tap", "丝锥", "метчик"],
-        ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
-    };
-    let [side_en, side_zh, side_ru] = match (kind, side) {
+    let [english, chinese, russian] = match (kind, side) {
         (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => [", inside", "（内）", ", внутренний"],
         (ToolKind::Grooving | ToolKind::Threading, Side::Face) => [", face", "（端面）", ", торцовый"],
         _ => ["", "", ""],
     };
-    match language {
-        Language::English => [en, side_en].concat(),
-        Language::Chinese => [zh, side_zh].concat(),
-        Language::Russian => [ru, side_ru].concat(),
-    }
+    let side = match language {
+        Language::English => english,
+        Language::Chinese => chinese,
+        Language::Russian => russian,
+    };
+    [labels::tool_kind(kind, language), side].concat()
 }
 
 static EN: Words = Words {
