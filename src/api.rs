@@ -3,7 +3,7 @@
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
 //! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
 
-mod assumed;
+mod inferred_stock;
 pub mod paste;
 mod readout;
 mod rewrite;
@@ -11,7 +11,7 @@ pub mod setup;
 
 use serde::Serialize;
 
-pub use assumed::{AssumedStock, StockRow};
+pub use inferred_stock::{InferredStock, StockRow};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 
@@ -23,8 +23,8 @@ use crate::machine::feature::{Feature, Shape};
 use crate::machine::region::{Piece, Region};
 use crate::message::{self, Severity};
 use crate::motion::{self, MotionKind, Motions, StopKind};
-use crate::playback::tally::Tally;
 use crate::playback::timing;
+use crate::playback::totals::ToolTotals;
 use crate::run::Run;
 use crate::sentences::{Language, describe_motion};
 use crate::setup::Machine;
@@ -525,17 +525,17 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// The row of a tally.
-    pub fn new(tally: &Tally) -> Self {
+    /// The row of totals.
+    pub fn new(own: &ToolTotals) -> Self {
         Self {
-            tool: tool_name(tally.tool),
-            seconds: rounded(tally.time.known),
-            unknown_cuts: tally.time.unknown_cuts,
-            unknown_rapids: tally.time.unknown_rapids,
-            cut: rounded(tally.cut),
-            rapid: rounded(tally.rapid),
-            low: tally.extents.map(|extents| place(extents.min)),
-            high: tally.extents.map(|extents| place(extents.max)),
+            tool: tool_name(own.tool),
+            seconds: rounded(own.time.known),
+            unknown_cuts: own.time.unknown_cuts,
+            unknown_rapids: own.time.unknown_rapids,
+            cut: rounded(own.cut),
+            rapid: rounded(own.rapid),
+            low: own.extents.map(|extents| place(extents.min)),
+            high: own.extents.map(|extents| place(extents.max)),
         }
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! In: the text, its edits and the setup; slices of time; where the reader looks and what the reader picks out. Out:
 //! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: all that is
-//! worked out of a run is one value, `Known`, which `Current::begin` replaces as a whole when the next run begins; and
-//! nothing of the part is there before all its material is off ([`crate::machine::Machining`]). Must not know of canvases, nor
+//! worked out of a run is one value, `Derived`, which `Current::begin` replaces as a whole when the next run begins; and
+//! nothing of the part is there before all its material is off ([`crate::machine::Simulation`]). Must not know of canvases, nor
 //! of JavaScript.
 
 mod machined;
@@ -15,15 +15,15 @@ use std::cell::OnceCell;
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
 use crate::machine::feature::{self, Feature};
-use crate::machine::fitting::Fitting;
 use crate::machine::region::Region;
-use crate::machine::{Advanced, Machining, Shop};
+use crate::machine::resolved_setup::ResolvedSetup;
+use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::Motions;
 use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
@@ -40,15 +40,15 @@ pub struct Current {
     /// The lines of its text; made when first asked for.
     lines: OnceCell<LineIndex>,
     /// It keeps the boxes of the motions that an edit leaves, and finds out itself which those are.
-    outline: Outline,
-    known: Known,
-    reader: Reader,
+    path_index: PathIndex,
+    derived: Derived,
+    view_state: ViewState,
 }
 
 /// All that is worked out of a run as it is now: another run begins with none of it.
 #[derive(Default)]
-struct Known {
-    /// The outline is of the motions as they are now.
+struct Derived {
+    /// The path index is of the motions as they are now.
     measured: bool,
     /// The clock of the motions as they are now; made when first asked for.
     clock: OnceCell<Clock>,
@@ -56,7 +56,7 @@ struct Known {
 }
 
 /// What belongs to the reader, and stays from one run to the next.
-struct Reader {
+struct ViewState {
     /// How each picture is looked at. What is picked out and where the tool is stands in that of the section; the face follows.
     views: PerPlane<View>,
     /// Place of the cursor, UTF-16 offset.
@@ -74,7 +74,7 @@ enum Material {
     #[default]
     Untouched,
     /// It is being taken off, which nobody sees.
-    UnderWay(Box<Machining>),
+    UnderWay(Box<Simulation>),
     /// It is off.
     Off(Box<Machined>),
 }
@@ -82,8 +82,8 @@ enum Material {
 impl Current {
     /// Begins a run; its picture is 300 × 150 CSS pixels large, as a canvas is.
     pub fn new(text: Vec<u8>, setup: Setup) -> Self {
-        let (run, outline) = (Run::new(text, setup), Outline::new());
-        let scene = Scene::new(run.motions(), &outline, None);
+        let (run, path_index) = (Run::new(text, setup), PathIndex::new());
+        let scene = Scene::new(run.motions(), &path_index, None);
         let views = PerPlane::new(|plane| {
             let height = match plane {
                 Plane::Section => 150.0,
@@ -91,8 +91,8 @@ impl Current {
             };
             View::new(&scene.on(plane), Size { width: 300.0, height })
         });
-        let reader = Reader { views, cursor: None, turret: None, kept: None };
-        Self { run, lines: OnceCell::new(), outline, known: Known::default(), reader }
+        let view_state = ViewState { views, cursor: None, turret: None, kept: None };
+        Self { run, lines: OnceCell::new(), path_index, derived: Derived::default(), view_state }
     }
 
     // ---- from one run to the next ---------------------------------------------------------------------
@@ -134,9 +134,9 @@ impl Current {
     /// The only way from one run to the next: what is known of the run goes, what belongs to the reader stays.
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
         change(&mut self.run, &mut self.lines);
-        self.known = Known::default();
+        self.derived = Derived::default();
         // Strokes are picked out by their numbers, which are those of other strokes now.
-        let (section, face) = self.reader.views.both_mut();
+        let (section, face) = self.view_state.views.both_mut();
         (*section, *face) = (section.bare(None), face.bare(None));
     }
 
@@ -157,63 +157,65 @@ impl Current {
 
     /// There are more motions than there were.
     fn grown(&mut self) {
-        self.known.measured = false;
-        self.known.clock = OnceCell::new();
+        self.derived.measured = false;
+        self.derived.clock = OnceCell::new();
     }
 
     // ---- the material ---------------------------------------------------------------------------------
 
     /// Takes the material of at most so many motions off, once the run has ended; true when all is off.
-    pub fn machine(&mut self, motions: usize) -> bool {
+    pub fn remove_material(&mut self, motions: usize) -> bool {
         if !self.run.is_finished() {
             return false;
         }
-        match std::mem::replace(&mut self.known.material, Material::Untouched) {
-            Material::Off(machined) => self.known.material = Material::Off(machined),
+        match std::mem::replace(&mut self.derived.material, Material::Untouched) {
+            Material::Off(machined) => self.derived.material = Material::Off(machined),
             Material::Untouched => {
-                let machining = Machining::new(self.run.motions(), self.run.setup());
-                self.take_off(machining, motions);
+                let simulation = Simulation::new(self.run.motions(), self.run.setup());
+                self.remove(simulation, motions);
             }
-            Material::UnderWay(machining) => self.take_off(*machining, motions),
+            Material::UnderWay(simulation) => self.remove(*simulation, motions),
         }
-        matches!(self.known.material, Material::Off(_))
+        matches!(self.derived.material, Material::Off(_))
     }
 
-    fn take_off(&mut self, machining: Machining, motions: usize) {
-        match machining.advance(self.run.motions(), motions) {
-            Advanced::UnderWay(machining) => self.known.material = Material::UnderWay(Box::new(machining)),
-            Advanced::Done(shop) => self.machined(shop),
+    fn remove(&mut self, simulation: Simulation, motions: usize) {
+        match simulation.advance(self.run.motions(), motions) {
+            SimulationStep::UnderWay(simulation) => {
+                self.derived.material = Material::UnderWay(Box::new(simulation))
+            }
+            SimulationStep::Done(simulation) => self.finish_material(simulation),
         }
     }
 
     /// Takes no more material off; a message says so.
     pub fn stop_machining(&mut self) {
-        match std::mem::replace(&mut self.known.material, Material::Untouched) {
-            Material::UnderWay(machining) => self.machined(machining.stop()),
-            other => self.known.material = other,
+        match std::mem::replace(&mut self.derived.material, Material::Untouched) {
+            Material::UnderWay(simulation) => self.finish_material(simulation.stop()),
+            other => self.derived.material = other,
         }
     }
 
     /// Takes off what is still to be taken off, of a program that has run.
     pub fn finish_part(&mut self) {
-        while self.run.is_finished() && !self.machine(usize::MAX) {}
+        while self.run.is_finished() && !self.remove_material(usize::MAX) {}
     }
 
     /// Share of the material that has been taken off, 0 to 1.
     pub fn machining_progress(&self) -> f64 {
-        match &self.known.material {
+        match &self.derived.material {
             Material::Untouched => 0.0,
-            Material::UnderWay(machining) => machining.progress(),
+            Material::UnderWay(simulation) => simulation.progress(),
             Material::Off(_) => 1.0,
         }
     }
 
-    fn machined(&mut self, shop: Shop) {
-        // The outline may still be that of the program before.
+    fn finish_material(&mut self, simulation: SimulationResult) {
+        // The path index may still be that of the program before.
         self.measure();
-        let mut machined = Machined::new(shop, self.run.motions());
-        machined.compare(&self.run, self.reader.kept.as_ref());
-        self.known.material = Material::Off(Box::new(machined));
+        let mut machined = Machined::new(simulation, self.run.motions());
+        machined.compare(&self.run, self.view_state.kept.as_ref());
+        self.derived.material = Material::Off(Box::new(machined));
         self.section_mut().edge.clear();
         self.show();
         self.turn();
@@ -240,7 +242,7 @@ impl Current {
 
     /// How far the run is.
     pub fn stage(&self) -> Stage {
-        match &self.known.material {
+        match &self.derived.material {
             Material::Off(_) => Stage::Whole,
             Material::Untouched | Material::UnderWay(_) if self.run.is_finished() => Stage::Path,
             Material::Untouched | Material::UnderWay(_) => Stage::Running,
@@ -248,16 +250,16 @@ impl Current {
     }
 
     /// The program at the machine, once all material is off.
-    pub fn shop(&self) -> Option<&Shop> {
-        self.machined_part().map(Machined::shop)
+    pub fn simulation(&self) -> Option<&SimulationResult> {
+        self.machined_part().map(Machined::simulation)
     }
 
     /// Tools and blank, once the program has run and material is taken off.
-    pub fn fitting(&self) -> Option<&Fitting> {
-        match &self.known.material {
+    pub fn resolved_setup(&self) -> Option<&ResolvedSetup> {
+        match &self.derived.material {
             Material::Untouched => None,
-            Material::UnderWay(machining) => Some(machining.fitting()),
-            Material::Off(machined) => Some(machined.shop().fitting()),
+            Material::UnderWay(simulation) => Some(simulation.resolved_setup()),
+            Material::Off(machined) => Some(machined.simulation().resolved_setup()),
         }
     }
 
@@ -284,17 +286,17 @@ impl Current {
 
     /// The clock of the motions.
     pub fn clock(&self) -> &Clock {
-        self.known.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
+        self.derived.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
     }
 
     /// Length of the whole path, mm.
     pub fn path_length(&mut self) -> f64 {
         self.measure();
-        self.outline.length()
+        self.path_index.length()
     }
 
     fn machined_part(&self) -> Option<&Machined> {
-        match &self.known.material {
+        match &self.derived.material {
             Material::Off(machined) => Some(machined),
             Material::Untouched | Material::UnderWay(_) => None,
         }
@@ -304,7 +306,7 @@ impl Current {
 
     /// How a picture is looked at.
     pub fn view(&self, plane: Plane) -> &View {
-        &self.reader.views[plane]
+        &self.view_state.views[plane]
     }
 
     /// Changes how a picture is looked at.
@@ -332,9 +334,9 @@ impl Current {
 
     /// Lights up the strokes of the block at an offset.
     pub fn set_cursor(&mut self, offset: Option<u32>) {
-        self.reader.cursor = offset;
+        self.view_state.cursor = offset;
         // Measuring does it too.
-        if self.known.measured {
+        if self.derived.measured {
             self.light_up();
         }
     }
@@ -344,6 +346,13 @@ impl Current {
         let motion = motion.filter(|&index| index < self.run.motions().len());
         self.section_mut().hover = motion;
         self.name_steps();
+    }
+
+    /// Chooses the unit symbol of the rulers, that of the reader's language.
+    pub fn set_unit_symbol(&mut self, millimetre: &'static str) {
+        // The face follows the section, but only once something moves on it.
+        let (section, face) = self.view_state.views.both_mut();
+        (section.millimetre, face.millimetre) = (millimetre, millimetre);
     }
 
     /// Puts the tool somewhere; nothing shows all strokes and no tool.
@@ -361,26 +370,26 @@ impl Current {
 
     /// Puts the turret on a side; nothing leaves it where the setup has it.
     pub fn set_turret(&mut self, turret: Option<Turret>) {
-        self.reader.turret = turret;
+        self.view_state.turret = turret;
         self.turn();
     }
 
     /// The side the turret is drawn on.
     pub fn turret(&self) -> Turret {
-        self.reader.turret.unwrap_or(self.run.setup().machine.turret)
+        self.view_state.turret.unwrap_or(self.run.setup().machine.turret)
     }
 
     /// Keeps the part of this program, if there is one, to lay those of later runs over it.
     pub fn keep(&mut self) {
         if self.part().is_some() {
-            self.reader.kept = Some(Kept::of(&self.run));
+            self.view_state.kept = Some(Kept::of(&self.run));
             self.compare();
         }
     }
 
     /// Ends the comparison.
     pub fn end_comparison(&mut self) {
-        self.reader.kept = None;
+        self.view_state.kept = None;
         self.compare();
     }
 
@@ -411,7 +420,7 @@ impl Current {
 
     /// The strokes of the section, without the work.
     pub fn scene(&self) -> Scene<'_> {
-        Scene::new(self.run.motions(), &self.outline, None)
+        Scene::new(self.run.motions(), &self.path_index, None)
     }
 
     /// A picture as it is to be painted: the section always, the end face where anything moves on it.
@@ -432,53 +441,53 @@ impl Current {
 
     /// How the section is looked at, which says too what is picked out and where the tool is.
     fn section(&self) -> &View {
-        &self.reader.views[Plane::Section]
+        &self.view_state.views[Plane::Section]
     }
 
     fn section_mut(&mut self) -> &mut View {
-        &mut self.reader.views[Plane::Section]
+        &mut self.view_state.views[Plane::Section]
     }
 
     /// What there is to see in a picture, and how it is looked at.
     fn looked_at(&mut self, plane: Plane) -> (Scene<'_>, &mut View) {
-        let Self { run, outline, known, reader, .. } = self;
-        let machined = match &known.material {
+        let Self { run, path_index, derived, view_state, .. } = self;
+        let machined = match &derived.material {
             Material::Off(machined) => Some(machined),
             Material::Untouched | Material::UnderWay(_) => None,
         };
         let work = machined.and_then(|machined| machined.work(plane));
         let face = machined.and_then(|machined| machined.face());
         let scene = match (plane, face) {
-            (Plane::Section, _) => Scene::new(run.motions(), outline, work),
+            (Plane::Section, _) => Scene::new(run.motions(), path_index, work),
             (Plane::Face, Some(face)) => face.scene(work),
             // Where nothing moves on the face there is nothing to fit it to either.
-            (Plane::Face, None) => Scene::new(run.motions(), outline, None).on(Plane::Face),
+            (Plane::Face, None) => Scene::new(run.motions(), path_index, None).on(Plane::Face),
         };
-        (scene, &mut reader.views[plane])
+        (scene, &mut view_state.views[plane])
     }
 
     /// Brings everything that is shown to where the tool stands.
     fn show(&mut self) {
         self.measure();
         let place = self.section().playhead.and_then(|playhead| self.scene().place(playhead));
-        let Self { run, known, reader, .. } = self;
-        let Material::Off(machined) = &mut known.material else { return };
+        let Self { run, derived, view_state, .. } = self;
+        let Material::Off(machined) = &mut derived.material else { return };
         machined.show(run.motions(), place);
         if let Some(face) = machined.face() {
-            follow(&mut reader.views, face, place);
+            follow(&mut view_state.views, face, place);
         }
     }
 
     /// Measures what has run since the last time; the picture is only measured when it is asked for.
     fn measure(&mut self) {
-        if self.known.measured {
+        if self.derived.measured {
             return;
         }
-        self.known.measured = true;
-        self.outline.update(self.run.motions());
+        self.derived.measured = true;
+        self.path_index.update(self.run.motions());
         // Until then the picture that is shown is of the last run, or moved by the reader.
         if self.run.is_finished() {
-            self.outline.settle();
+            self.path_index.settle();
             let (scene, view) = self.looked_at(Plane::Section);
             view.follow(&scene);
         }
@@ -486,17 +495,17 @@ impl Current {
     }
 
     fn turn(&mut self) {
-        // The outline may still be that of the program before.
-        self.outline.update(self.run.motions());
+        // The path index may still be that of the program before.
+        self.path_index.update(self.run.motions());
         let x_plus = XPlus::from(self.turret());
         let (scene, view) = self.looked_at(Plane::Section);
         view.turn(&scene, x_plus);
     }
 
     fn compare(&mut self) {
-        let Self { run, known, reader, .. } = self;
-        if let Material::Off(machined) = &mut known.material {
-            machined.compare(run, reader.kept.as_ref());
+        let Self { run, derived, view_state, .. } = self;
+        if let Material::Off(machined) = &mut derived.material {
+            machined.compare(run, view_state.kept.as_ref());
         }
         self.show();
     }
@@ -504,7 +513,7 @@ impl Current {
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
         let picked =
-            self.reader.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
+            self.view_state.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
         let section = self.section_mut();
         (section.highlight, section.marks) = picked.unwrap_or_default();
         self.name_steps();
@@ -512,8 +521,8 @@ impl Current {
 
     /// Labels the steps of the pass that is picked out.
     fn name_steps(&mut self) {
-        let Self { run, reader, .. } = self;
-        let section = &mut reader.views[Plane::Section];
+        let Self { run, view_state, .. } = self;
+        let section = &mut view_state.views[Plane::Section];
         section.steps = labels(run.motions(), &section.highlight, section.hover);
     }
 }

@@ -4,26 +4,31 @@
 //! that runs into something does so in every pass.
 
 use crate::machine::danger::{Axis, Danger, Finding};
-use crate::machine::fitting::{Fitting, Known};
-use crate::machine::{Full, Shop};
+use crate::machine::resolved_setup::{Basis, ResolvedSetup};
+use crate::machine::{SimulationLimit, SimulationResult};
 use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::source::Span;
 
 /// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has reported.
-pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagnostic]) -> Vec<Diagnostic> {
+pub fn diagnostics(
+    simulation: &SimulationResult,
+    motions: &Motions,
+    levels: &Levels,
+    run: &[Diagnostic],
+) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
-    told.extend(shop.full().map(|full| {
+    told.extend(simulation.limit().map(|full| {
         let message = match full {
-            Full::Motions(most) => Message::PartTooManyMotions { most },
-            Full::Corners(most) => Message::PartTooManyCorners { most },
-            Full::Stopped { done, all } => Message::PartStopped { done, all },
+            SimulationLimit::Motions(most) => Message::PartTooManyMotions { most },
+            SimulationLimit::Corners(most) => Message::PartTooManyCorners { most },
+            SimulationLimit::Stopped { done, all } => Message::PartStopped { done, all },
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
-    told.extend(behind_left_out(shop, motions));
-    told.extend(not_shown(shop.fitting(), motions));
-    for finding in shop.findings() {
+    told.extend(behind_left_out(simulation, motions));
+    told.extend(not_shown(simulation.resolved_setup(), motions));
+    for finding in simulation.findings() {
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was reported so.
         let is_known = |other: &Diagnostic| {
@@ -42,23 +47,23 @@ pub fn diagnostics(shop: &Shop, motions: &Motions, levels: &Levels, run: &[Diagn
 }
 
 /// What is not taken off and not looked at after a block that was not carried out, at the first motion after it.
-fn behind_left_out(shop: &Shop, motions: &Motions) -> Option<Diagnostic> {
-    let first = motions.first_incomplete().filter(|_| shop.full().is_none())?;
+fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
+    let first = motions.first_incomplete().filter(|_| simulation.limit().is_none())?;
     let cuts = motions.uncertain_cuts();
     // Without a blank that somebody has named no collision is looked for at all.
-    let looked_for = shop.fitting().stock().is_some_and(|(_, known)| known == Known::Given);
+    let looked_for = simulation.resolved_setup().stock().is_some_and(|(_, basis)| basis == Basis::Given);
     let message = if cuts == 0 { Message::BehindLeftOut } else { Message::BehindLeftOutCuts { cuts } };
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
 /// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each tool that is not known, at
 /// its first cut. Nothing where no part could be shown anyway.
-pub fn not_shown(fitting: &Fitting, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
-    let has_part = fitting.stock().is_some();
+pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
+    let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
     let elsewhere = elsewhere
         .map(|(first, cuts)| Diagnostic::new(Message::ElsewhereLeftOut { cuts }, motions.span(first)));
-    let unknown = if has_part { fitting.unknown() } else { &[] };
+    let unknown = if has_part { resolved.unknown() } else { &[] };
     let unknown = unknown.iter().map(|&index| {
         let (station, offset) = motions.get(index).process.tool;
         let tool = format!("T{station:02}{offset:02}");

@@ -86,7 +86,41 @@ pub enum Cycle {
     SideBoring = 19,
 }
 
+/// What cycles have in common, for whoever decides by the kind of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CycleFamily {
+    /// One cut along or across the axis in each pass: G90, G94.
+    Turning,
+    /// Threads: G92, G76.
+    Threading,
+    /// Along a contour: G70 to G73.
+    Contour,
+    /// Pecks, along Z or along X: G74, G75.
+    Pecking,
+    /// A hole in the face: G81 to G86.
+    FaceHole,
+    /// A hole in the side: G87 to G89.
+    SideHole,
+}
+
 impl Cycle {
+    /// What it has in common with others.
+    pub fn family(self) -> CycleFamily {
+        match self {
+            Self::Turning | Self::Facing => CycleFamily::Turning,
+            Self::Threading | Self::MultiThreading => CycleFamily::Threading,
+            Self::Finishing | Self::RoughTurning | Self::RoughFacing | Self::Pattern => CycleFamily::Contour,
+            Self::FacePecking | Self::Grooving => CycleFamily::Pecking,
+            Self::Drilling
+            | Self::CounterBoring
+            | Self::FaceDrilling
+            | Self::FaceTapping
+            | Self::FaceBoring
+            | Self::BoringStop => CycleFamily::FaceHole,
+            Self::SideDrilling | Self::SideTapping | Self::SideBoring => CycleFamily::SideHole,
+        }
+    }
+
     /// Its code in G-code system A.
     pub fn code(self) -> &'static str {
         match self {
@@ -849,9 +883,9 @@ impl Motions {
 
     /// Cuts that are uncertain.
     pub fn uncertain_cuts(&self) -> usize {
-        let doubtful = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
+        let chunks = self.chunks.iter().filter(|chunk| chunk.processes.iter().any(|own| own.uncertain));
         let cuts = |chunk: &Chunk, index: &usize| chunk.is_uncertain(*index) && chunk.kind(*index).cuts();
-        doubtful.map(|chunk| (0..chunk.len()).filter(|index| cuts(chunk, index)).count()).sum()
+        chunks.map(|chunk| (0..chunk.len()).filter(|index| cuts(chunk, index)).count()).sum()
     }
 
     fn locate(&self, index: usize) -> (&Chunk, usize) {

@@ -17,12 +17,12 @@ pub struct Repaired {
     /// The new text.
     pub text: Vec<u8>,
     /// What was done, in order of place.
-    pub taken: Vec<Taken>,
+    pub taken: Vec<AppliedFix>,
 }
 
 /// A repair that was made.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Taken {
+pub struct AppliedFix {
     /// The place in the text before all repairs.
     pub span: Span,
     /// What it does.
@@ -43,7 +43,7 @@ pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
         let first = |byte: u32| earlier.iter().rev().fold(byte, |byte, edits| before_edits(byte, edits));
         taken.extend(fixes.iter().filter_map(|fix| {
             let (start, end) = (fix.edits.first()?.span.start, fix.edits.last()?.span.end);
-            Some(Taken { span: Span { start: first(start), end: first(end) }, title: fix.title.clone() })
+            Some(AppliedFix { span: Span { start: first(start), end: first(end) }, title: fix.title.clone() })
         }));
         text = applied(&text, &edits);
         earlier.push(edits);

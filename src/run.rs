@@ -16,11 +16,11 @@ use crate::control::program::Labels;
 use crate::control::words;
 use crate::findings;
 use crate::lint;
-use crate::machine::fitting::Fitting;
-use crate::machine::{Shop, danger};
+use crate::machine::resolved_setup::ResolvedSetup;
+use crate::machine::{SimulationResult, danger};
 use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
-use crate::origin::{self, Bare, Foreign, Numbers, Seen};
+use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup};
@@ -28,7 +28,7 @@ use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
-use edit::{Before, Mark};
+use edit::{Checkpoint, PreviousRun};
 
 /// What a program does and what is to be said of it.
 #[derive(Clone, Debug, Default)]
@@ -48,30 +48,31 @@ pub struct Analysis {
     /// The unit of length at the end of the program.
     pub unit: Unit,
     /// Tools and blank, once somebody has asked for them.
-    fitting: OnceLock<Fitting>,
+    resolved: OnceLock<ResolvedSetup>,
 }
 
 impl Analysis {
     /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first call and kept, so setup
     /// and motions must not change after that.
-    pub fn fitting(&self) -> &Fitting {
-        self.fitting.get_or_init(|| Fitting::new(&self.motions, &self.setup))
+    pub fn resolved_setup(&self) -> &ResolvedSetup {
+        self.resolved.get_or_init(|| ResolvedSetup::new(&self.motions, &self.setup))
     }
 
     /// The program at the machine, with all its material off.
-    pub fn shop(&self) -> Shop {
-        Shop::fitted(self.fitting().clone(), &self.motions, &self.setup)
+    pub fn simulate(&self) -> SimulationResult {
+        SimulationResult::of_resolved(self.resolved_setup().clone(), &self.motions, &self.setup)
     }
 
     /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a machine is given to hold it
     /// against, and which tools are not known.
-    pub fn look_at_machine(&mut self) {
+    pub fn check_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
-            let shop = self.shop();
-            let found = findings::diagnostics(&shop, &self.motions, &self.setup.rules, &self.diagnostics);
+            let simulation = self.simulate();
+            let found =
+                findings::diagnostics(&simulation, &self.motions, &self.setup.rules, &self.diagnostics);
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
-            let left_out = findings::not_shown(self.fitting(), &self.motions);
+            let left_out = findings::not_shown(self.resolved_setup(), &self.motions);
             let left_out: Vec<_> = left_out.filter_map(|told| self.setup.rules.graded(told)).collect();
             self.diagnostics.extend(left_out);
         }
@@ -128,7 +129,7 @@ pub struct Run {
     blocks: usize,
     /// First byte of each O program met, by number.
     programs: BTreeMap<u32, u32>,
-    origin: Origin,
+    recognised: Recognised,
     /// The setup that was handed in, to which the text may add.
     given: Setup,
     /// What the text adds.
@@ -137,7 +138,7 @@ pub struct Run {
     /// is handed in; what is typed after that does not change it.
     decided: Option<DecimalRule>,
     /// What the numbers of the text show, once they are looked at.
-    numbers: Option<Numbers>,
+    numbers: Option<DecimalEvidence>,
     /// Messages reported before the first block.
     of_setup: usize,
     /// Something of the main program was carried out.
@@ -150,28 +151,28 @@ pub struct Run {
     /// All messages in order of their place, once it has ended.
     sorted: Vec<Diagnostic>,
     /// Snapshots on the way, in order.
-    marks: Vec<Mark>,
+    checkpoints: Vec<Checkpoint>,
     /// Blocks read when the next one is to be made at the latest.
     due: usize,
     /// The run before the edit, until its rest is taken over.
-    before: Option<Before>,
+    previous: Option<PreviousRun>,
     /// The byte where it may be met next.
     meeting: u32,
 }
 
-/// Where a text comes from, as far as it can be determined.
+/// Which control a text was written for, as far as that can be determined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Origin {
+struct Recognised {
     foreign: Option<Foreign>,
     system: Option<(GSystem, Span)>,
 }
 
-impl Origin {
+impl Recognised {
     /// What of a text counts under a setup that may leave less open.
-    fn of(seen: &Seen, dialect: &DialectChoice) -> Self {
-        let foreign = seen.foreign.filter(|_| dialect.recognise != Some(false));
+    fn of(shown: &Provenance, dialect: &DialectChoice) -> Self {
+        let foreign = shown.foreign.filter(|_| dialect.recognise != Some(false));
         let is_open = foreign.is_none() && dialect.g_system.is_none();
-        Self { foreign, system: seen.system.filter(|_| is_open) }
+        Self { foreign, system: shown.system.filter(|_| is_open) }
     }
 }
 
@@ -189,13 +190,13 @@ impl Run {
 
     fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
         let notes = Notes::read(&text);
-        let (mut setup, faults) = notes.applied_to(given.clone()).without_faults();
+        let (mut setup, faults) = notes.applied_to(given.clone()).without_invalid_values();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();
         // The numbers beyond the head are read only to decide by them.
-        let seen = if decides { origin::look(&text) } else { origin::look_at_head(&text) };
-        let numbers = decides.then_some(seen.numbers);
+        let shown = if decides { provenance::detect(&text) } else { provenance::detect_in_head(&text) };
+        let numbers = decides.then_some(shown.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());
@@ -208,7 +209,7 @@ impl Run {
             at: Resume::default(),
             blocks: 0,
             programs: BTreeMap::new(),
-            origin: Origin::default(),
+            recognised: Recognised::default(),
             given,
             notes,
             decided,
@@ -219,9 +220,9 @@ impl Run {
             finished: false,
             stopped: false,
             sorted: Vec::new(),
-            marks: Vec::new(),
+            checkpoints: Vec::new(),
             due: 0,
-            before: None,
+            previous: None,
             meeting: u32::MAX,
             text,
         };
@@ -231,16 +232,16 @@ impl Run {
             run.finish();
             return run;
         }
-        run.origin = Origin::of(&seen, &dialect);
-        if let Some(foreign) = run.origin.foreign {
-            run.interpreter.tell(Diagnostic::new(foreign.origin.message(), foreign.evidence));
+        run.recognised = Recognised::of(&shown, &dialect);
+        if let Some(foreign) = run.recognised.foreign {
+            run.interpreter.tell(Diagnostic::new(foreign.target.message(), foreign.evidence));
             run.finish();
             return run;
         }
         for told in run.notes.diagnostics(faults, &run.text) {
             run.interpreter.tell_of_setup(told);
         }
-        if let Some((system, evidence)) = run.origin.system {
+        if let Some((system, evidence)) = run.recognised.system {
             run.interpreter.set_system(system);
             run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
         }
@@ -282,7 +283,7 @@ impl Run {
     /// again.
     pub fn decide_again(&mut self) -> bool {
         let Some(before) = self.decided else { return false };
-        let rule = origin::numbers(&self.text).rule();
+        let rule = provenance::numbers(&self.text).rule();
         if rule == before {
             return false;
         }
@@ -298,8 +299,8 @@ impl Run {
     }
 
     /// A number of the text that shows what numbers without a point count; nothing where none has to be reported.
-    fn bare_number(&self) -> Option<Bare> {
-        let numbers = self.numbers.unwrap_or_else(|| origin::numbers(&self.text));
+    fn bare_number(&self) -> Option<NumberWithoutPoint> {
+        let numbers = self.numbers.unwrap_or_else(|| provenance::numbers(&self.text));
         match self.decimal_rule() {
             DecimalRule::LeastIncrement if self.decided.is_some() => numbers.example(),
             DecimalRule::LeastIncrement => None,
@@ -451,8 +452,8 @@ impl Run {
         let setup = interpreter.setup().clone();
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
-        let fitting = OnceLock::new();
-        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, fitting }
+        let resolved = OnceLock::new();
+        Analysis { motions, diagnostics, blocks: self.blocks, trace, codes, setup, unit, resolved }
     }
 
     /// Begins with another program than the first of the text.
@@ -475,8 +476,8 @@ impl Run {
             self.interpreter.tell_of_setup(told);
         }
         self.begun = false;
-        self.marks.clear();
-        self.before = None;
+        self.checkpoints.clear();
+        self.previous = None;
         self.meeting = u32::MAX;
         self.begin_at(main);
     }
@@ -580,7 +581,7 @@ impl Run {
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
         let setup = self.interpreter.setup();
-        if self.origin.foreign.is_some() || self.stopped || setup.lints == Lints::Off {
+        if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off {
             // Nothing was run, or not all of it; or nobody wants to know.
         } else if self.blocks > most || motions.len() > 10 * most {
             let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));

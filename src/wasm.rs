@@ -29,10 +29,11 @@ use crate::findings;
 use crate::geometry::Point;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
-use crate::playback::tally::tally;
+use crate::playback::totals::totals;
 use crate::scene::canvas::Painter;
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::Setup;
+use crate::setup::fields::Unit;
 use crate::text::highlight::highlight;
 
 /// A program, its run and its picture.
@@ -120,10 +121,11 @@ impl Playground {
         Ok(())
     }
 
-    /// Chooses the language of the messages: `en`, `zh` or `ru`.
+    /// Chooses the language of the messages and the pictures: `en`, `zh` or `ru`.
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
+        self.current.set_unit_symbol(labels::unit(Unit::Millimetre, self.language));
     }
 
     /// Runs at most so many blocks; true when the run has ended.
@@ -133,8 +135,9 @@ impl Playground {
 
     /// Takes the material of at most so many motions off the blank, once the run has ended; true when there is no more to
     /// do. Messages about what runs into what come with it.
-    pub fn machine(&mut self, motions: u32) -> bool {
-        self.current.machine(motions as usize)
+    #[wasm_bindgen(js_name = removeMaterial)]
+    pub fn remove_material(&mut self, motions: u32) -> bool {
+        self.current.remove_material(motions as usize)
     }
 
     /// Share of the program that has run, 0 to 1.
@@ -164,9 +167,9 @@ impl Playground {
         let places = self.places();
         let run = self.current.run();
         let (levels, told) = (&run.setup().rules, run.diagnostics());
-        let shop = self.current.shop().into_iter();
-        let findings =
-            shop.flat_map(|shop| findings::diagnostics(shop, self.current.motions(), levels, told));
+        let simulation = self.current.simulation().into_iter();
+        let findings = simulation
+            .flat_map(|simulation| findings::diagnostics(simulation, self.current.motions(), levels, told));
         let unit = run.state().unit;
         let findings = findings.map(|found| found.in_unit(unit));
         let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
@@ -236,7 +239,7 @@ impl Playground {
     /// Time, cutting length and extents: of each tool, and at last of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
-        let (tools, all) = tally(self.current.motions(), &self.current.run().setup().machine);
+        let (tools, all) = totals(self.current.motions(), &self.current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
     }
 }

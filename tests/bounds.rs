@@ -63,7 +63,7 @@ fn every_bound_is_exact() {
     for bound in bounds() {
         let slugs = |text: &str| -> Vec<&'static str> {
             let mut analysis = run(bound.slug, &bound.setup, text);
-            analysis.look_at_machine();
+            analysis.check_at_machine();
             analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
         };
         let (within, beyond) = (slugs(&bound.within), slugs(&bound.beyond));

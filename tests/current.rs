@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::current::Current;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::playback::clock::Playhead;
 use gcode_playground::scene::Plane;
 use gcode_playground::scene::camera::{Pixel, Size};
@@ -20,7 +20,7 @@ fn program(id: &str) -> (String, Setup) {
 
 fn run(current: &mut Current) {
     while !current.advance(7) {}
-    while !current.machine(3) {}
+    while !current.remove_material(3) {}
 }
 
 fn fresh(text: &str, setup: &Setup) -> Current {
@@ -60,14 +60,14 @@ fn a_half_cut_part_is_never_shown() {
         assert_eq!(current.stage(), Stage::Path);
         let picture = section(&mut current);
         assert!(picture.scene.work().is_none() && picture.source.stage == Stage::Path);
-        assert!(current.part().is_none() && current.part_shown().is_none() && current.shop().is_none());
-        if current.machine(1) {
+        assert!(current.part().is_none() && current.part_shown().is_none() && current.simulation().is_none());
+        if current.remove_material(1) {
             break;
         }
         slices += 1;
     }
     assert!(slices > 50, "only {slices} slices");
-    let whole = Shop::done(current.motions(), current.run().setup()).finished().expect("a blank");
+    let whole = SimulationResult::of(current.motions(), current.run().setup()).finished().expect("a blank");
     assert_eq!(current.part(), Some(&whole));
     assert_eq!(current.part_shown(), Some(whole));
     let picture = section(&mut current);
@@ -93,7 +93,9 @@ fn nothing_of_a_run_outlives_it() {
         let before = section(&mut current).source;
         change(&mut current);
         assert_eq!(current.stage(), Stage::Running);
-        assert!(current.shop().is_none() && current.face().is_none() && current.fitting().is_none());
+        assert!(
+            current.simulation().is_none() && current.face().is_none() && current.resolved_setup().is_none()
+        );
         let picture = section(&mut current);
         assert_ne!(picture.source.run, before.run);
         assert!(
@@ -106,6 +108,21 @@ fn nothing_of_a_run_outlives_it() {
         let after = section(&mut current).source;
         assert!(after.stage == Stage::Whole && after.run != before.run);
     }
+}
+
+/// The rulers name the unit in the reader's language, whatever runs.
+#[test]
+fn the_unit_symbol_stays_from_run_to_run() {
+    let (text, setup) = program("s003-g71");
+    let mut current = fresh(&text, &setup);
+    current.set_unit_symbol("мм");
+    current.edit(0, 0, "(A)\n");
+    run(&mut current);
+    assert_eq!(section(&mut current).view.millimetre, "мм");
+    let before = section(&mut current).view.clone();
+    current.set_unit_symbol("mm");
+    assert!(!section(&mut current).view.shows_same_ground(&before));
+    assert_eq!(current.view(Plane::Face).millimetre, "mm");
 }
 
 /// A program whose run was stopped has a clock of all motions that it has.
@@ -187,10 +204,10 @@ proptest! {
                     current.edit(from as u32, to as u32, insert);
                 }
                 Act::Advance(blocks) => { current.advance(blocks); }
-                Act::Machine(motions) => { current.machine(motions); }
+                Act::Machine(motions) => { current.remove_material(motions); }
                 // A part that was given up stays so until the next run.
                 Act::StopMachining => {
-                    if current.shop().is_none() {
+                    if current.simulation().is_none() {
                         current.stop_machining();
                         current.set_text(text.clone().into_bytes(), setup.clone());
                     }

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use gcode_playground::analyze;
 use gcode_playground::export::{dxf, stl};
 use gcode_playground::geometry::Point;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
 
@@ -23,7 +23,7 @@ fn parts() -> Vec<(String, Region)> {
     let parts = programs.chain(at_the_axis()).filter_map(|(id, text, setup)| {
         let setup = Setup::from_json(&setup).expect("setup");
         let analysis = analyze(text.as_bytes(), &setup);
-        let part = Shop::done(&analysis.motions, &analysis.setup).finished()?;
+        let part = SimulationResult::of(&analysis.motions, &analysis.setup).finished()?;
         (!part.is_empty()).then_some((id, part))
     });
     let parts: Vec<_> = parts.collect();

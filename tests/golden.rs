@@ -5,11 +5,11 @@
 use std::path::PathBuf;
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Analysis;
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
@@ -31,16 +31,16 @@ fn analysis(id: &str) -> Analysis {
 }
 
 fn section(Analysis { motions, setup, .. }: &Analysis) -> String {
-    let outline = Outline::of(motions);
-    let work = Work::of(&Shop::done(motions, setup), motions, None);
+    let path_index = PathIndex::of(motions);
+    let work = Work::of(&SimulationResult::of(motions, setup), motions, None);
     let x_plus = setup.machine.turret.into();
-    svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
+    svg(&Scene::new(motions, &path_index, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
 }
 
 fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
-    let shop = Shop::done(motions, setup);
-    let face = Face::of(motions, &shop)?;
-    let work = face.work(&shop, None);
+    let simulation = SimulationResult::of(motions, setup);
+    let face = Face::of(motions, &simulation)?;
+    let work = face.work(&simulation, None);
     Some(svg(&face.scene(work.as_ref()), &SvgOptions { width: 720.0, ..SvgOptions::default() }))
 }
 

@@ -1,19 +1,19 @@
 //! The part that a program makes.
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::danger::Danger;
 use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
 
-fn shop(program: &str, setup: &str) -> Shop {
+fn simulation(program: &str, setup: &str) -> SimulationResult {
     let setup = Setup::from_json(setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    Shop::done(&analysis.motions, &setup)
+    SimulationResult::of(&analysis.motions, &setup)
 }
 
 fn part(program: &str, setup: &str) -> Region {
-    shop(program, setup).finished().expect("a blank")
+    simulation(program, setup).finished().expect("a blank")
 }
 
 fn folder(name: &str) -> (String, String) {
@@ -55,7 +55,7 @@ fn check_danger_with(more: &str, program: &str, expected: &[(&str, u32)]) {
     let setup = format!(r#"{{{more} {STOCK}, "tools": {{{TOOLS}}}, "machine": {{{travel}}}}}"#);
     let setup = Setup::from_json(&setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let shop = Shop::done(&analysis.motions, &setup);
+    let simulation = SimulationResult::of(&analysis.motions, &setup);
     let named = |finding: &gcode_playground::machine::danger::Finding| {
         let name = format!("{:?}", finding.danger);
         (
@@ -63,7 +63,7 @@ fn check_danger_with(more: &str, program: &str, expected: &[(&str, u32)]) {
             analysis.motions.line(finding.motion) + 1,
         )
     };
-    let found: Vec<_> = shop.findings().iter().map(named).collect();
+    let found: Vec<_> = simulation.findings().iter().map(named).collect();
     let found: Vec<_> = found.iter().map(|(name, line)| (name.as_str(), *line)).collect();
     assert_eq!(found, expected, "{program}");
 }
@@ -154,9 +154,9 @@ fn what_nobody_knows_is_no_danger() {
     let stock = Setup::from_json(&format!("{{{STOCK}}}")).expect("a setup");
     let findings = |program: &str| {
         let analysis = analyze(program.as_bytes(), &stock);
-        Shop::done(&analysis.motions, &stock).findings().len()
+        SimulationResult::of(&analysis.motions, &stock).findings().len()
     };
-    // What a guessed insert leaves at its trailing edge.
+    // What an inferred insert leaves at its trailing edge.
     assert_eq!(findings("G00 X64 Z-2\nG01 X28 F1\nG00 X64\nZ-5\nG01 X28\nG00 Z2"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X59.5\nG00 Z-5"), 0);
     assert_eq!(findings("G00 X64 Z2\nG00 X57\nG00 Z-5"), 1);
@@ -200,13 +200,13 @@ fn a_threading_tool_reaches_a_shoulder_behind_its_relief_groove() {
         r#", "T0303": {"type": "threading", "edgeLength": 2.9}"#,
     ] {
         let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
-        let shop = shop(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}{thread}}}}}"#));
-        let found: Vec<_> = shop.findings().iter().map(|found| (found.motion, found.danger)).collect();
+        let simulation = simulation(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}{thread}}}}}"#));
+        let found: Vec<_> = simulation.findings().iter().map(|found| (found.motion, found.danger)).collect();
         assert!(
             found.iter().all(|(_, danger)| matches!(danger, Danger::ToolNotListed { .. })),
             "{thread}: {found:?}"
         );
-        let part = shop.finished().expect("a blank");
+        let part = simulation.finished().expect("a blank");
         check_diameters(&part, -25.01, &[(0.0, 42.0)]);
         check_diameters(&part, -24.99, &[(0.0, 16.4)]);
         // From Z6 on a notch each 2.5 mm, and a crest between two.
@@ -219,9 +219,9 @@ fn a_threading_tool_reaches_a_shoulder_behind_its_relief_groove() {
 fn a_threading_tool_with_long_edges_cuts_a_shoulder_away() {
     let stock = r#""stock": {"diameter": 42, "length": 60}, "dialect": {"threadChamfer": 0}"#;
     let tools = r#""T0101": {"type": "turning"}, "T0202": {"type": "grooving", "width": 3}, "T0303": {"type": "threading", "edgeLength": 12}"#;
-    let shop = shop(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
-    assert!(shop.findings().iter().any(|found| found.danger == Danger::RapidThroughStock));
-    assert!(shop.finished().expect("a blank").radii(-25.01)[0].1 < 21.0);
+    let simulation = simulation(TO_A_SHOULDER, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
+    assert!(simulation.findings().iter().any(|found| found.danger == Danger::RapidThroughStock));
+    assert!(simulation.finished().expect("a blank").radii(-25.01)[0].1 < 21.0);
 }
 
 /// The holder of a tool that stands out by 8 mm meets a shoulder that is 11 mm high.
@@ -234,8 +234,8 @@ fn the_holder_of_a_threading_tool_meets_a_high_shoulder() {
             r#""T0101": {{"type": "turning"}}, "T0202": {{"type": "grooving", "width": 3}},
             "T0303": {{"type": "threading", "insert": "{insert}", "reach": {reach}}}"#
         );
-        let shop = shop(program, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
-        shop.findings().iter().map(|found| found.danger).collect::<Vec<_>>()
+        let simulation = simulation(program, &format!(r#"{{{stock}, "tools": {{{tools}}}}}"#));
+        simulation.findings().iter().map(|found| found.danger).collect::<Vec<_>>()
     };
     assert_eq!(dangers(TO_A_SHOULDER, "16ER", 8), []);
     assert!(dangers(&deep, "16ER", 8).contains(&Danger::HolderInStock));
@@ -257,7 +257,7 @@ fn threads_that_start_within_the_work() {
             "O1 (STOCK D=60 BORE=20 LENGTH=100)\nG99 T0505\nG97 S300 M3\nG0 {start}\n{blocks}\nG0 X100 Z100\nM30"
         );
         let mut analysis = analyze(program.as_bytes(), &Setup::default());
-        analysis.look_at_machine();
+        analysis.check_at_machine();
         let starts = [
             "start-behind-face",
             "cycle-starts-in-stock",
@@ -288,7 +288,7 @@ fn threads_that_start_in_a_groove() {
     let program = "O1 (STOCK D=60 LENGTH=100)\n(TOOL T0303 TYPE=GROOVING WIDTH=6)\nG99 T0303\nG97 S300 M3\n\
                    G0 X64 Z-32\nG1 X50 F.1\nG0 X64\nG0 Z100\nT0505\nG0 X64 Z-29\nG92 X59.2 Z5 F2\nX58.6\nG0 X100 Z100\nM30";
     let mut analysis = analyze(program.as_bytes(), &Setup::default());
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     let slugs: Vec<_> = analysis.diagnostics.iter().map(|found| found.message.slug()).collect();
     assert!(!slugs.contains(&"start-behind-face"), "{slugs:?}");
 }

@@ -3,8 +3,9 @@
 
 use gcode_playground::analyze;
 use gcode_playground::findings;
-use gcode_playground::machine::Shop;
-use gcode_playground::message::{Diagnostic, Severity};
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::message::{Diagnostic, Kind, Severity};
+use gcode_playground::sentences::{Language, labels};
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
 
@@ -429,8 +430,8 @@ fn numbers_and_words_are_named_as_they_are_written() {
 fn places_at_the_machine_are_told_in_hundredths() {
     let setup = Setup::from_json(r#"{"stock": {"diameter": 50, "length": 60}}"#).expect("setup");
     let analysis = analyze(b"T0101\nG0 X60 Z0.123\nX41.12345 Z-20.6789", &setup);
-    let shop = Shop::done(&analysis.motions, &setup);
-    let told = findings::diagnostics(&shop, &analysis.motions, &setup.rules, &analysis.diagnostics);
+    let simulation = SimulationResult::of(&analysis.motions, &setup);
+    let told = findings::diagnostics(&simulation, &analysis.motions, &setup.rules, &analysis.diagnostics);
     let sentence = told.first().expect("told").message.sentence(Default::default()).message;
     let decimals = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     assert!(
@@ -510,7 +511,7 @@ fn repairs_of_what_was_likely_meant() {
 #[track_caller]
 fn check_levels(setup: &str, program: &str, expected: &[(&str, Severity)]) {
     let mut analysis = analyze(program.as_bytes(), &Setup::from_json(setup).expect("setup"));
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     let told: Vec<_> =
         analysis.diagnostics.iter().map(|found| (found.message.slug(), found.severity)).collect();
     assert_eq!(told, expected, "{setup}\n{program}");
@@ -548,7 +549,7 @@ fn messages_of_the_machine_have_levels_too() {
     let program = "(STOCK D=60 LENGTH=80)\nT0101 M3 S500\nG00 X70 Z2\nG00 X40 Z-30\nG00 Z2\nM30\n";
     let usual = |program: &str, levels: &str| {
         let mut analysis = analyze(format!("{program}{levels}").as_bytes(), &Setup::default());
-        analysis.look_at_machine();
+        analysis.check_at_machine();
         let of_rule = |found: &&Diagnostic| found.message.slug() == "rapid-through-stock";
         analysis.diagnostics.iter().filter(of_rule).map(|found| found.severity).max()
     };
@@ -626,4 +627,22 @@ fn a_block_of_a_cycle_without_an_axis_makes_no_pass() {
     check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nG1 X90 F50"));
     check(&format!("{start}  F80\n//^^^ W-CYCLE-NO-AXIS\nG0 X100\nM30"));
     check(&format!("{start}M8\nG4 X1\nG0 X100"));
+}
+
+/// The page translates severity and category itself: its table and that of the command line must agree.
+#[test]
+fn the_page_names_severities_and_categories_as_the_command_line_does() {
+    let table = std::fs::read_to_string("www/src/editor/problem-words.ts").expect("the table of the page");
+    for language in Language::ALL {
+        let own = table.split(&format!("  {}: {{", language.tag())).nth(1).expect("a table of each language");
+        let words = |name: &str| -> Vec<String> {
+            let row = own.split(&format!("{name}: {{")).nth(1).and_then(|rest| rest.split('}').next());
+            row.expect("a row").split('\'').skip(1).step_by(2).map(str::to_owned).collect()
+        };
+        let severities = [Severity::Error, Severity::Warning, Severity::Info];
+        assert_eq!(words("severity"), severities.map(|own| labels::severity(own, language)));
+        // That the program is wrong goes without saying beside a message.
+        let categories = [Kind::Unsupported, Kind::Machine].map(|own| labels::category(own, language));
+        assert_eq!(words("kind"), ["", categories[0], categories[1]]);
+    }
 }

@@ -18,7 +18,7 @@ mod text;
 use std::collections::BTreeMap;
 
 use classes::{CLASSES, Class, Mutant, Need, Place};
-use gcode_playground::machine::guess::Guesses;
+use gcode_playground::machine::inferred::InferredSetup;
 use gcode_playground::message::{Diagnostic, Fix, Severity};
 use gcode_playground::motion::{Motion, MotionKind, Motions, Process};
 use gcode_playground::run::{Analysis, Run};
@@ -84,9 +84,9 @@ impl Correct {
         let mut setup = Setup::from_json(setup).expect(&id);
         let first = run(&text, &setup);
         // A reader who wants to know of collisions gives the blank; what the program shows of it is given here.
-        setup.stock = setup.stock.or(Guesses::of(&first.analysis.motions).stock);
+        setup.stock = setup.stock.or(InferredSetup::of(&first.analysis.motions).stock);
         let mut ran = run(&text, &setup);
-        ran.analysis.look_at_machine();
+        ran.analysis.check_at_machine();
         let told = ran.analysis.diagnostics.iter().filter(|told| told.severity > Severity::Info);
         let known = told.map(|told| (told.message.slug(), line(&text, told.span.start as usize)));
         let known = known.collect();
@@ -164,7 +164,7 @@ fn judge(class: &Class, correct: &Correct, mutant: &Mutant, score: &mut Score, m
         .first_new(&mutant.text, &ran.analysis.diagnostics)
         .is_some_and(|told| stands_at(mutant, correct, told));
     if !early {
-        ran.analysis.look_at_machine();
+        ran.analysis.check_at_machine();
     }
     let first = correct.first_new(&mutant.text, &ran.analysis.diagnostics);
     let at_place = first.is_some_and(|told| stands_at(mutant, correct, told));

@@ -9,7 +9,7 @@ use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Cycle, Motion, MotionKind, Step};
 use gcode_playground::run::Analysis;
 use gcode_playground::scene::Scene;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::setup::Setup;
 
@@ -369,8 +369,8 @@ fn candle_9_arcs_are_never_drawn_straight() {
         {
             let program = format!("G0 X40 Z0\n{code} X{x} Z{z} R{radius}");
             let analysis = run_with("{}", &program);
-            let outline = Outline::of(&analysis.motions);
-            let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
+            let path_index = PathIndex::of(&analysis.motions);
+            let picture = svg(&Scene::new(&analysis.motions, &path_index, None), &SvgOptions::default());
             // The arc stands in the fifth line, after three lines of the head.
             let mark = r#"<path data-line="5" class="feed" d=""#;
             let d = picture.split(mark).nth(1).and_then(|rest| rest.split('"').next()).expect("a path");

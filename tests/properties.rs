@@ -10,11 +10,11 @@ use gcode_playground::expand::expand;
 use gcode_playground::findings;
 use gcode_playground::geometry::Point;
 use gcode_playground::limits::Limits;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::motion::{Motion, MotionKind};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::{Moment, Work};
 use gcode_playground::sentences::Language;
@@ -66,27 +66,27 @@ fn check_analysis(text: &[u8], analysis: &Analysis) {
         let turn = motion.rotary.map_or(0.0, |rotary| rotary.from + rotary.to);
         assert!(turn.is_finite() && motion.lead.or(motion.seconds).unwrap_or(0.0).is_finite(), "{motion:?}");
     }
-    let outline = Outline::of(&analysis.motions);
-    let picture = svg(&Scene::new(&analysis.motions, &outline, None), &SvgOptions::default());
+    let path_index = PathIndex::of(&analysis.motions);
+    let picture = svg(&Scene::new(&analysis.motions, &path_index, None), &SvgOptions::default());
     assert!(picture.contains("<svg"));
     // One of them for each program: there are enough programs.
     check_machine(analysis, &at_machine()[text.len() % 3]);
 }
 
-/// Nothing that a program does at the machine breaks the shop, and no part is more than its blank.
+/// Nothing that a program does at the machine breaks the simulation, and no part is more than its blank.
 fn check_machine(analysis: &Analysis, setup: &Setup) {
     let motions = &analysis.motions;
-    let shop = Shop::done(motions, setup);
-    for told in findings::diagnostics(&shop, motions, &setup.rules, &[]) {
+    let simulation = SimulationResult::of(motions, setup);
+    for told in findings::diagnostics(&simulation, motions, &setup.rules, &[]) {
         assert!(!told.message.sentence(Language::English).message.contains("NaN"), "{told:?}");
     }
-    let (Some(blank), Some(part)) = (shop.blank(), shop.finished()) else { return };
+    let (Some(blank), Some(part)) = (simulation.blank(), simulation.finished()) else { return };
     assert!(part.area() <= blank.area() + 1e-3, "{} of {}", part.area(), blank.area());
     let moment = Moment { motion: motions.len() / 2, share: 0.5, tip: Point::default() };
     for moment in [None, Some(moment)] {
-        let work = Work::of(&shop, motions, moment);
-        let outline = Outline::of(motions);
-        let picture = svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions::default());
+        let work = Work::of(&simulation, motions, moment);
+        let path_index = PathIndex::of(motions);
+        let picture = svg(&Scene::new(motions, &path_index, work.as_ref()), &SvgOptions::default());
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
     }
 }

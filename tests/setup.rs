@@ -2,12 +2,12 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};
+use gcode_playground::setup::as_comments::{changes, lines};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
-use gcode_playground::setup::written::{changes, lines};
 use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
@@ -103,7 +103,7 @@ proptest! {
             text.splice(change.span.start as usize..change.span.end as usize, change.insert.into_bytes());
         }
         let notes = Notes::read(&text);
-        prop_assert_eq!(&notes.faults, &[]);
+        prop_assert_eq!(&notes.unreadable, &[]);
         prop_assert_eq!(&notes.applied_to(Setup::default()), &setup);
         prop_assert!(text.ends_with(b"G0 X50 Z2\n"));
         let json = put_into_json("{}", &setup);
@@ -115,11 +115,11 @@ proptest! {
     fn whatever_is_given_leaves_a_part(setup in setup()) {
         let analysis = analyze(PROGRAM.as_bytes(), &setup);
         prop_assert_eq!(analysis.motions.len(), 4);
-        let (sound, faults) = setup.clone().without_faults();
+        let (sound, faults) = setup.clone().without_invalid_values();
         let told = analysis.diagnostics.iter().filter(|found| found.message.slug() == "setup-value").count();
         prop_assert_eq!(told, faults.len());
-        let shop = Shop::done(&analysis.motions, &sound);
-        prop_assert!(shop.finished().is_some());
+        let simulation = SimulationResult::of(&analysis.motions, &sound);
+        prop_assert!(simulation.finished().is_some());
     }
 }
 
@@ -208,7 +208,7 @@ fn the_reference_lists_every_field_of_a_setup() {
     }
     let example = page.split("```text\n").find(|part| part.starts_with("(STOCK")).expect("an example");
     let notes = Notes::read(example.split("```").next().unwrap_or_default().as_bytes());
-    assert_eq!(notes.faults, []);
+    assert_eq!(notes.unreadable, []);
     assert!(notes.stock.is_some() && notes.tools.len() >= 2 && notes.machine.is_some());
     assert!(!notes.rules.is_empty());
 }
@@ -240,7 +240,7 @@ fn every_rule_can_be_set() {
         let json = format!(r#"{{"rules": {{"{}": "off"}}}}"#, rule.slug);
         let rules = Setup::from_json(&json).map(|setup| setup.rules);
         let note = Notes::read(format!("(RULES {}=OFF)", rule.slug.to_uppercase()).as_bytes());
-        assert_eq!((rules, note.faults.len()), (Ok(note.rules.clone()), 0), "{}", rule.slug);
+        assert_eq!((rules, note.unreadable.len()), (Ok(note.rules.clone()), 0), "{}", rule.slug);
         assert_eq!(note.rules.of(rule.slug), Some(Severity::Off));
     }
 }

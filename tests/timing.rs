@@ -6,8 +6,8 @@ use std::f64::consts::{PI, TAU};
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Feed, Motion, MotionKind, SpindleSpeed, SpindleTurn};
-use gcode_playground::playback::tally::tally;
 use gcode_playground::playback::timing::{feed_at, seconds, speed_at, surface_speed};
+use gcode_playground::playback::totals::totals;
 use gcode_playground::setup::{Machine, Setup};
 
 fn run(machine: &str, program: &str) -> (Vec<Motion>, Machine) {
@@ -264,8 +264,8 @@ fn times_are_added_up_for_each_tool() {
         Setup::from_json(r#"{"initial": {"x": 100, "z": 50}, "machine": {"rapidX": 6000, "rapidZ": 6000}}"#)
             .expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let (tools, all) = tally(&analysis.motions, &setup.machine);
-    assert_eq!(tools.iter().map(|tally| tally.tool).collect::<Vec<_>>(), [(1, 1), (2, 2)]);
+    let (tools, all) = totals(&analysis.motions, &setup.machine);
+    assert_eq!(tools.iter().map(|own| own.tool).collect::<Vec<_>>(), [(1, 1), (2, 2)]);
     let [first, second] = &tools[..] else { unreachable!() };
     let near =
         |found: f64, expected: f64| assert!((found - expected).abs() < 1e-6, "{found}, not {expected}");
@@ -282,6 +282,6 @@ fn times_are_added_up_for_each_tool() {
     let extents = first.extents.expect("cuts");
     near(extents.max.x, 35.0);
     near(extents.min.z, -60.0);
-    let (tools, _) = tally(&analysis.motions, &Machine::default());
+    let (tools, _) = totals(&analysis.motions, &Machine::default());
     assert_eq!(tools[0].time.unknown_rapids + tools[1].time.unknown_rapids, 2);
 }

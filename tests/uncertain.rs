@@ -4,7 +4,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::api;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
 use gcode_playground::units::number;
@@ -47,7 +47,7 @@ fn codes(analysis: &Analysis) -> Vec<&'static str> {
 /// Area of the half-section of the part, mm².
 fn area(program: &str) -> f64 {
     let analysis = run("{}", program);
-    let part = Shop::done(&analysis.motions, &analysis.setup).finished().expect("a part");
+    let part = SimulationResult::of(&analysis.motions, &analysis.setup).finished().expect("a part");
     part.area()
 }
 
@@ -165,10 +165,10 @@ fn a_pass_that_cannot_be_read_leaves_the_part() {
     let program = "M3 S300 G0 X130 Z3\nG90 X120 Z-110 F200\nX110 ZZ-30\nX100\nX90\nX80\nX70\nX60\nG0 X120 Z-30\n\
                    G90 X120 Z-44 R-7.5 F150\nZ-56 R-15\nG0 X130 Z3\nM30";
     let mut analysis = run(r#"{"dialect": {"control": "gsk"}}"#, program);
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     assert!(!codes(&analysis).contains(&"tool-unknown"), "{:?}", codes(&analysis));
-    let shop = Shop::done(&analysis.motions, &analysis.setup);
-    assert!(shop.finished().is_some());
+    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
+    assert!(simulation.finished().is_some());
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn what_does_not_depend_on_it_is_still_checked() {
     };
     let slugs = |program: &str| {
         let mut analysis = run("{}", program);
-        analysis.look_at_machine();
+        analysis.check_at_machine();
         codes(&analysis)
     };
     assert!(slugs(&program("", "Z-5")).contains(&"rapid-through-stock"));

@@ -243,7 +243,7 @@ fn every_bound_is_exact() {
             playground.set_setup(&bound.setup).expect("setup");
             playground.set_text(text.into());
             while !playground.advance(1) {}
-            while !playground.machine(1) {}
+            while !playground.remove_material(1) {}
             rows(playground.diagnostics()).iter().any(|row| row["slug"] == bound.slug)
         };
         assert!(!is_told(&bound.within), "{}", bound.slug);
@@ -285,7 +285,7 @@ fn a_change_of_the_text_makes_another_part() {
     playground.set_setup(r#"{"stock": {"diameter": 60, "length": 50}}"#).expect("setup");
     let part = |playground: &mut Playground| {
         while !playground.advance(100) {}
-        while !playground.machine(1) {}
+        while !playground.remove_material(1) {}
         js_sys::JSON::stringify(&playground.part().expect("a part")).map(String::from).expect("JSON")
     };
     playground.set_text("G0 X50 Z2\nG1 Z-20 F1\n".into());
@@ -306,7 +306,7 @@ fn there_is_no_part_before_all_material_is_off() {
         playground.set_text("G0 X60 Z2\n".to_owned() + &"G90 X50 Z-30 F1\nX46\nX40\n".repeat(20));
         while !playground.advance(100) {}
         let mut slices = 0;
-        while !playground.machine(1) {
+        while !playground.remove_material(1) {
             slices += 1;
             if interrupted {
                 assert!(playground.part().expect("no part").is_undefined());

@@ -28,7 +28,7 @@ pub struct FoundPrograms {
     /// The text is longer than is looked through.
     pub too_long: bool,
     /// The text is more than a program as a control takes it.
-    pub doubtful: bool,
+    pub needs_review: bool,
 }
 
 /// A program found in a text.
@@ -70,7 +70,7 @@ impl FoundPrograms {
             programs: found.programs.iter().map(FoundProgram::new).collect(),
             more: found.more as u32,
             too_long: found.too_long,
-            doubtful: found.doubtful,
+            needs_review: found.needs_review,
         }
     }
 }

@@ -6,11 +6,11 @@ use serde::Serialize;
 
 use super::{Places, Stroke, rounded, tool_name};
 use crate::geometry::Point;
-use crate::machine::fitting::{Fitting, Known};
+use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::motion::{Feed, Motion, MotionKind, Motions, SpindleTurn, StopKind};
 use crate::playback::clock::{Clock, Playhead, stop_at};
 use crate::playback::timing::{self, Total};
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::ToolKind;
 
 #[cfg(target_arch = "wasm32")]
@@ -53,18 +53,12 @@ pub struct Readout {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool: Option<String>,
-    /// What kind of tool it is.
+    /// What kind of tool it is, in words.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(
-        target_arch = "wasm32",
-        tsify(
-            optional,
-            type = "\"turning\" | \"boring\" | \"grooving\" | \"threading\" | \"drill\" | \"tap\" | \"endmill\""
-        )
-    )]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub tool_kind: Option<&'static str>,
     /// Nobody has said so: it is concluded from what the program does with it.
-    pub tool_guessed: bool,
+    pub tool_inferred: bool,
     /// The stop of the program at which the tool stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -110,18 +104,18 @@ pub struct Shown<'a> {
     /// Their clock.
     pub clock: &'a Clock,
     /// The tools; nothing before the run has ended.
-    pub fitting: Option<&'a Fitting>,
+    pub resolved: Option<&'a ResolvedSetup>,
 }
 
 impl Readout {
     /// The readout at a place of the program, where the tip is at `at`.
     pub fn new(shown: &Shown, playhead: Playhead, at: Point, language: Language) -> Self {
-        let Shown { places, motions, clock, fitting } = shown;
+        let Shown { places, motions, clock, resolved } = shown;
         let motion = motions.get(playhead.motion);
         let (reading, whole) = (clock.at(motions, playhead), clock.whole());
         let machine = clock.machine();
         let rpm = timing::speed_at(&motion.process, machine, at.x);
-        let fitted = fitting.map(|fitting| fitting.tool(&motion));
+        let resolved_tool = resolved.map(|resolved| resolved.tool(&motion));
         Self {
             share: if whole.pace > 0.0 { reading.pace / whole.pace } else { playhead.share },
             stroke: places.stroke(motions, playhead.motion, at, language),
@@ -133,9 +127,12 @@ impl Readout {
             elapsed: Time::new(&reading.time),
             total: Time::new(&whole.time),
             tool: tool_name(motion.process.tool),
-            tool_kind: fitted.map(|fitted| fitted.tool.kind.unwrap_or(ToolKind::Turning).name()),
-            tool_guessed: fitted
-                .is_some_and(|fitted| fitted.known == Known::Guessed || fitted.tool.kind.is_none()),
+            tool_kind: resolved_tool.map(|resolved_tool| {
+                labels::tool_kind(resolved_tool.tool.kind.unwrap_or(ToolKind::Turning), language)
+            }),
+            tool_inferred: resolved_tool.is_some_and(|resolved_tool| {
+                resolved_tool.basis == Basis::Inferred || resolved_tool.tool.kind.is_none()
+            }),
             stop: stop_at(motions, playhead).map(|stop| {
                 let (from, to) = places.offsets(stop.span);
                 let kind = match stop.kind {

@@ -1,6 +1,6 @@
 //! The rows of the setup form: what is given, what is assumed, what is wrong with what was entered.
 //!
-//! In: a setup as it was given, guesses, the entries of a form. Out: rows for a page that knows nothing of tools and stock.
+//! In: a setup as it was given, the inferred one, the entries of a form. Out: rows for a page that knows nothing of tools and stock.
 
 use std::collections::BTreeMap;
 
@@ -10,39 +10,39 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use super::{Edit, Places};
-use crate::machine::assumed::usual;
-use crate::machine::fitting::{Fitting, Known};
+use crate::machine::defaults::with_defaults;
+use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
 use crate::sentences::{Language, labels};
+use crate::setup::as_comments::{self, Change};
 use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
 use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
-use crate::setup::written::{self, Change};
 use crate::setup::{Machine, Setup, Tool, ToolKind};
 
-/// What of stock and tools nobody has named.
+/// What of stock and tools is given, and what is inferred.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
-pub struct Fitted {
+pub struct SetupOverview {
     /// Whether the blank is given; nothing where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"given\" | \"guessed\""))]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "\"given\" | \"inferred\""))]
     pub stock: Option<&'static str>,
     /// The tools that are put to use.
-    pub tools: Vec<FittedTool>,
+    pub tools: Vec<ToolOverview>,
 }
 
 /// A tool that is put to use.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
-pub struct FittedTool {
+pub struct ToolOverview {
     /// Turret station; 0 before the first T word.
     pub station: u16,
     /// What kind it is, in words.
     pub kind: String,
     /// Whether it is given.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"given\" | \"guessed\""))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"given\" | \"inferred\""))]
     pub known: &'static str,
 }
 
@@ -130,7 +130,7 @@ pub struct SetupState {
     /// What is wrong with it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
-    pub slip: Option<String>,
+    pub error: Option<String>,
     /// Whether such a tool has a use for it.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "\"shown\" | \"hidden\""))]
     pub shown: &'static str,
@@ -168,27 +168,27 @@ pub struct Subject<'a> {
     pub page: &'a Setup,
     /// The comments.
     pub notes: &'a Notes,
-    /// The guesses for the program.
-    pub guessed: &'a Setup,
+    /// The setup inferred from the program.
+    pub inferred: &'a Setup,
     /// What numbers without a point count in the run.
     pub decimal: DecimalRule,
     /// The language of labels.
     pub language: Language,
 }
 
-impl Fitted {
-    /// The row of a fitting.
-    pub fn new(fitting: &Fitting, language: Language) -> Self {
-        let known = |known: Known| match known {
-            Known::Given => "given",
-            Known::Guessed => "guessed",
+impl SetupOverview {
+    /// The row of a resolved setup.
+    pub fn new(resolved: &ResolvedSetup, language: Language) -> Self {
+        let name = |basis: Basis| match basis {
+            Basis::Given => "given",
+            Basis::Inferred => "inferred",
         };
-        let tools = fitting.tools().map(|fitted| FittedTool {
-            station: fitted.station,
-            kind: labels::kind(fitted.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
-            known: known(fitted.known),
+        let tools = resolved.tools().map(|tool| ToolOverview {
+            station: tool.station,
+            kind: labels::tool_kind(tool.tool.kind.unwrap_or(ToolKind::Turning), language).into(),
+            known: name(tool.basis),
         });
-        Self { stock: fitting.stock().map(|stock| known(stock.1)), tools: tools.collect() }
+        Self { stock: resolved.stock().map(|stock| name(stock.1)), tools: tools.collect() }
     }
 }
 
@@ -198,7 +198,7 @@ impl Subject<'_> {
         let given = self.given;
         let mut groups =
             vec![self.group("stock", "stock.", fields::STOCK, given.stock.as_ref(), given.stock.is_some())];
-        let mut names: Vec<&String> = self.guessed.tools.keys().collect();
+        let mut names: Vec<&String> = self.inferred.tools.keys().collect();
         // A tool that is given stands for its station.
         names.retain(|name| given.tools.keys().all(|own| own.get(..3) != name.get(..3)));
         names.extend(given.tools.keys());
@@ -289,23 +289,23 @@ impl Subject<'_> {
         text: &[u8],
         places: &Places,
     ) -> SetupAnswer {
-        let draft = Draft::read(entries, self.given, self.guessed);
+        let draft = Draft::read(entries, self.given, self.inferred);
         let assumed = self.assumed(entries, &draft);
         let (lines, page) = match keep {
-            SetupPlace::Program => (written::lines(&draft.setup), self.covered(&draft.setup)),
+            SetupPlace::Program => (as_comments::lines(&draft.setup), self.covered(&draft.setup)),
             SetupPlace::Page => (Vec::new(), draft.setup.clone()),
         };
         let fields = entries.iter().map(|entry| {
-            let slip = draft.slips.iter().find(|slip| slip.0 == entry.key);
+            let error = draft.errors.iter().find(|error| error.0 == entry.key);
             let shown = assumed.get(&entry.key);
             SetupState {
                 key: entry.key.clone(),
                 assumed: shown.cloned().flatten().unwrap_or_default(),
-                slip: slip.map(|slip| labels::slip(slip.1, self.language)),
+                error: error.map(|error| labels::entry_error(error.1, self.language)),
                 shown: if shown.is_some() || !entry.text.trim().is_empty() { "shown" } else { "hidden" },
             }
         });
-        let edits = written::changes(text, &lines);
+        let edits = as_comments::changes(text, &lines);
         SetupAnswer {
             fields: fields.collect(),
             setup: draft::put_into_json(json, &page),
@@ -338,7 +338,7 @@ impl Subject<'_> {
     fn assumed(&self, entries: &[Entered], draft: &Draft) -> BTreeMap<String, Option<String>> {
         let mut all = BTreeMap::new();
         let language = self.language;
-        let stock = draft::stock_base(self.given, self.guessed);
+        let stock = draft::stock_base(self.given, self.inferred);
         put(&mut all, "stock.", fields::STOCK, &stock, language);
         put(&mut all, "initial.", fields::START, &draft::start_base(), language);
         put(&mut all, "tailstock.", fields::TAILSTOCK, &NO_TAILSTOCK, language);
@@ -364,8 +364,8 @@ impl Subject<'_> {
                 continue;
             }
             last = name;
-            let own = draft.setup.tools.get(name).or_else(|| self.guessed.tools.get(name));
-            let tool = usual(own.unwrap_or(&Tool::default()));
+            let own = draft.setup.tools.get(name).or_else(|| self.inferred.tools.get(name));
+            let tool = with_defaults(own.unwrap_or(&Tool::default()));
             let kind = tool.kind.unwrap_or(ToolKind::Turning);
             let of_use = |field: &&Field<Tool>| field.is_for(kind);
             for field in fields::TOOL.iter().filter(of_use) {

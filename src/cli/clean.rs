@@ -4,8 +4,9 @@
 //! can know.
 
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::PathBuf;
 
+use super::options::{Destination, Texts};
 use super::{encoding, print, read, save};
 use crate::api::paste::shortened;
 use crate::paste::{self, Found, Name, Piece, Program};
@@ -16,19 +17,17 @@ use crate::source::LineIndex;
 #[derive(clap::Args)]
 pub(super) struct Clean {
     /// The text; `-` reads standard input.
-    file: std::path::PathBuf,
+    file: PathBuf,
     /// List the programs that are found instead of writing one.
     #[arg(long)]
     list: bool,
     /// Which of them to write, counted from 1.
     #[arg(long, default_value_t = 1)]
     program: usize,
-    /// Language of the reasons.
-    #[arg(long, value_enum, default_value = "en")]
-    lang: super::LanguageName,
-    /// Where to write it; standard output when left out.
-    #[arg(short, long)]
-    output: Option<std::path::PathBuf>,
+    #[command(flatten)]
+    texts: Texts,
+    #[command(flatten)]
+    to: Destination,
 }
 
 /// Runs it.
@@ -49,11 +48,11 @@ pub(super) fn run(clean: &Clean) -> Result<(), String> {
             count => format!("{name}: there is no program {}; {count} are found", clean.program),
         });
     };
-    let language = super::language(clean.lang);
+    let language = clean.texts.language();
     tell(&name, &text, program, language);
     let cleaned = program.text();
     let bytes = from.encode(&cleaned).unwrap_or_else(|| cleaned.as_bytes().into());
-    save(clean.output.as_deref().map(Path::new), &bytes)
+    save(clean.to.file(), &bytes)
 }
 
 fn list(out: &mut dyn Write, found: &Found) -> io::Result<()> {

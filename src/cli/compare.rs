@@ -11,7 +11,7 @@ use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::scene::Scene;
 use crate::scene::camera::XPlus;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::svg::{SvgOptions, svg};
 use crate::scene::work::Work;
 
@@ -82,8 +82,8 @@ impl<'a> Compared<'a> {
     /// The picture: the second part, and what only one of them has.
     pub(super) fn svg(&self) -> String {
         let analysis = &self.programs[1].analysis;
-        let shop = analysis.shop();
-        let work = Work::of(&shop, &analysis.motions, None)
+        let simulation = analysis.simulate();
+        let work = Work::of(&simulation, &analysis.motions, None)
             .map(|work| work.with_part(&self.second).compared_with(&self.comparison));
         let legend = [Side::First, Side::Second]
             .into_iter()
@@ -91,8 +91,8 @@ impl<'a> Compared<'a> {
             .filter(|(side, _)| self.comparison.only(*side).next().is_some())
             .map(|(side, name)| (side, format!("only in {name}")))
             .collect();
-        let (none, outline) = (Motions::default(), Outline::new());
-        let scene = Scene::new(&none, &outline, work.as_ref());
+        let (none, path_index) = (Motions::default(), PathIndex::new());
+        let scene = Scene::new(&none, &path_index, work.as_ref());
         let x_plus = XPlus::from(analysis.setup.machine.turret);
         svg(&scene, &SvgOptions { legend, x_plus, ..SvgOptions::default() })
     }

@@ -10,10 +10,11 @@ use crate::export::{csv, dxf, stl};
 use crate::machine::region::Region;
 use crate::run::Run;
 use crate::scene::Scene;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
+use crate::setup::fields::Unit;
 
 /// A kind of file.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -44,11 +45,11 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
     let analysis = &program.analysis;
     let no_part = || format!("{}: no blank is given, or nothing is left of it", program.name);
     Ok(match format {
-        FileFormat::Svg => drawing(program, Ground::AsSystem).into_bytes(),
+        FileFormat::Svg => drawing(program, Ground::AsSystem, language).into_bytes(),
         FileFormat::Csv => csv::csv(&analysis.motions, &analysis.setup.machine).into_bytes(),
         FileFormat::Card => {
-            let drawing =
-                (analysis.motions.len() <= card::MOST_DRAWN).then(|| drawing(program, Ground::Paper));
+            let drawing = (analysis.motions.len() <= card::MOST_DRAWN)
+                .then(|| drawing(program, Ground::Paper, language));
             let card = Card {
                 text: &program.text,
                 motions: &analysis.motions,
@@ -67,17 +68,18 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 }
 
 /// The drawing.
-pub(super) fn drawing(program: &Program, ground: Ground) -> String {
+pub(super) fn drawing(program: &Program, ground: Ground, language: Language) -> String {
     let motions = &program.analysis.motions;
-    let outline = Outline::of(motions);
-    let work = Work::of(&program.analysis.shop(), motions, None);
+    let path_index = PathIndex::of(motions);
+    let work = Work::of(&program.analysis.simulate(), motions, None);
     let x_plus = program.analysis.setup.machine.turret.into();
+    let millimetre = labels::unit(Unit::Millimetre, language);
     svg(
-        &Scene::new(motions, &outline, work.as_ref()),
-        &SvgOptions { ground, x_plus, ..SvgOptions::default() },
+        &Scene::new(motions, &path_index, work.as_ref()),
+        &SvgOptions { ground, x_plus, millimetre, ..SvgOptions::default() },
     )
 }
 
 fn part(program: &Program) -> Option<Region> {
-    program.analysis.shop().finished()
+    program.analysis.simulate().finished()
 }

@@ -2,12 +2,14 @@
 //!
 //! Exit status 0: no error in the program; 1: errors found; 2: bad usage or a file that cannot be read.
 
-mod assumed;
+mod arguments;
 mod clean;
 mod compare;
 mod encoding;
 mod export;
 mod fix;
+mod inferred_stock;
+mod options;
 mod rewrite;
 mod rules;
 mod summary;
@@ -18,238 +20,27 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::Parser;
 use serde::Serialize;
 
 use crate::api::{self, Places};
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene::face::Face;
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::svg::SvgOptions;
 use crate::scene::work::Work;
 use crate::scene::{self, Scene};
 use crate::sentences::Language;
-use crate::setup::dialect::{CodeList, Control, GSystem};
-use crate::setup::{Setup, Turret};
+use crate::setup::Setup;
+use crate::setup::dialect::{CodeList, GSystem};
 use crate::source::LineIndex;
 
+use arguments::{Arguments, Command};
 use encoding::Encoding;
 use fix::Target;
-
-/// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
-#[derive(Parser)]
-#[command(version)]
-struct Arguments {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    /// Check programs and report what is wrong with them.
-    Check {
-        /// Programs; `-` reads standard input.
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        #[command(flatten)]
-        with: With,
-        /// Language of the messages.
-        #[arg(long, value_enum, default_value = "en")]
-        lang: LanguageName,
-        /// Text with carets, or one JSON object a line.
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-        /// Make all repairs that do not change what the program does, and write the files back; what is left is reported.
-        #[arg(long)]
-        fix: bool,
-        /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
-        #[arg(long, requires = "fix")]
-        dry_run: bool,
-    },
-    /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
-    Clean(clean::Clean),
-    /// Print every motion as one JSON object a line.
-    Motions {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-    },
-    /// Write the program out with every cycle, corner and compensation as plain moves.
-    Expand {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// Where to write it; standard output when left out.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
-    /// Write plain moves that form a cycle as that cycle (the four moves of a G90, say); the motions stay the same.
-    Rewrite {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// Language of what is reported on standard error.
-        #[arg(long, value_enum, default_value = "en")]
-        lang: LanguageName,
-        /// Where to write it; standard output when left out.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
-    /// List the codes that are supported.
-    Codes {
-        /// Only those of this control, as it writes them.
-        #[arg(long, value_enum)]
-        control: Option<ControlName>,
-        /// Language of the descriptions.
-        #[arg(long, value_enum, default_value = "en")]
-        lang: LanguageName,
-        /// A table, or one JSON object a line.
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-    },
-    /// List the rules: slug, severity, code, alarm, category.
-    Rules {
-        /// A setup whose `rules` set severities.
-        #[arg(long)]
-        setup: Option<PathBuf>,
-        /// Language of the words.
-        #[arg(long, visible_alias = "language", value_enum, default_value = "en")]
-        lang: LanguageName,
-        /// A table, or one JSON object a line.
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-    },
-    /// Print what is left of the blank as JSON: the half-section as polygons of [z, x], x a diameter.
-    Part {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-    },
-    /// Add up time, cutting length and extents for each tool.
-    Summary {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// A table, or one JSON object a line.
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-    },
-    /// Write a file for people or other programs: table, setup sheet, profile, solid.
-    Export {
-        /// What to write.
-        #[arg(value_enum)]
-        format: export::FileFormat,
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// Language of the card.
-        #[arg(long, value_enum, default_value = "en")]
-        lang: LanguageName,
-        /// Where to write it; standard output when left out.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
-    /// Lay the parts of two programs over each other, and measure where they differ.
-    Compare {
-        /// The first program.
-        first: PathBuf,
-        /// The second program.
-        second: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// Text, or a JSON object.
-        #[arg(long, value_enum, default_value = "text")]
-        format: Format,
-        /// Where to write a picture of the differences, as SVG.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
-    /// Draw the toolpath as SVG.
-    Svg {
-        /// The program; `-` reads standard input.
-        file: PathBuf,
-        #[command(flatten)]
-        with: With,
-        /// The half-section, or the end face with what polar interpolation mills there.
-        #[arg(long, value_enum, default_value = "section")]
-        view: ViewName,
-        /// Which side of the spindle the turret is on; X+ is drawn there. That of the setup when left out.
-        #[arg(long, value_enum)]
-        turret: Option<TurretName>,
-        /// Where to write it; standard output when left out.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
-}
-
-#[derive(clap::Args)]
-struct With {
-    /// Setup: control, tools, stock, start point, as JSON.
-    #[arg(long)]
-    setup: Option<PathBuf>,
-    /// The control; overrides the one of the setup.
-    #[arg(long, value_enum)]
-    control: Option<ControlName>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum ControlName {
-    Fanuc,
-    Gsk,
-    Forum,
-}
-
-impl ControlName {
-    fn control(self) -> Control {
-        match self {
-            Self::Fanuc => Control::Fanuc,
-            Self::Gsk => Control::Gsk,
-            Self::Forum => Control::Forum,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum LanguageName {
-    En,
-    Zh,
-    Ru,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum ViewName {
-    Section,
-    Face,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum TurretName {
-    Rear,
-    Front,
-}
-
-impl TurretName {
-    fn turret(self) -> Turret {
-        match self {
-            Self::Rear => Turret::Rear,
-            Self::Front => Turret::Front,
-        }
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Text,
-    Json,
-}
+use options::{Format, Input, TurretName, ViewName, With};
 
 /// A program that was read and run.
 struct Program {
@@ -291,16 +82,18 @@ fn run(command: Command) -> Result<ExitCode, String> {
             clean::run(&clean)?;
             Ok(ExitCode::SUCCESS)
         }
-        Command::Check { files, with, lang, format, fix: true, dry_run } => fix::files(
+        Command::Check { files, with, texts, form, fix: true, dry_run } => fix::files(
             &files,
             &with,
-            language(lang),
-            format,
+            texts.language(),
+            form.format,
             if dry_run { Target::Output } else { Target::File },
         ),
-        Command::Check { files, with, lang, format, .. } => check(&files, &with, language(lang), format),
-        Command::Motions { file, with } => {
-            let program = program(&file, &with)?;
+        Command::Check { files, with, texts, form, .. } => {
+            check(&files, &with, texts.language(), form.format)
+        }
+        Command::Motions(input) => {
+            let program = program(&input)?;
             print(|out| {
                 for row in api::motions(&program.analysis.motions, &program.analysis.setup.machine) {
                     write_row(out, &row)?;
@@ -309,72 +102,75 @@ fn run(command: Command) -> Result<ExitCode, String> {
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Expand { file, with, output } => {
-            let program = program_run(&file, &with, Run::traced)?;
+        Command::Expand { input, to } => {
+            let program = program_run(&input, Run::traced)?;
             let expanded = crate::expand::write_out(&program.text, &program.analysis);
-            save(output.as_deref(), &encoded(&program, &expanded))?;
+            save(to.file(), &encoded(&program, &expanded))?;
             Ok(status(&program.analysis))
         }
-        Command::Rewrite { file, with, lang, output } => {
-            rewrite::write(&file, &with, language(lang), output.as_deref())
-        }
-        Command::Codes { control, lang, format } => {
+        Command::Rewrite { input, texts, to } => rewrite::write(&input, texts.language(), to.file()),
+        Command::Codes { control, texts, form } => {
             let list = control.map(|name| CodeList::new(name.control(), GSystem::A));
-            print(|out| codes(out, list, language(lang), format))?;
+            print(|out| codes(out, list, texts.language(), form.format))?;
             Ok(ExitCode::SUCCESS)
         }
-        Command::Rules { setup, lang, format } => {
+        Command::Rules { setup, texts, form } => {
             let levels = setup_of(&With { setup, control: None })?.rules;
-            print(|out| rules::write(out, &levels, language(lang), format))?;
+            print(|out| rules::write(out, &levels, texts.language(), form.format))?;
             Ok(ExitCode::SUCCESS)
         }
-        Command::Part { file, with } => {
-            let program = program(&file, &with)?;
-            let shop = program.analysis.shop();
-            let finished = shop.finished();
+        Command::Part(input) => {
+            let program = program(&input)?;
+            let simulation = program.analysis.simulate();
+            let finished = simulation.finished();
             if finished.is_none() {
-                eprintln!("gcode-playground: {}: no part: {}", program.name, why_no_part(&program, &shop));
+                eprintln!(
+                    "gcode-playground: {}: no part: {}",
+                    program.name,
+                    why_no_part(&program, &simulation)
+                );
             }
             let part = finished.map(|region| api::Part::new(&region)).unwrap_or_default();
             print(|out| write_row(out, &part))?;
             Ok(status(&program.analysis))
         }
-        Command::Summary { file, with, format } => {
-            let program = program(&file, &with)?;
+        Command::Summary { input, form } => {
+            let program = program(&input)?;
             print(|out| {
-                summary::write(out, &program.analysis, format)?;
-                assumed::write(out, &program, Language::English, format)
+                summary::write(out, &program.analysis, form.format)?;
+                inferred_stock::write(out, &program, Language::English, form.format)
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Export { format, file, with, lang, output } => {
-            let program = program_run(&file, &with, |run| format.begin(run))?;
-            save(output.as_deref(), &export::file(&program, format, language(lang))?)?;
+        Command::Export { format, input, texts, to } => {
+            let program = program_run(&input, |run| format.begin(run))?;
+            save(to.file(), &export::file(&program, format, texts.language())?)?;
             Ok(status(&program.analysis))
         }
-        Command::Compare { first, second, with, format, output } => {
-            let programs = [program(&first, &with)?, program(&second, &with)?];
+        Command::Compare { first, second, with, form, output } => {
+            let read = |file: &Path| program_with(file, &with, |run| run);
+            let programs = [read(&first)?, read(&second)?];
             let compared = compare::Compared::of([&programs[0], &programs[1]])
                 .ok_or("there is nothing to compare: name a stock in the setup")?;
-            print(|out| compared.write(out, format))?;
+            print(|out| compared.write(out, form.format))?;
             if let Some(output) = output {
                 save(Some(&output), compared.svg().as_bytes())?;
             }
             Ok(ExitCode::from(u8::from(programs.iter().any(|program| has_errors(&program.analysis)))))
         }
-        Command::Svg { file, with, view, turret, output } => {
-            let program = program(&file, &with)?;
+        Command::Svg { input, view, turret, to } => {
+            let program = program(&input)?;
             let svg = svg(&program, view, turret)?;
-            save(output.as_deref(), svg.as_bytes())?;
+            save(to.file(), svg.as_bytes())?;
             Ok(status(&program.analysis))
         }
     }
 }
 
 /// Why there is no part of a program.
-fn why_no_part(program: &Program, shop: &Shop) -> String {
+fn why_no_part(program: &Program, simulation: &SimulationResult) -> String {
     let Analysis { motions, diagnostics, .. } = &program.analysis;
-    let told = crate::findings::diagnostics(shop, motions, &Levels::default(), diagnostics);
+    let told = crate::findings::diagnostics(simulation, motions, &Levels::default(), diagnostics);
     let why = told.iter().find(|told| told.message.kind() == Kind::Unsupported);
     why.map_or_else(|| "nothing is cut".to_owned(), |told| told.message.sentence(Language::English).message)
 }
@@ -383,18 +179,18 @@ fn why_no_part(program: &Program, shop: &Shop) -> String {
 fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<String, String> {
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
-    let shop = program.analysis.shop();
+    let simulation = program.analysis.simulate();
     match view {
         ViewName::Section => {
-            let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));
-            let scene = Scene::new(motions, &outline, work.as_ref());
+            let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
+            let scene = Scene::new(motions, &path_index, work.as_ref());
             Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
         }
         ViewName::Face => {
-            let face = Face::of(motions, &shop).ok_or_else(|| {
+            let face = Face::of(motions, &simulation).ok_or_else(|| {
                 format!("{}: nothing moves on the end face: there is no G12.1", program.name)
             })?;
-            let work = face.work(&shop, None);
+            let work = face.work(&simulation, None);
             Ok(scene::svg::svg(
                 &face.scene(work.as_ref()),
                 &SvgOptions { width: 720.0, ..SvgOptions::default() },
@@ -406,11 +202,11 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
 fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> Result<ExitCode, String> {
     let mut any_error = false;
     for file in files {
-        let program = program(file, with)?;
+        let program = program_with(file, with, |run| run)?;
         any_error |= has_errors(&program.analysis);
         print(|out| {
             tell(out, &program, language, format)?;
-            assumed::write(out, &program, language, format)
+            inferred_stock::write(out, &program, language, format)
         })?;
     }
     Ok(ExitCode::from(u8::from(any_error)))
@@ -483,12 +279,17 @@ fn cells<'a>(of: impl IntoIterator<Item = &'a str>) -> String {
         .fold(String::from(" "), |line, (cell, width)| line + &format!(" {cell:<width$}"))
 }
 
-fn program(file: &Path, with: &With) -> Result<Program, String> {
-    program_run(file, with, |run| run)
+fn program(input: &Input) -> Result<Program, String> {
+    program_run(input, |run| run)
 }
 
 /// Reads and runs a program; `begin` may change how.
-fn program_run(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
+fn program_run(input: &Input, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
+    program_with(&input.file, &input.with, begin)
+}
+
+/// The same with a file and a setup of their own.
+fn program_with(file: &Path, with: &With, begin: impl FnOnce(Run) -> Run) -> Result<Program, String> {
     let setup = setup_of(with)?;
     let (name, text) = read(file)?;
     let (text, encoding) = encoding::decode(text);
@@ -506,7 +307,7 @@ fn run_text(
     let mut run = begin(Run::new(text.clone(), setup));
     while !run.advance(usize::MAX) {}
     let mut analysis = run.into_analysis();
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     Program { name, text, encoding, analysis }
 }
 
@@ -576,12 +377,4 @@ fn has_errors(analysis: &Analysis) -> bool {
 
 fn status(analysis: &Analysis) -> ExitCode {
     ExitCode::from(u8::from(has_errors(analysis)))
-}
-
-fn language(name: LanguageName) -> Language {
-    match name {
-        LanguageName::En => Language::English,
-        LanguageName::Zh => Language::Chinese,
-        LanguageName::Ru => Language::Russian,
-    }
 }

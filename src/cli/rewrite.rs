@@ -3,20 +3,16 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use super::{With, encoded, program, save, setup_of, status};
+use super::options::Input;
+use super::{encoded, program, save, setup_of, status};
 use crate::rewrite::rewritten;
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
 /// Writes the program with every offer taken.
-pub(super) fn write(
-    file: &Path,
-    with: &With,
-    language: Language,
-    output: Option<&Path>,
-) -> Result<ExitCode, String> {
-    let program = program(file, with)?;
-    let (text, taken) = rewritten(&program.text, &setup_of(with)?);
+pub(super) fn write(input: &Input, language: Language, output: Option<&Path>) -> Result<ExitCode, String> {
+    let program = program(input)?;
+    let (text, taken) = rewritten(&program.text, &setup_of(&input.with)?);
     let lines = LineIndex::new(&program.text);
     for offer in taken {
         let (first, last) = (lines.line_of(offer.span.start) + 1, lines.line_of(offer.span.end) + 1);

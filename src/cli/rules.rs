@@ -37,7 +37,7 @@ pub(super) fn write(
             }
             Format::Text => {
                 let (severity, kind) =
-                    (labels::severity(level, language), labels::matter(rule.kind, language));
+                    (labels::severity(level, language), labels::category(rule.kind, language));
                 let alarms = if alarms == codes { String::new() } else { alarms.join(" ") };
                 let line = format!("{slug:<34} {severity:<15} {:<22} {alarms:<8} {kind}", codes.join(" "));
                 writeln!(out, "{line}")?;

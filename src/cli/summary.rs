@@ -6,12 +6,12 @@ use std::io::{self, Write};
 
 use super::{Format, write_row};
 use crate::api::{Place, Totals};
-use crate::playback::tally::tally;
+use crate::playback::totals::totals;
 use crate::run::Analysis;
 
 /// Writes the table.
 pub(super) fn write(out: &mut dyn Write, analysis: &Analysis, format: Format) -> io::Result<()> {
-    let (tools, all) = tally(&analysis.motions, &analysis.setup.machine);
+    let (tools, all) = totals(&analysis.motions, &analysis.setup.machine);
     let rows = tools.iter().map(Totals::new);
     match format {
         Format::Json => rows.chain([Totals::new(&all)]).try_for_each(|row| write_row(out, &row)),

@@ -15,6 +15,18 @@ use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::Word;
 use crate::units::Unit;
 
+/// Whether a code, ten times its number, is of modal group 01 on a control of list A or of GSK: a block has only one of those.
+pub fn is_of_motion_group(key: u64) -> bool {
+    [CodeList::A, CodeList::Gsk].iter().any(|&list| g_code(key, list).is_some_and(|code| code.group == 1))
+}
+
+/// The single and multiple turning cycles as list A has them: `G90`, `G71`.
+pub fn turning_cycles() -> impl Iterator<Item = String> {
+    let is_cycle =
+        |row: &Row| matches!(row.function.section(), Section::SingleCycles | Section::MultipleCycles);
+    rows().filter(is_cycle).map(|row| row.codes[CodeList::A as usize].clone())
+}
+
 /// Whether a word leads to another part of the program or back from it: M97, M98, M99.
 pub fn is_passage(word: &Word) -> bool {
     let code = whole(word).filter(|_| word.address == b'M').and_then(m_code);

@@ -1,10 +1,10 @@
 //! What there is once all material of a run is off.
 //!
-//! In: the [`Shop`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
+//! In: the [`SimulationResult`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
 //! work as it is shown at a moment.
 
 use super::per_plane::PerPlane;
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::machine::compare::{Comparison, parts};
 use crate::machine::feature::{Thread, threads};
 use crate::machine::region::Region;
@@ -23,7 +23,7 @@ pub(super) struct Kept {
 
 /// A run with all its material off.
 pub(super) struct Machined {
-    shop: Shop,
+    simulation: SimulationResult,
     part: Option<Region>,
     threads: Vec<Thread>,
     face: Option<Face>,
@@ -44,11 +44,11 @@ impl Kept {
 }
 
 impl Machined {
-    pub(super) fn new(shop: Shop, motions: &Motions) -> Self {
-        let part = shop.finished();
-        let threads = threads(motions, shop.fitting());
-        let face = Face::of(motions, &shop);
-        Self { shop, part, threads, face, comparison: None, shown: None }
+    pub(super) fn new(simulation: SimulationResult, motions: &Motions) -> Self {
+        let part = simulation.finished();
+        let threads = threads(motions, simulation.resolved_setup());
+        let face = Face::of(motions, &simulation);
+        Self { simulation, part, threads, face, comparison: None, shown: None }
     }
 
     /// Lays the part over the one that was kept, or ends that.
@@ -66,19 +66,19 @@ impl Machined {
         if self.shown.as_ref().is_some_and(|shown| shown.moment == moment) {
             return;
         }
-        let work = Work::of(&self.shop, motions, moment);
+        let work = Work::of(&self.simulation, motions, moment);
         let work = work.map(|work| match &self.comparison {
             Some(comparison) if moment.is_none() => work.compared_with(comparison),
             _ => work,
         });
         let mut works = PerPlane::default();
         works[Plane::Section] = work;
-        works[Plane::Face] = self.face.as_ref().and_then(|face| face.work(&self.shop, place));
+        works[Plane::Face] = self.face.as_ref().and_then(|face| face.work(&self.simulation, place));
         self.shown = Some(Shown { moment, works });
     }
 
-    pub(super) fn shop(&self) -> &Shop {
-        &self.shop
+    pub(super) fn simulation(&self) -> &SimulationResult {
+        &self.simulation
     }
 
     pub(super) fn part(&self) -> Option<&Region> {
@@ -105,7 +105,7 @@ impl Machined {
     /// What is left of the blank at the moment that is shown.
     pub(super) fn part_shown(&self, motions: &Motions) -> Option<Region> {
         match self.shown.as_ref()?.moment {
-            Some(at) => self.shop.part_at(motions, at.motion, at.share),
+            Some(at) => self.simulation.part_at(motions, at.motion, at.share),
             None => self.part.clone(),
         }
     }

@@ -72,7 +72,7 @@ pub struct Pecking {
 
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub enum PeckingError {
     /// The relief is negative though the columns give its direction (PS0318).
     NegativeRelief,
     /// There are columns to step to but no distance (PS0319).
@@ -100,25 +100,25 @@ pub fn peck(
     direction: Direction,
     pecking: &Pecking,
     most_moves: usize,
-) -> Result<Vec<Move>, Fault> {
+) -> Result<Vec<Move>, PeckingError> {
     let (top, first) = direction.along_and_across(start);
     let (bottom, last) = direction.along_and_across(pecking.end);
     let (down, aside) = (sign(bottom - top), sign(last - first));
-    let peck = given(pecking.peck, Fault::NegativePeck)?;
-    let stepover = given(pecking.stepover, Fault::NegativeStepover)?;
+    let peck = given(pecking.peck, PeckingError::NegativePeck)?;
+    let stepover = given(pecking.stepover, PeckingError::NegativeStepover)?;
     if aside != 0.0 && sign(pecking.relief) < 0.0 {
-        return Err(Fault::NegativeRelief);
+        return Err(PeckingError::NegativeRelief);
     }
     let pecks = peck.map_or(1.0, |peck| steps(bottom - top, peck));
     let (columns, stepover) = match stepover {
         _ if aside == 0.0 => (1.0, 0.0),
         Some(stepover) => (1.0 + steps(last - first, stepover), stepover),
-        None => return Err(Fault::NoStepover),
+        None => return Err(PeckingError::NoStepover),
     };
     // Each column: its pecks with a retract between them, relief, way back and the way to it, or home.
     let moves = columns * (2.0 * pecks + 2.0);
     if moves > most_moves as f64 {
-        return Err(Fault::TooManyMoves);
+        return Err(PeckingError::TooManyMoves);
     }
     let (pecks, columns) = (pecks as u32, columns as u32);
     let peck = peck.unwrap_or(0.0);
@@ -158,7 +158,7 @@ pub fn peck(
 }
 
 /// A length that must not be negative; zero is treated as not given.
-fn given(length: Option<f64>, negative: Fault) -> Result<Option<f64>, Fault> {
+fn given(length: Option<f64>, negative: PeckingError) -> Result<Option<f64>, PeckingError> {
     match length {
         Some(length) if sign(length) < 0.0 => Err(negative),
         Some(length) if sign(length) > 0.0 => Ok(Some(length)),
@@ -321,11 +321,11 @@ mod tests {
     #[test]
     fn faults() {
         let with = |pecking: Pecking| peck(at(42.0, 22.0), Direction::Radial, &pecking, MANY).unwrap_err();
-        assert_eq!(with(Pecking { relief: -0.1, ..groove() }), Fault::NegativeRelief);
-        assert_eq!(with(Pecking { stepover: None, ..groove() }), Fault::NoStepover);
-        assert_eq!(with(Pecking { stepover: Some(0.0), ..groove() }), Fault::NoStepover);
-        assert_eq!(with(Pecking { peck: Some(-3.0), ..groove() }), Fault::NegativePeck);
-        assert_eq!(with(Pecking { stepover: Some(-2.9), ..groove() }), Fault::NegativeStepover);
+        assert_eq!(with(Pecking { relief: -0.1, ..groove() }), PeckingError::NegativeRelief);
+        assert_eq!(with(Pecking { stepover: None, ..groove() }), PeckingError::NoStepover);
+        assert_eq!(with(Pecking { stepover: Some(0.0), ..groove() }), PeckingError::NoStepover);
+        assert_eq!(with(Pecking { peck: Some(-3.0), ..groove() }), PeckingError::NegativePeck);
+        assert_eq!(with(Pecking { stepover: Some(-2.9), ..groove() }), PeckingError::NegativeStepover);
     }
 
     #[test]
@@ -333,11 +333,11 @@ mod tests {
         for (end, depth) in [(at(-2e9, -2e9), 0.001), (at(-1e300, 10.0), 1e-5)] {
             let deep = Pecking { end, peck: Some(depth), stepover: Some(0.001), ..groove() };
             let fault = peck(at(42.0, 22.0), Direction::Radial, &deep, MANY).unwrap_err();
-            assert_eq!(fault, Fault::TooManyMoves);
+            assert_eq!(fault, PeckingError::TooManyMoves);
         }
         // The bound counts a relief in each column.
         assert!(peck(at(42.0, 22.0), Direction::Radial, &groove(), 36).is_ok());
         let fault = peck(at(42.0, 22.0), Direction::Radial, &groove(), 35).unwrap_err();
-        assert_eq!(fault, Fault::TooManyMoves);
+        assert_eq!(fault, PeckingError::TooManyMoves);
     }
 }

@@ -32,7 +32,7 @@ pub struct Pattern {
 
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub enum PatternError {
     /// No pass at all (PS0321).
     NoPasses,
     /// More moves than may still be made.
@@ -55,13 +55,13 @@ impl Pattern {
 }
 
 /// G73: rapid to the moved start point, the move of ns, the contour at feed; and so on; rapid home.
-pub fn pattern(contour: &Contour, pattern: &Pattern, most_moves: usize) -> Result<Vec<Move>, Fault> {
+pub fn pattern(contour: &Contour, pattern: &Pattern, most_moves: usize) -> Result<Vec<Move>, PatternError> {
     if pattern.passes == 0 {
-        return Err(Fault::NoPasses);
+        return Err(PatternError::NoPasses);
     }
     let moves = u64::from(pattern.passes) * (contour.pieces.len() as u64 + 2) + 1;
     if moves > most_moves as u64 {
-        return Err(Fault::TooManyMoves);
+        return Err(PatternError::TooManyMoves);
     }
     let mut out = Vec::with_capacity(moves as usize);
     for pass in 1..=pattern.passes {
@@ -202,9 +202,9 @@ mod tests {
     #[test]
     fn faults_answer_at_once() {
         let with = |passes| pattern(&contour(), &Pattern { passes, ..EXAMPLE }, 4_000_000);
-        assert_eq!(with(0), Err(Fault::NoPasses));
-        assert_eq!(with(u32::MAX), Err(Fault::TooManyMoves));
+        assert_eq!(with(0), Err(PatternError::NoPasses));
+        assert_eq!(with(u32::MAX), Err(PatternError::TooManyMoves));
         assert_eq!(pattern(&contour(), &EXAMPLE, 71).map(|moves| moves.len()), Ok(71));
-        assert_eq!(pattern(&contour(), &EXAMPLE, 70), Err(Fault::TooManyMoves));
+        assert_eq!(pattern(&contour(), &EXAMPLE, 70), Err(PatternError::TooManyMoves));
     }
 }

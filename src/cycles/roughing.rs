@@ -86,7 +86,7 @@ pub struct Roughing {
 
 /// Why a contour cannot be roughed; `piece` counts from 0 in [`Contour::pieces`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub enum RoughingError {
     /// The axis the passes run along (G71: Z, G72: X) turns back. PS0064, PS0329.
     NotMonotoneAlong {
         /// Where it turns back.
@@ -124,11 +124,11 @@ const DRAWN: f64 = 0.001;
 const DRAWN_ARC: f64 = 0.005;
 
 /// All moves of the cycle, from A to A; no more than `most_moves`.
-pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec<Move>, Fault> {
-    let frame = Frame::new(contour, how).ok_or(Fault::NothingToCut)?;
+pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec<Move>, RoughingError> {
+    let frame = Frame::new(contour, how).ok_or(RoughingError::NothingToCut)?;
     let bottom = bottom(contour, &frame, how)?;
     if contour.pieces.len() > most_moves {
-        return Err(Fault::TooManyMoves);
+        return Err(RoughingError::TooManyMoves);
     }
     let passes = passes(&bottom, how, most_moves / MOVES_OF_A_PASS)?;
     let mut tool = Tool { frame, at: Point::default(), pass: 0, moves: Vec::new() };
@@ -137,11 +137,11 @@ pub fn rough(contour: &Contour, how: &Roughing, most_moves: usize) -> Result<Vec
     for pass in &passes {
         tool.cut_pass(pass, &bottom, contour.approach, how);
         if tool.moves.len() > most_moves {
-            return Err(Fault::TooManyMoves);
+            return Err(RoughingError::TooManyMoves);
         }
     }
     tool.finish(contour, &bottom, how);
-    if tool.moves.len() > most_moves { Err(Fault::TooManyMoves) } else { Ok(tool.moves) }
+    if tool.moves.len() > most_moves { Err(RoughingError::TooManyMoves) } else { Ok(tool.moves) }
 }
 
 /// The axes in which the allowance points into the finished shape (GSK980TDb p. 100).
@@ -226,7 +226,7 @@ impl Frame {
 /// The rough contour in the frame as pieces of which none turns back in either axis; checked.
 ///
 /// Where the first block of type II leads along the passes, it is the first piece: its slope is a wall.
-fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>, Fault> {
+fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>, RoughingError> {
     // The finished contour seen from A is the rough one seen from C.
     let finished = Frame { origin: contour.start, ..*frame };
     let first = finished.enter(contour.first);
@@ -234,7 +234,7 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
     let forgiving = how.checks == Checks::Forgiving;
     let beyond = if forgiving { how.depth } else { DRAWN };
     if first.x < -DRAWN || first.z < -DRAWN {
-        return Err(Fault::BeyondStart { piece: None });
+        return Err(RoughingError::BeyondStart { piece: None });
     }
     let mut bottom = Vec::with_capacity(contour.pieces.len() + 1);
     if shape == Shape::Pockets && first.z > SAME {
@@ -264,13 +264,13 @@ fn bottom(contour: &Contour, frame: &Frame, how: &Roughing) -> Result<Vec<Piece>
         let rounding = if seen.arc.is_some() { DRAWN_ARC } else { DRAWN };
         for end in bottom[known..].iter().map(|part| part.to) {
             if end.z < farthest - rounding {
-                return Err(Fault::NotMonotoneAlong { piece: index });
+                return Err(RoughingError::NotMonotoneAlong { piece: index });
             }
             if shape == Shape::Monotone && end.x > highest + rounding && !forgiving {
-                return Err(Fault::NotMonotoneAcross { piece: index });
+                return Err(RoughingError::NotMonotoneAcross { piece: index });
             }
             if end.x < -beyond {
-                return Err(Fault::BeyondStart { piece: Some(index) });
+                return Err(RoughingError::BeyondStart { piece: Some(index) });
             }
             highest = highest.min(end.x);
             farthest = farthest.max(end.z);
@@ -381,7 +381,7 @@ struct Open {
 /// "Reaches a level" means within [`SAME`]: a piece that lies at the level does not end the pass, one that
 /// starts there and rises ends it at its start. Where nothing is deeper than the level no pass is made, the
 /// last one along the contour is.
-fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, Fault> {
+fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, RoughingError> {
     let levels_above = |depth: f64| ((depth + SAME) / how.depth).floor().max(0.0) as usize;
     let mut passes: Vec<Pass> = Vec::new();
     // The pass at level n is `open[n - 1]`: a pass lies within the one above it.
@@ -392,7 +392,7 @@ fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, Fa
     let start = bottom.first().map_or(0.0, |piece| piece.from.x);
     let levels = levels_above(start);
     if levels > most {
-        return Err(Fault::TooManyMoves);
+        return Err(RoughingError::TooManyMoves);
     }
     for level in 1..=levels {
         open.push(Open { pass: passes.len(), deepest: start });
@@ -417,7 +417,7 @@ fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, Fa
         }
         if how.shape == Shape::Pockets && open.len() < levels {
             if passes.len().saturating_add(levels - open.len()) > most {
-                return Err(Fault::TooManyMoves);
+                return Err(RoughingError::TooManyMoves);
             }
             for level in open.len() + 1..=levels {
                 let opening = Opening::Wall(gate(level as f64 * how.depth));

@@ -129,7 +129,7 @@ pub struct MultiThread {
 
 /// Why there are no moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub enum ThreadingError {
     /// The angle of the tool is none (PS0315).
     Angle,
     /// The least depth is larger than the height (PS0316).
@@ -179,24 +179,26 @@ impl MultiThread {
 /// The depth of every pass: roughing down to k − d, then m passes at k, of which the first removes d.
 ///
 /// Where d leaves nothing to roughing there are finishing passes only.
-pub fn depths(thread: &MultiThread, most_passes: usize) -> Result<Vec<f64>, Fault> {
+pub fn depths(thread: &MultiThread, most_passes: usize) -> Result<Vec<f64>, ThreadingError> {
     if sign(thread.height) <= 0.0 {
-        return Err(Fault::NoHeight);
+        return Err(ThreadingError::NoHeight);
     }
     if sign(thread.first_depth) <= 0.0 {
-        return Err(Fault::NoFirstDepth);
+        return Err(ThreadingError::NoFirstDepth);
     }
     if thread.least_depth > thread.height + SAME {
-        return Err(Fault::LeastDepthTooLarge);
+        return Err(ThreadingError::LeastDepthTooLarge);
     }
     let finishing = thread.finishing.max(1) as usize;
-    let Some(most_roughing) = most_passes.checked_sub(finishing) else { return Err(Fault::TooManyMoves) };
+    let Some(most_roughing) = most_passes.checked_sub(finishing) else {
+        return Err(ThreadingError::TooManyMoves);
+    };
     let rough = thread.height - thread.allowance.abs();
     let reached = |number: usize| thread.roughing(number as f64) >= rough - SAME;
     let mut out = Vec::new();
     if rough > SAME {
         if most_roughing == 0 || !reached(most_roughing) {
-            return Err(Fault::TooManyMoves);
+            return Err(ThreadingError::TooManyMoves);
         }
         out.extend((1..).take_while(|&number| !reached(number)).map(|number| thread.roughing(number as f64)));
         out.push(rough);
@@ -206,9 +208,9 @@ pub fn depths(thread: &MultiThread, most_passes: usize) -> Result<Vec<f64>, Faul
 }
 
 /// G76: each pass goes in along a flank, cuts, leaves the work and goes home.
-pub fn thread(start: Point, thread: &MultiThread, most_moves: usize) -> Result<Vec<Move>, Fault> {
+pub fn thread(start: Point, thread: &MultiThread, most_moves: usize) -> Result<Vec<Move>, ThreadingError> {
     if !(0.0..std::f64::consts::PI).contains(&thread.angle) {
-        return Err(Fault::Angle);
+        return Err(ThreadingError::Angle);
     }
     let moves_a_pass = if thread.pull_out.is_some() { 5 } else { 4 };
     let depths = depths(thread, most_moves / moves_a_pass)?;
@@ -498,11 +500,11 @@ mod tests {
     #[test]
     fn faults() {
         let with = |wanted: MultiThread| thread(at(60.0, 10.0), &wanted, MANY).unwrap_err();
-        assert_eq!(with(MultiThread { angle: 180_f64.to_radians(), ..seed() }), Fault::Angle);
-        assert_eq!(with(MultiThread { angle: -0.1, ..seed() }), Fault::Angle);
-        assert_eq!(with(MultiThread { height: 0.0, ..seed() }), Fault::NoHeight);
-        assert_eq!(with(MultiThread { first_depth: -0.7, ..seed() }), Fault::NoFirstDepth);
-        assert_eq!(with(MultiThread { least_depth: 2.5, ..seed() }), Fault::LeastDepthTooLarge);
+        assert_eq!(with(MultiThread { angle: 180_f64.to_radians(), ..seed() }), ThreadingError::Angle);
+        assert_eq!(with(MultiThread { angle: -0.1, ..seed() }), ThreadingError::Angle);
+        assert_eq!(with(MultiThread { height: 0.0, ..seed() }), ThreadingError::NoHeight);
+        assert_eq!(with(MultiThread { first_depth: -0.7, ..seed() }), ThreadingError::NoFirstDepth);
+        assert_eq!(with(MultiThread { least_depth: 2.5, ..seed() }), ThreadingError::LeastDepthTooLarge);
     }
 
     #[test]
@@ -518,9 +520,9 @@ mod tests {
             MultiThread { finishing: u32::MAX, ..slow },
         ] {
             let fault = thread(at(60.0, 10.0), &wanted, MANY).unwrap_err();
-            assert_eq!(fault, Fault::TooManyMoves, "{wanted:?}");
+            assert_eq!(fault, ThreadingError::TooManyMoves, "{wanted:?}");
         }
         assert_eq!(thread(at(60.0, 10.0), &seed(), 60).map(|moves| moves.len()), Ok(60));
-        assert_eq!(thread(at(60.0, 10.0), &seed(), 59), Err(Fault::TooManyMoves));
+        assert_eq!(thread(at(60.0, 10.0), &seed(), 59), Err(ThreadingError::TooManyMoves));
     }
 }

@@ -9,10 +9,10 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
 use crate::control::codes::{self, Function};
-use crate::machine::fitting::{Fitted, Fitting, Known};
+use crate::machine::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
-use crate::playback::tally::{Tally, tally};
 use crate::playback::timing::Total;
+use crate::playback::totals::{ToolTotals, totals};
 use crate::sentences::{Language, describe_motion};
 use crate::setup::dialect::CodeList;
 use crate::setup::{Setup, Stock};
@@ -80,12 +80,12 @@ impl Card<'_> {
             w.name,
             w.date,
         );
-        let fitting = Fitting::new(self.motions, self.setup);
-        self.facts(&mut page, &fitting, w);
+        let resolved = ResolvedSetup::new(self.motions, self.setup);
+        self.metadata(&mut page, &resolved, w);
         if let Some(drawing) = self.drawing {
             let _ = writeln!(page.html, "<figure>{drawing}</figure>");
         }
-        self.tools(&mut page, &fitting, language);
+        self.tools(&mut page, &resolved, language);
         page.heading(w.program);
         page.begin_table("blocks", &["N", w.block, w.does, w.remark, &format!("{}, {}", w.time, w.seconds)]);
         for row in &rows {
@@ -113,23 +113,23 @@ impl Card<'_> {
         number.map(|number| format!("O{number:04}")).unwrap_or_default()
     }
 
-    fn facts(&self, page: &mut Page, fitting: &Fitting, w: &Words) {
-        let mut facts = vec![(w.control, self.codes.name().to_owned())];
-        if let Some((stock, known)) = fitting.stock() {
-            facts.push((w.blank, blank(&stock, known, w)));
+    fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, w: &Words) {
+        let mut metadata = vec![(w.control, self.codes.name().to_owned())];
+        if let Some((stock, basis)) = resolved.stock() {
+            metadata.push((w.blank, blank(&stock, basis, w)));
         }
-        let (_, all) = tally(self.motions, &self.setup.machine);
-        facts.push((w.time, clock(&all.time)));
+        let (_, all) = totals(self.motions, &self.setup.machine);
+        metadata.push((w.time, clock(&all.time)));
         page.html.push_str("<dl>");
-        for (name, value) in facts {
+        for (name, value) in metadata {
             let _ = write!(page.html, "<div><dt>{name}</dt><dd>{}</dd></div>", escaped(&value));
         }
         page.html.push_str("</dl>\n");
     }
 
-    fn tools(&self, page: &mut Page, fitting: &Fitting, language: Language) {
+    fn tools(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
         let w = words(language);
-        let (tools, all) = tally(self.motions, &self.setup.machine);
+        let (tools, all) = totals(self.motions, &self.setup.machine);
         if tools.is_empty() {
             return;
         }
@@ -140,14 +140,14 @@ impl Card<'_> {
             let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
             let mut cuts = self.motions.iter().filter(of_tool).peekable();
             let Some(motion) = cuts.peek() else { continue };
-            let tool = fitting.tool(motion);
+            let tool = resolved.tool(motion);
             let [kind, nose, tip] = about(tool, w, language).map(|text| escaped(&text));
             let rates = escaped(&rates(cuts, w));
             page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
         }
         page.row([w.total, "", "", "", "", &clock(&all.time)]);
         page.end_table();
-        let Tally { time, .. } = &all;
+        let ToolTotals { time, .. } = &all;
         let unknown = time.unknown_cuts + time.unknown_rapids;
         if unknown > 0 {
             page.paragraph(&w.not_in_time.replace("{}", &unknown.to_string()));
@@ -379,7 +379,7 @@ fn remark(text: &[u8], comment: Span) -> String {
     comment.quote(text).trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace()).to_owned()
 }
 
-fn blank(stock: &Stock, known: Known, w: &Words) -> String {
+fn blank(stock: &Stock, basis: Basis, w: &Words) -> String {
     let mut text = format!("⌀{}, {} {} mm", number(stock.diameter), w.length, number(stock.length));
     if stock.bore > 0.0 {
         let _ = write!(text, ", {} ⌀{}", w.bore, number(stock.bore));
@@ -387,26 +387,26 @@ fn blank(stock: &Stock, known: Known, w: &Words) -> String {
     if stock.face != 0.0 {
         let _ = write!(text, ", {}{}", w.face, number(stock.face));
     }
-    if known == Known::Guessed {
-        let _ = write!(text, " ({})", w.guessed);
+    if basis == Basis::Inferred {
+        let _ = write!(text, " ({})", w.inferred);
     }
     text
 }
 
 /// Kind, nose radius and tip of a tool.
-fn about(fitted: &Fitted, w: &Words, language: Language) -> [String; 3] {
-    let tool = &fitted.tool;
+fn about(resolved_tool: &ResolvedTool, w: &Words, language: Language) -> [String; 3] {
+    let tool = &resolved_tool.tool;
     let mut kind = tool.kind.map(|kind| tool_kind(kind, tool.working_side(), language)).unwrap_or_default();
     let more = [
-        tool.insert.clone().filter(|_| fitted.known == Known::Given),
+        tool.insert.clone().filter(|_| resolved_tool.basis == Basis::Given),
         tool.width.map(|width| format!("{} mm", number(width))),
         tool.diameter.map(|diameter| format!("⌀{}", number(diameter))),
     ];
     for more in more.into_iter().flatten() {
         kind = [kind, more].join(" ").trim().to_owned();
     }
-    if fitted.known == Known::Guessed {
-        return [format!("{kind} ({})", w.guessed), "–".into(), "–".into()];
+    if resolved_tool.basis == Basis::Inferred {
+        return [format!("{kind} ({})", w.inferred), "–".into(), "–".into()];
     }
     let nose = tool.nose();
     let nose = if nose > 0.0 { format!("{} mm", number(nose)) } else { "–".into() };
@@ -486,7 +486,7 @@ mod tests {
             " passes",
             "coolant off",
             "program end",
-            "<td>T0101</td><td>turning CNMG120408</td><td>0.8 mm</td><td>3</td><td>800 rpm, 0.25 mm/rev; 800 rpm, 0.1 mm/rev</td>",
+            "<td>T0101</td><td>turning tool CNMG120408</td><td>0.8 mm</td><td>3</td><td>800 rpm, 0.25 mm/rev; 800 rpm, 0.1 mm/rev</td>",
         ] {
             assert!(page.contains(wanted), "{wanted} in\n{page}");
         }

@@ -1,7 +1,7 @@
-//! The blank that the cuts of a program let one guess.
+//! The blank inferred from the cuts of a program.
 //!
 //! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what is cut: a wall around
-//! a bore, material on both sides of a groove, the bar left by a part-off. Must not know how tools are guessed.
+//! a bore, material on both sides of a groove, the bar left by a part-off. Must not know how tools are inferred.
 
 use super::tool::BLADE;
 use crate::geometry::{Point, SAME};

@@ -1,15 +1,15 @@
 //! Which of the tools that come into question for a use leaves the contour whole.
 //!
-//! In: the motions, what was seen of each use, what comments say, the blank. Out: the guesses, with another tool where the first
+//! In: the motions, the uses, what comments say, the blank. Out: the inferred tools, with another tool where the first
 //! would cut into the surface that all tips leave together, or the word that none is known. Must not know the text.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::seen::{LOOKED_AT, Seen, Use};
-use super::stations::{Places, Stations};
 use super::surface::{Facing, SHIFT, Surface, Track, WIDEST_SHIFT};
 use super::sweep::way_of;
 use super::tool::takes;
+use super::tool_use::{LOOKED_AT, Purpose, ToolUse};
+use super::z_positions::{Places, ZPositions};
 use crate::geometry::SAME;
 use crate::motion::{Motion, Motions, Process};
 use crate::setup::{Side, Stock, Tool, ToolKind};
@@ -33,32 +33,33 @@ const FEW: usize = 4;
 /// Beyond this, mm, a program has a slip, and no blank.
 const LONGEST: f64 = 5000.0;
 
-/// Puts the tool that does it in place of each guess that would cut too deep; `tools` has one for each use. Returns the first
+/// Puts the tool that does it in place of each inferred tool that would cut too deep; `tools` has one for each use. Returns the first
 /// motion of each use that no tool is known for.
 pub(super) fn decide(
     motions: &Motions,
-    seen: &[Seen],
-    spoken: &BTreeMap<u16, Tool>,
+    uses: &[ToolUse],
+    described_tools: &BTreeMap<u16, Tool>,
     stock: Option<Stock>,
     mut tools: Vec<&mut Tool>,
 ) -> Vec<usize> {
-    for (own, tool) in seen.iter().zip(&mut tools) {
-        if let Some(words) = spoken.get(&own.station) {
+    for (own, tool) in uses.iter().zip(&mut tools) {
+        if let Some(words) = described_tools.get(&own.station) {
             **tool = with_words(own.purpose, tool, words);
         }
     }
     let mut unknown = Vec::new();
     let Some(stock) = stock else { return unknown };
-    let Some(led) = Led::of(motions, seen, &stock) else { return unknown };
+    let Some(led) = Led::of(motions, uses, &stock) else { return unknown };
     let mut uncertain: Option<BTreeSet<u16>> = None;
-    for (index, own) in seen.iter().enumerate().filter(|(_, own)| own.purpose == Use::Turning) {
+    for (index, own) in uses.iter().enumerate().filter(|(_, own)| own.purpose == Purpose::Turning) {
         let Some(first) = tools.get_mut(index) else { continue };
         if first.kind == Some(ToolKind::Grooving) {
             // It only plunges.
             continue;
         }
-        let grooves = seen.iter().any(|other| other.station == own.station && other.purpose == Use::Grooving);
-        let words = spoken.get(&own.station).cloned().unwrap_or_default();
+        let grooves =
+            uses.iter().any(|other| other.station == own.station && other.purpose == Purpose::Grooving);
+        let words = described_tools.get(&own.station).cloned().unwrap_or_default();
         let is_blade = words.kind == Some(ToolKind::Grooving) || (grooves && own.station > 0 && !own.contour);
         let mut all = candidates(first, own, &words);
         let (inserts, blades): (Vec<Tool>, Vec<Tool>) =
@@ -88,25 +89,25 @@ fn with_uncertain_cuts(motions: &Motions) -> BTreeSet<u16> {
     cuts.filter(|cut| cut.process.uncertain).map(|cut| cut.process.tool.0).collect()
 }
 
-/// A guess with what comments say of it, as far as they name the same kind of tool.
-fn with_words(purpose: Use, guess: &Tool, words: &Tool) -> Tool {
-    let same = guess.kind == words.kind;
-    let mut tool = guess.clone();
+/// An inferred tool with what comments say of it, as far as they name the same kind of tool.
+fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
+    let same = inferred.kind == words.kind;
+    let mut tool = inferred.clone();
     match purpose {
-        Use::Hole | Use::Live if same => tool.diameter = words.diameter.or(tool.diameter),
-        _ if same && guess.kind == Some(ToolKind::Grooving) => {
+        Purpose::Hole | Purpose::Live if same => tool.diameter = words.diameter.or(tool.diameter),
+        _ if same && inferred.kind == Some(ToolKind::Grooving) => {
             tool.width = words.width;
             // A face is grooved by G74, and the other sides by G75.
-            tool.side = words.side.filter(|_| guess.side != Some(Side::Face)).or(tool.side);
+            tool.side = words.side.filter(|_| inferred.side != Some(Side::Face)).or(tool.side);
         }
-        Use::Threading if same => tool.side = words.side.or(tool.side),
+        Purpose::Threading if same => tool.side = words.side.or(tool.side),
         _ => {}
     }
     tool
 }
 
 /// What comes into question for a turning use: inserts from the usual to the sharpest, then grooving inserts from the widest.
-fn candidates(first: &Tool, own: &Seen, words: &Tool) -> Vec<Tool> {
+fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
     let inside = own.is_inside();
     let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
     let insert = |insert: &str, entering: Option<f64>| Tool {
@@ -148,7 +149,7 @@ fn candidates(first: &Tool, own: &Seen, words: &Tool) -> Vec<Tool> {
 /// Where tools are led, and what is to stay.
 struct Led {
     tracks: Vec<Track>,
-    stations: Stations,
+    positions: ZPositions,
     outside: Surface,
     inside: Surface,
     /// Z of the finished face, mm.
@@ -156,9 +157,9 @@ struct Led {
 }
 
 impl Led {
-    fn of(motions: &Motions, seen: &[Seen], stock: &Stock) -> Option<Self> {
-        let turns = |own: &Seen| matches!(own.purpose, Use::Turning | Use::Grooving);
-        if !seen.iter().any(|own| own.purpose == Use::Turning) {
+    fn of(motions: &Motions, uses: &[ToolUse], stock: &Stock) -> Option<Self> {
+        let turns = |own: &ToolUse| matches!(own.purpose, Purpose::Turning | Purpose::Grooving);
+        if !uses.iter().any(|own| own.purpose == Purpose::Turning) {
             return None;
         }
         let cuts = || {
@@ -167,9 +168,9 @@ impl Led {
             all.filter(move |motion| motion.kind.cuts() && counts(&motion.process) && motion.rotary.is_none())
         };
         let index_of = |motion: &Motion| {
-            let (station, purpose) = (motion.process.tool.0, Use::of(motion));
-            let found = seen.iter().position(|own| own.station == station && own.purpose == purpose);
-            found.filter(|&index| turns(&seen[index]))
+            let (station, purpose) = (motion.process.tool.0, Purpose::of(motion));
+            let found = uses.iter().position(|own| own.station == station && own.purpose == purpose);
+            found.filter(|&index| turns(&uses[index]))
         };
         let (mut low, mut high) = (f64::INFINITY, stock.face);
         let mut places = Places::default();
@@ -189,52 +190,53 @@ impl Led {
         }
         // Where the work may begin and end.
         [back, stock.face, 0.0].into_iter().for_each(|z| places.end(z));
-        let stations = places.between(low, high);
-        let facing = |own: &Seen| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
-        let mut tracks = vec![Track::new(&stations); seen.len()];
+        let positions = places.between(low, high);
+        let facing = |own: &ToolUse| if own.is_inside() { Facing::Inwards } else { Facing::Outwards };
+        let mut tracks = vec![Track::new(&positions); uses.len()];
         let mut faces: Vec<(f64, usize)> = Vec::new();
         for motion in cuts() {
             let Some(index) = index_of(&motion) else { continue };
             let way = way_of(&motion);
-            tracks[index].add(&way, facing(&seen[index]), &stations);
+            tracks[index].add(&way, facing(&uses[index]), &positions);
             let across = (motion.to.z - motion.from.z).abs() <= SAME;
             if across && motion.to.x <= TO_AXIS && motion.from.x > TO_AXIS {
                 faces.push((motion.to.z, index));
             }
         }
         let of = |side: Facing| {
-            let own = move |(own, _): &(&Seen, &Track)| turns(own) && facing(own) == side;
-            seen.iter().zip(&tracks).filter(own).map(|(_, track)| track)
+            let own = move |(own, _): &(&ToolUse, &Track)| turns(own) && facing(own) == side;
+            uses.iter().zip(&tracks).filter(own).map(|(_, track)| track)
         };
         // Where something was turned in front of it, a cut to the axis parts it off.
-        let turned = of(Facing::Outwards)
-            .filter_map(|track| track.highest_between(&stations, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME));
+        let turned = of(Facing::Outwards).filter_map(|track| {
+            track.highest_between(&positions, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME)
+        });
         let turned = turned.fold(f64::NEG_INFINITY, f64::max);
         let face = if behind { stock.face.min(0.0) } else { stock.face };
         let is_face = |&(z, index): &(f64, usize)| {
             let [goes_on, ends] = IN_FRONT;
-            let left = if tracks[index].goes_on_behind(&stations, z) { goes_on } else { ends };
+            let left = if tracks[index].goes_on_behind(&positions, z) { goes_on } else { ends };
             z + left >= turned
         };
         let front = faces.iter().filter(|face| is_face(face)).map(|face| face.0).fold(face, f64::min);
         let outside = Surface::of(
             of(Facing::Outwards),
-            (Facing::Outwards, stations.clone()),
+            (Facing::Outwards, positions.clone()),
             stock.diameter / 2.0,
             (back, front),
         );
         let inside = Surface::of(
             of(Facing::Inwards),
-            (Facing::Inwards, stations.clone()),
+            (Facing::Inwards, positions.clone()),
             stock.bore / 2.0,
             (back, front),
         );
-        Some(Self { tracks, stations, outside, inside, front })
+        Some(Self { tracks, positions, outside, inside, front })
     }
 
     /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
     /// the surface that all tools leave.
-    fn grooves(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
+    fn grooves(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
         let surface = self.side(own).1;
         let track = &self.tracks[index];
         let steps = track.without_grooves(surface);
@@ -242,7 +244,7 @@ impl Led {
         few && (tool.tip.is_some() || !surface.is_gouged(&takes(tool), &steps, SHIFT))
     }
 
-    fn side(&self, own: &Seen) -> (Facing, &Surface) {
+    fn side(&self, own: &ToolUse) -> (Facing, &Surface) {
         match own.is_inside() {
             true => (Facing::Inwards, &self.inside),
             false => (Facing::Outwards, &self.outside),
@@ -250,12 +252,12 @@ impl Led {
     }
 
     /// Whether an insert led as a use is leaves the surface whole, walls apart that it shifts by no more than `shift`, mm.
-    fn follows(&self, index: usize, own: &Seen, tool: &Tool, shift: f64) -> bool {
+    fn follows(&self, index: usize, own: &ToolUse, tool: &Tool, shift: f64) -> bool {
         !self.side(own).1.is_gouged(&takes(tool), &self.tracks[index], shift)
     }
 
-    /// Whether a tool can do what was seen of a use.
-    fn does(&self, index: usize, own: &Seen, tool: &Tool) -> bool {
+    /// Whether a tool can do what a use needs.
+    fn does(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
         if tool.kind != Some(ToolKind::Grooving) {
             return self.follows(index, own, tool, SHIFT);
         }
@@ -267,14 +269,14 @@ impl Led {
         // A tip alone: what it makes is the contour, if it or another one is led along all of it.
         if tool.tip.is_some() {
             if own.contour {
-                return surface.clears_plunges(&track.without_last_step(&self.stations), self.front);
+                return surface.clears_plunges(&track.without_last_step(&self.positions), self.front);
             }
             return surface.clears_plunges(track, self.front);
         }
         // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but a contour is made by one.
-        let begins_at_face = track.goes_on_behind(&self.stations, self.front);
-        let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.stations);
-        let own_surface = Surface::of_one(track, (facing, self.stations.clone()));
+        let begins_at_face = track.goes_on_behind(&self.positions, self.front);
+        let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.positions);
+        let own_surface = Surface::of_one(track, (facing, self.positions.clone()));
         let parting = if own.is_inside() { f64::NEG_INFINITY } else { TO_AXIS };
         is_groove || !own_surface.is_gouged(&takes(tool), &track.without_parting(parting), SHIFT)
     }

@@ -3,9 +3,9 @@
 //! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s measured along and across the spindle
 //! axis. What is thinner than [`SAME_PART`] is no difference: arcs are chords. Must not know the programs' texts.
 
-use super::Shop;
-use super::fitting::{Fitting, Known};
+use super::SimulationResult;
 use super::region::{Piece, Region};
+use super::resolved_setup::{Basis, ResolvedSetup};
 use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::Motions;
@@ -105,21 +105,21 @@ impl Comparison {
     }
 }
 
-/// The parts of two programs. A blank that was only guessed is that of the other program, or of two guesses what they have
-/// in common: else the guess would be the difference.
+/// The parts of two programs. A blank that is only inferred is that of the other program, or of two inferred ones what they have
+/// in common: else the inference would be the difference.
 pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
-    let blanks = programs.map(|(motions, setup)| Fitting::new(motions, setup).stock());
+    let blanks = programs.map(|(motions, setup)| ResolvedSetup::new(motions, setup).stock());
     let [first, second] = blanks;
     let chosen = match (first, second) {
-        (Some((a, Known::Given)), Some((b, Known::Given))) => [Some(a), Some(b)],
-        (Some((given, Known::Given)), _) | (_, Some((given, Known::Given))) => [Some(given); 2],
+        (Some((a, Basis::Given)), Some((b, Basis::Given))) => [Some(a), Some(b)],
+        (Some((given, Basis::Given)), _) | (_, Some((given, Basis::Given))) => [Some(given); 2],
         (Some((a, _)), Some((b, _))) => [Some(in_both(a, b)); 2],
         (a, b) => [a.or(b).map(|(stock, _)| stock); 2],
     };
     [0, 1].map(|index| {
         let (motions, setup) = programs[index];
         let setup = Setup { stock: chosen[index], ..setup.clone() };
-        Shop::done(motions, &setup).finished()
+        SimulationResult::of(motions, &setup).finished()
     })
 }
 
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn guessed_blanks_are_no_difference() {
+    fn inferred_blanks_are_no_difference() {
         let part = |program: &str| crate::analyze(program.as_bytes(), &Setup::default());
         let a = part("T0101\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nG00 X100");
         let b = part("T0101\nG00 X72 Z2\nG90 X50 Z-30 F0.2\nG00 X100");

@@ -4,13 +4,13 @@
 //! held against the work a hundredth of a millimetre smaller than they are. Of a tool that nobody has named only the
 //! tip counts, and nothing is found in a blank that nobody has named. Must not know messages.
 
-use super::fitting::{Fitted, Fitting, Known};
 use super::part::{Part, Turned, cut};
 use super::region::Region;
+use super::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use super::sweep::{Outline, way_of};
 use super::tool::Action;
 use crate::geometry::{Point, SAME};
-use crate::motion::{Cycle, Motion, MotionKind, Step};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Step};
 use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
 
 /// A place where something is wrong.
@@ -123,7 +123,7 @@ pub fn can_be_found(setup: &Setup) -> bool {
 
 /// Looks at motions, one after the other.
 #[derive(Clone, Debug)]
-pub struct Watch {
+pub struct DangerDetector {
     jaws: Option<Region>,
     tailstock: Option<Region>,
     stock: Option<Stock>,
@@ -151,11 +151,11 @@ fn plunges(infeed: &Motion, part: &mut Part) -> bool {
     way.abs() > INSIDE && part.now().holds(Point::new(to.x - INSIDE * way.signum(), to.z))
 }
 
-impl Watch {
-    /// Looks at a program fitted out so.
-    pub fn new(fitting: &Fitting, setup: &Setup) -> Self {
-        let given = |stock: (Stock, Known)| (stock.1 == Known::Given).then_some(stock.0);
-        let stock = fitting.stock().and_then(given);
+impl DangerDetector {
+    /// A detector for a program with these tools and this stock.
+    pub fn new(resolved: &ResolvedSetup, setup: &Setup) -> Self {
+        let given = |stock: (Stock, Basis)| (stock.1 == Basis::Given).then_some(stock.0);
+        let stock = resolved.stock().and_then(given);
         Self {
             jaws: stock.and_then(|stock| jaws(&stock)),
             tailstock: setup.tailstock.map(|tailstock| center(&tailstock)),
@@ -176,7 +176,7 @@ impl Watch {
     }
 
     /// Looks at the next motion, before its material is off.
-    pub fn look(&mut self, index: usize, motion: &Motion, fitting: &Fitting, part: &mut Part) {
+    pub fn check_motion(&mut self, index: usize, motion: &Motion, resolved: &ResolvedSetup, part: &mut Part) {
         let process = &motion.process;
         if self.findings.len() >= MOST
             || motion.kind == MotionKind::Dwell
@@ -185,7 +185,7 @@ impl Watch {
         {
             return;
         }
-        let tool = fitting.tool(motion);
+        let tool = resolved.tool(motion);
         let station = motion.process.tool.0;
         if self.station.replace(station).is_some_and(|last| last != station) && self.is_at_work(motion.from) {
             self.unknown = [true; 2];
@@ -193,7 +193,7 @@ impl Watch {
         let comes_from_elsewhere = self.unknown != [false; 2];
         self.unknown[0] &= (motion.to.x - motion.from.x).abs() <= SAME;
         self.unknown[1] &= (motion.to.z - motion.from.z).abs() <= SAME;
-        if motion.kind.cuts() && fitting.misses(station) && !self.missed.contains(&station) {
+        if motion.kind.cuts() && resolved.misses(station) && !self.missed.contains(&station) {
             self.missed.push(station);
             self.tell(index, motion.from, Danger::ToolNotListed { station });
         }
@@ -244,7 +244,7 @@ impl Watch {
         }
     }
 
-    fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &Fitted) {
+    fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
         let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
         let found = obstacles.map(|(danger, obstacle)| {
             let obstacle = obstacle.as_ref()?;
@@ -258,10 +258,12 @@ impl Watch {
     /// Whether a cycle starts in the material: each pass comes back at rapid to the start, along the work.
     fn cycle_start(&mut self, index: usize, motion: &Motion, part: &mut Part) -> bool {
         let Some(tag) = motion.cycle else { return false };
-        let facing = match tag.cycle {
-            Cycle::Turning | Cycle::Threading | Cycle::MultiThreading => false,
-            Cycle::Facing => true,
-            _ => return false,
+        let facing = match tag.cycle.family() {
+            CycleFamily::Turning => tag.cycle == Cycle::Facing,
+            CycleFamily::Threading => false,
+            CycleFamily::Contour | CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole => {
+                return false;
+            }
         };
         match tag.step {
             Step::Infeed => {
@@ -303,7 +305,7 @@ impl Watch {
         found
     }
 
-    fn rapid(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
+    fn rapid(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
         let Some(stock) = self.stock else { return };
         let outlines = || tool.shape.solids();
         // Far from the blank nothing needs to be worked out.
@@ -341,10 +343,10 @@ impl Watch {
         }
     }
 
-    fn cut(&mut self, index: usize, motion: &Motion, tool: &Fitted, part: &mut Part) {
+    fn cut(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool, part: &mut Part) {
         let turns = matches!(tool.tool.kind, Some(ToolKind::Turning | ToolKind::Boring | ToolKind::Grooving));
         let low = motion.from.x.min(motion.to.x);
-        if turns && tool.known == Known::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
+        if turns && tool.basis == Basis::Given && low < -2.0 * tool.shape.nose - PAST_CENTER {
             self.tell(index, if motion.to.x == low { motion.to } else { motion.from }, Danger::BelowCenter);
         }
         if let Some(body) = &tool.shape.body {
@@ -366,8 +368,8 @@ impl Watch {
 }
 
 /// Whether a slope is steeper than the trailing edge of a turning tool, and the edge cuts because of it.
-fn too_steep(motion: &Motion, tool: &Fitted, part: &mut Part) -> Option<Danger> {
-    if tool.known == Known::Guessed || motion.arc().is_some() || motion.kind != MotionKind::Feed {
+fn too_steep(motion: &Motion, tool: &ResolvedTool, part: &mut Part) -> Option<Danger> {
+    if tool.basis == Basis::Inferred || motion.arc().is_some() || motion.kind != MotionKind::Feed {
         return None;
     }
     let side = match tool.tool.kind? {

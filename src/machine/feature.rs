@@ -3,8 +3,8 @@
 //! In: the half-section, where arcs are chords, and a place on it. Out: the [`Feature`] that the nearest edge belongs to.
 //! Neighbouring edges that lie on one line or one circle are one feature. Must not know the picture.
 
-use super::fitting::Fitting;
 use super::region::Region;
+use super::resolved_setup::ResolvedSetup;
 use crate::geometry::{Point, SAME};
 use crate::motion::{MotionKind, Motions};
 use crate::setup::Side;
@@ -80,7 +80,7 @@ pub struct Thread {
 }
 
 /// The threads of a program along the spindle axis.
-pub fn threads(motions: &Motions, fitting: &Fitting) -> Vec<Thread> {
+pub fn threads(motions: &Motions, resolved: &ResolvedSetup) -> Vec<Thread> {
     let mut threads: Vec<Thread> = Vec::new();
     for chunk in motions.chunks() {
         for index in (0..chunk.len()).filter(|&index| chunk.kind(index) == MotionKind::Thread) {
@@ -89,7 +89,7 @@ pub fn threads(motions: &Motions, fitting: &Fitting) -> Vec<Thread> {
             let Some(lead) = motion.lead.filter(|_| high - low > (motion.to.x - motion.from.x).abs()) else {
                 continue;
             };
-            let side = fitting.tool(&motion).tool.working_side();
+            let side = resolved.tool(&motion).tool.working_side();
             let depth = match side {
                 Side::Inside => motion.from.x.max(motion.to.x),
                 Side::Outside | Side::Face => motion.from.x.min(motion.to.x),
@@ -289,7 +289,7 @@ fn distance(place: Point, a: Point, b: Point) -> f64 {
 mod tests {
     use super::*;
     use crate::analyze;
-    use crate::machine::Shop;
+    use crate::machine::SimulationResult;
     use crate::setup::Setup;
 
     const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 20, "length": 80},
@@ -298,9 +298,9 @@ mod tests {
     fn feature_with(nose: &str, program: &str, diameter: f64, z: f64) -> Option<Feature> {
         let setup = Setup::from_json(&SETUP.replace("NOSE", nose)).expect("a setup");
         let analysis = analyze(program.as_bytes(), &setup);
-        let shop = Shop::done(&analysis.motions, &setup);
-        let threads = threads(&analysis.motions, shop.fitting());
-        at(&shop.finished().expect("a part"), &threads, Point::new(diameter / 2.0, z), 0.3)
+        let simulation = SimulationResult::of(&analysis.motions, &setup);
+        let threads = threads(&analysis.motions, simulation.resolved_setup());
+        at(&simulation.finished().expect("a part"), &threads, Point::new(diameter / 2.0, z), 0.3)
     }
 
     fn feature(program: &str, diameter: f64, z: f64) -> Feature {

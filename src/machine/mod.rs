@@ -1,50 +1,50 @@
 //! What happens at the machine: the part that appears, and what runs into what.
 //!
-//! In: the motions and the setup. Out: [`Machining`], which takes the material off in slices and can show nothing of it, and in
-//! the end the [`Shop`], with the work at any moment and the findings. Comes after the control and before the picture; must
+//! In: the motions and the setup. Out: [`Simulation`], which takes the material off in slices and can show nothing of it, and in
+//! the end the [`SimulationResult`], with the work at any moment and the findings. Comes after the control and before the picture; must
 //! not know the text of the program.
 
-pub mod assumed;
 pub mod blank;
 mod choice;
 pub mod compare;
 pub mod danger;
+pub mod defaults;
 pub mod feature;
-pub mod fitting;
-pub mod guess;
+pub mod inferred;
 pub mod part;
 pub mod region;
-mod seen;
-mod stations;
+pub mod resolved_setup;
 mod surface;
 pub mod sweep;
 pub mod thread_point;
 pub mod tool;
+mod tool_use;
+mod z_positions;
 
 use crate::limits::Limits;
 use crate::motion::Motions;
 use crate::setup::{Machine, Setup};
-use danger::{Finding, Watch};
-use fitting::Fitting;
+use danger::{DangerDetector, Finding};
 use part::Part;
 use region::Region;
+use resolved_setup::ResolvedSetup;
 
 /// A program at the machine, once all its material is off or a bound was met: there is no half-cut part to be shown.
 #[derive(Clone, Debug)]
-pub struct Shop {
-    fitting: Fitting,
+pub struct SimulationResult {
+    resolved: ResolvedSetup,
     part: Option<Part>,
-    watch: Watch,
+    detector: DangerDetector,
     machine: Machine,
     limits: Limits,
-    full: Option<Full>,
+    limit: Option<SimulationLimit>,
     /// How many motions the program has.
     motions: usize,
 }
 
-/// A bound that ends the taking off of material.
+/// Why the removal of material ended early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Full {
+pub enum SimulationLimit {
     /// The program has more motions than this.
     Motions(usize),
     /// What is left has more corners than this.
@@ -60,115 +60,127 @@ pub enum Full {
 
 /// A program whose material is being taken off. Nobody sees the work, or what runs into what, before all of it is off.
 #[derive(Clone, Debug)]
-pub struct Machining {
-    shop: Shop,
+pub struct Simulation {
+    result: SimulationResult,
 }
 
 /// How far the taking off of material has come.
 #[derive(Debug)]
-pub enum Advanced {
+pub enum SimulationStep {
     /// There is more to take off.
-    UnderWay(Machining),
+    UnderWay(Simulation),
     /// All is off, or a bound was met.
-    Done(Shop),
+    Done(SimulationResult),
 }
 
-impl Machining {
-    /// Fits out a program that has run.
+impl Simulation {
+    /// Begins with a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
-        Self::fitted(Fitting::new(motions, setup), motions, setup)
+        Self::of_resolved(ResolvedSetup::new(motions, setup), motions, setup)
     }
 
     /// The same with the tools and the blank that are already known.
-    fn fitted(fitting: Fitting, motions: &Motions, setup: &Setup) -> Self {
+    fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
         let limits = setup.limits;
         // With a tool that nobody knows, no part is better than a wrong one.
-        let known = fitting.stock().filter(|_| fitting.unknown().is_empty());
+        let known = resolved.stock().filter(|_| resolved.unknown().is_empty());
         let part = known.map(|(stock, _)| Part::new(&stock));
-        let watch = Watch::new(&fitting, setup);
-        let full = (motions.len() > limits.part_motions).then_some(Full::Motions(limits.part_motions));
-        let shop =
-            Shop { fitting, part, watch, machine: setup.machine, limits, full, motions: motions.len() };
-        Self { shop }
+        let detector = DangerDetector::new(&resolved, setup);
+        let limit =
+            (motions.len() > limits.part_motions).then_some(SimulationLimit::Motions(limits.part_motions));
+        let result = SimulationResult {
+            resolved,
+            part,
+            detector,
+            machine: setup.machine,
+            limits,
+            limit,
+            motions: motions.len(),
+        };
+        Self { result }
     }
 
     /// Takes the material of at most so many motions off.
-    pub fn advance(mut self, motions: &Motions, count: usize) -> Advanced {
-        if self.shop.take_off(motions, count) { Advanced::Done(self.shop) } else { Advanced::UnderWay(self) }
+    pub fn advance(mut self, motions: &Motions, count: usize) -> SimulationStep {
+        if self.result.remove_material(motions, count) {
+            SimulationStep::Done(self.result)
+        } else {
+            SimulationStep::UnderWay(self)
+        }
     }
 
     /// Takes no more material off.
-    pub fn stop(mut self) -> Shop {
-        let done = self.shop.part.as_ref().map_or(0, Part::done);
-        self.shop.full.get_or_insert(Full::Stopped { done, all: self.shop.motions });
-        self.shop
+    pub fn stop(mut self) -> SimulationResult {
+        let done = self.result.part.as_ref().map_or(0, Part::done);
+        self.result.limit.get_or_insert(SimulationLimit::Stopped { done, all: self.result.motions });
+        self.result
     }
 
     /// Share of the motions whose material is off, 0 to 1.
     pub fn progress(&self) -> f64 {
-        let done = self.shop.part.as_ref().map_or(0, Part::done);
-        if self.shop.motions == 0 { 1.0 } else { done as f64 / self.shop.motions as f64 }
+        let done = self.result.part.as_ref().map_or(0, Part::done);
+        if self.result.motions == 0 { 1.0 } else { done as f64 / self.result.motions as f64 }
     }
 
     /// Tools and blank.
-    pub fn fitting(&self) -> &Fitting {
-        &self.shop.fitting
+    pub fn resolved_setup(&self) -> &ResolvedSetup {
+        &self.result.resolved
     }
 }
 
-impl Shop {
+impl SimulationResult {
     /// A program with all its material off.
-    pub fn done(motions: &Motions, setup: &Setup) -> Self {
-        Self::fitted(Fitting::new(motions, setup), motions, setup)
+    pub fn of(motions: &Motions, setup: &Setup) -> Self {
+        Self::of_resolved(ResolvedSetup::new(motions, setup), motions, setup)
     }
 
-    /// The same with the [`Fitting`] of these motions and this setup.
-    pub fn fitted(fitting: Fitting, motions: &Motions, setup: &Setup) -> Self {
-        let mut machining = Machining::fitted(fitting, motions, setup);
+    /// The same with the [`ResolvedSetup`] of these motions and this setup.
+    pub fn of_resolved(resolved: ResolvedSetup, motions: &Motions, setup: &Setup) -> Self {
+        let mut simulation = Simulation::of_resolved(resolved, motions, setup);
         loop {
-            match machining.advance(motions, usize::MAX) {
-                Advanced::UnderWay(more) => machining = more,
-                Advanced::Done(shop) => return shop,
+            match simulation.advance(motions, usize::MAX) {
+                SimulationStep::UnderWay(more) => simulation = more,
+                SimulationStep::Done(simulation) => return simulation,
             }
         }
     }
 
     /// Takes the material of at most so many motions off; true once all are done, or a bound is met.
-    fn take_off(&mut self, motions: &Motions, count: usize) -> bool {
+    fn remove_material(&mut self, motions: &Motions, count: usize) -> bool {
         let Some(part) = &mut self.part else { return true };
         for _ in 0..count {
             let index = part.done();
-            if self.full.is_some() || index >= motions.len() {
+            if self.limit.is_some() || index >= motions.len() {
                 return true;
             }
             let motion = motions.get(index);
-            self.watch.look(index, &motion, &self.fitting, part);
-            part.step(&motion, self.fitting.tool(&motion));
+            self.detector.check_motion(index, &motion, &self.resolved, part);
+            part.step(&motion, self.resolved.tool(&motion));
             if part.corners() > self.limits.part_corners {
-                self.full = Some(Full::Corners(self.limits.part_corners));
+                self.limit = Some(SimulationLimit::Corners(self.limits.part_corners));
             }
         }
-        self.full.is_some() || part.done() >= motions.len()
+        self.limit.is_some() || part.done() >= motions.len()
     }
 
     /// The bound that was met.
-    pub fn full(&self) -> Option<Full> {
-        self.full
+    pub fn limit(&self) -> Option<SimulationLimit> {
+        self.limit
     }
 
     /// What runs into what; as far as motions are done, where a bound was met.
     pub fn findings(&self) -> &[Finding] {
-        &self.watch.findings
+        &self.detector.findings
     }
 
     /// What stands around the work: the chuck, the tailstock.
     pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        self.watch.obstacles()
+        self.detector.obstacles()
     }
 
     /// Tools and blank.
-    pub fn fitting(&self) -> &Fitting {
-        &self.fitting
+    pub fn resolved_setup(&self) -> &ResolvedSetup {
+        &self.resolved
     }
 
     /// The machine.
@@ -178,12 +190,12 @@ impl Shop {
 
     /// What is left of the blank after all motions that were done; nothing where there is no blank, or a bound was met.
     pub fn finished(&self) -> Option<Region> {
-        Some(self.part.as_ref().filter(|_| self.full.is_none())?.finished())
+        Some(self.part.as_ref().filter(|_| self.limit.is_none())?.finished())
     }
 
     /// What is left when so many motions are done, and of the next one the fraction `share`.
     pub fn part_at(&self, motions: &Motions, count: usize, share: f64) -> Option<Region> {
-        Some(self.part.as_ref().filter(|_| self.full.is_none())?.at(motions, &self.fitting, count, share))
+        Some(self.part.as_ref().filter(|_| self.limit.is_none())?.at(motions, &self.resolved, count, share))
     }
 
     /// The blank.

@@ -1,13 +1,13 @@
 //! The work as it is machined: what is left of the blank after each motion.
 //!
-//! In: the motions, and tools and blank as they are given or guessed. Out: the half-section at any moment. Material is
+//! In: the motions, and tools and blank as they are given or inferred. Out: the half-section at any moment. Material is
 //! taken off in slices (`advance`), so that a long program holds nothing up; now and then the state is kept, so that any
 //! moment is near one that is known.
 
 use std::cell::RefCell;
 
-use super::fitting::{Fitted, Fitting};
 use super::region::Region;
+use super::resolved_setup::{ResolvedSetup, ResolvedTool};
 use super::sweep::chords;
 use super::tool::Action;
 use crate::geometry::{Point, SAME, within};
@@ -87,7 +87,7 @@ impl Part {
     }
 
     /// Does the next motion with its tool.
-    pub fn step(&mut self, motion: &Motion, tool: &Fitted) {
+    pub fn step(&mut self, motion: &Motion, tool: &ResolvedTool) {
         let before = self.waiting.len();
         self.waiting.extend(cut(motion, self.turned, tool));
         self.turned = self.turned.after(motion);
@@ -138,19 +138,19 @@ impl Part {
     }
 
     /// The work when so many motions are done, and of the next one the fraction `share`.
-    pub fn at(&self, motions: &Motions, fitting: &Fitting, count: usize, share: f64) -> Region {
+    pub fn at(&self, motions: &Motions, resolved: &ResolvedSetup, count: usize, share: f64) -> Region {
         let count = count.min(self.done);
         let Kept { done: from, mut turned, mut region } = self.near(count);
         let mut outlines: Vec<Vec<Point>> = Vec::new();
         for motion in (from..count).map(|index| motions.get(index)) {
-            outlines.extend(cut(&motion, turned, fitting.tool(&motion)));
+            outlines.extend(cut(&motion, turned, resolved.tool(&motion)));
             turned = turned.after(&motion);
         }
         region.cut(&outlines);
         self.last.replace(Some(Kept { done: count, turned, region: region.clone() }));
         if count < motions.len() && count < self.done && share > 0.0 {
             let motion = motions.get(count);
-            region.cut(&cut_so_far(&motion, share, turned, fitting.tool(&motion)));
+            region.cut(&cut_so_far(&motion, share, turned, resolved.tool(&motion)));
         }
         region
     }
@@ -180,12 +180,12 @@ impl Part {
 }
 
 /// What a motion takes off, as outlines that may overlap.
-pub fn cut(motion: &Motion, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
+pub fn cut(motion: &Motion, turned: Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     cut_so_far(motion, 1.0, turned, tool)
 }
 
 /// What the fraction `share` of a motion takes off.
-fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &Fitted) -> Vec<Vec<Point>> {
+fn cut_so_far(motion: &Motion, share: f64, turned: Turned, tool: &ResolvedTool) -> Vec<Vec<Point>> {
     // Where the tool went is not known.
     if motion.process.uncertain
         || motion.process.elsewhere

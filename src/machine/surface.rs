@@ -1,11 +1,11 @@
 //! The surface that the tips of all tools leave together, and whether a tool would cut into it.
 //!
-//! In: cuts, as lines from one point to the next. Out: for the outside or the bore how deep each use of a tool goes at stations
+//! In: cuts, as lines from one point to the next. Out: for the outside or the bore how deep each use of a tool goes at positions
 //! along Z, and whether an outline led along them takes off what no tip was led along. Depths are *heights*: radii for the
 //! outside, negative radii for a bore, mm; a cut makes them less. Must not know which tool is which.
 
-use super::stations::{Profile, Stations, without_narrow_peaks};
 use super::sweep::Outline;
+use super::z_positions::{Profile, ZPositions, without_narrow_peaks};
 use crate::geometry::{Point, SAME};
 
 /// Most plunges of a track that are kept.
@@ -14,7 +14,7 @@ const MOST_PLUNGES: usize = 800;
 /// What is right beside a place is no further from it than this along Z, mm.
 const BESIDE: f64 = 0.3;
 
-/// What a guessed tool may cut too deep, mm.
+/// What an inferred tool may cut too deep, mm.
 pub const GOUGE: f64 = 0.05;
 
 /// How far along Z a guessed tool may shift a wall, mm.
@@ -47,7 +47,7 @@ impl Facing {
 /// Where a use of a tool is led.
 #[derive(Clone, Debug)]
 pub struct Track {
-    /// Least height at each station; infinite where the tip is not led along Z.
+    /// Least height at each position; infinite where the tip is not led along Z.
     pub along: Vec<f64>,
     /// Ends of straight ways into the work: Z and height.
     pub plunges: Vec<(f64, f64)>,
@@ -55,19 +55,19 @@ pub struct Track {
 
 impl Track {
     /// A tool that is not led anywhere yet.
-    pub fn new(stations: &Stations) -> Self {
-        Self { along: vec![f64::INFINITY; stations.all().len()], plunges: Vec::new() }
+    pub fn new(positions: &ZPositions) -> Self {
+        Self { along: vec![f64::INFINITY; positions.all().len()], plunges: Vec::new() }
     }
 
     /// Adds a cut along some points.
-    pub fn add(&mut self, way: &[Point], facing: Facing, stations: &Stations) {
+    pub fn add(&mut self, way: &[Point], facing: Facing, positions: &ZPositions) {
         for ends in way.windows(2) {
             let (from, to) = (ends[0], ends[1]);
             let (start, end) = (facing.height(from.x), facing.height(to.x));
             if (to.z - from.z).abs() > SAME {
                 let slope = (end - start) / (to.z - from.z);
-                let range = stations.range(from.z.min(to.z), from.z.max(to.z));
-                for (own, z) in self.along[range.clone()].iter_mut().zip(&stations.all()[range]) {
+                let range = positions.range(from.z.min(to.z), from.z.max(to.z));
+                for (own, z) in self.along[range.clone()].iter_mut().zip(&positions.all()[range]) {
                     *own = own.min(start + (z - from.z) * slope);
                 }
             } else if end < start - SAME {
@@ -87,9 +87,9 @@ impl Track {
     }
 
     /// The highest Z where it is led along Z between two heights.
-    pub fn highest_between(&self, stations: &Stations, low: f64, high: f64) -> Option<f64> {
+    pub fn highest_between(&self, positions: &ZPositions, low: f64, high: f64) -> Option<f64> {
         let index = self.along.iter().rposition(|height| (low..high).contains(height))?;
-        Some(stations.all()[index])
+        Some(positions.all()[index])
     }
 
     /// The same without the ways that part the work off: those that end below a height.
@@ -100,14 +100,14 @@ impl Track {
     }
 
     /// Whether it is led along Z right after a place.
-    pub fn goes_on_behind(&self, stations: &Stations, z: f64) -> bool {
-        self.along[stations.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
+    pub fn goes_on_behind(&self, positions: &ZPositions, z: f64) -> bool {
+        self.along[positions.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
 
     /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An arc that is not quite
     /// tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
-    pub fn is_valley(&self, stations: &Stations) -> bool {
-        let heights = without_narrow_peaks(stations, &self.along, WIDEST_SHIFT);
+    pub fn is_valley(&self, positions: &ZPositions) -> bool {
+        let heights = without_narrow_peaks(positions, &self.along, WIDEST_SHIFT);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
         heights.iter().all(|&height| {
             if height.is_infinite() {
@@ -124,10 +124,10 @@ impl Track {
     }
 
     /// The same without plunges where what it is led along ends: the last step of a contour may go on into the bar.
-    pub fn without_last_step(&self, stations: &Stations) -> Self {
+    pub fn without_last_step(&self, positions: &ZPositions) -> Self {
         let mut track = self.clone();
         if let Some(back) = self.along.iter().position(|height| height.is_finite()) {
-            track.plunges.retain(|(z, _)| *z > stations.all()[back] + ALLOWANCE);
+            track.plunges.retain(|(z, _)| *z > positions.all()[back] + ALLOWANCE);
         }
         track
     }
@@ -144,7 +144,7 @@ impl Track {
 #[derive(Clone, Debug)]
 pub struct Surface {
     facing: Facing,
-    stations: Stations,
+    positions: ZPositions,
     heights: Vec<f64>,
 }
 
@@ -153,31 +153,31 @@ impl Surface {
     /// beyond it nothing is to remain.
     pub fn of<'a>(
         tracks: impl Iterator<Item = &'a Track>,
-        (facing, stations): (Facing, Stations),
+        (facing, positions): (Facing, ZPositions),
         radius: f64,
         (back, front): (f64, f64),
     ) -> Self {
-        let mut heights = vec![facing.height(radius); stations.all().len()];
+        let mut heights = vec![facing.height(radius); positions.all().len()];
         for track in tracks {
             for (height, own) in heights.iter_mut().zip(&track.along) {
                 *height = height.min(*own);
             }
         }
-        for (height, z) in heights.iter_mut().zip(stations.all()) {
+        for (height, z) in heights.iter_mut().zip(positions.all()) {
             if *z > front - SAME || *z < back {
                 *height = f64::NEG_INFINITY;
             }
         }
-        let heights = without_narrow_peaks(&stations, &heights, WIDEST_SHIFT);
-        Self { facing, stations, heights }
+        let heights = without_narrow_peaks(&positions, &heights, WIDEST_SHIFT);
+        Self { facing, positions, heights }
     }
 
     /// What a track alone leaves; where it is not led along Z nothing is to stay.
-    pub fn of_one(track: &Track, (facing, stations): (Facing, Stations)) -> Self {
+    pub fn of_one(track: &Track, (facing, positions): (Facing, ZPositions)) -> Self {
         let stays = |height: &f64| if height.is_finite() { *height } else { f64::NEG_INFINITY };
         let heights: Vec<f64> = track.along.iter().map(stays).collect();
-        let heights = without_narrow_peaks(&stations, &heights, WIDEST_SHIFT);
-        Self { facing, stations, heights }
+        let heights = without_narrow_peaks(&positions, &heights, WIDEST_SHIFT);
+        Self { facing, positions, heights }
     }
 
     /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left beside it.
@@ -188,7 +188,7 @@ impl Surface {
 
     /// Whether the surface is as deep as this at a place, or right beside it.
     fn is_reached(&self, z: f64, height: f64) -> bool {
-        let near = self.stations.range(z - BESIDE, z + BESIDE);
+        let near = self.positions.range(z - BESIDE, z + BESIDE);
         self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
@@ -197,9 +197,9 @@ impl Surface {
     /// Track, surface and edge are straight between their points. So the outline is deepest in the surface where two of three meet:
     /// a point of the track, a point of the surface, a corner of the edge.
     pub fn is_gouged(&self, outline: &Outline, track: &Track, shift: f64) -> bool {
-        // Stations do not show exactly where a wall is.
-        let edge = Edge::of(outline, self.facing).narrowed(shift.max(self.stations.exact_to()));
-        let led = self.stations.all().iter().copied().zip(track.along.iter().copied());
+        // ZPositions do not show exactly where a wall is.
+        let edge = Edge::of(outline, self.facing).narrowed(shift.max(self.positions.exact_to()));
+        let led = self.positions.all().iter().copied().zip(track.along.iter().copied());
         let led: Vec<(f64, f64)> = led.filter(|(_, height)| height.is_finite()).collect();
         let mut plunges = track.plunges.clone();
         plunges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
@@ -211,14 +211,14 @@ impl Surface {
         let cuts_points = |side: &[Point]| {
             let (a, b) = (side[0], side[1]);
             let slope = (b.x - a.x) / (b.z - a.z);
-            let mut profile = Profile::new(&self.stations, &self.heights);
+            let mut profile = Profile::new(&self.positions, &self.heights);
             tips.iter().any(|&(z, height)| {
                 let mut under = profile.range(z + a.z, z + b.z);
                 under.any(|(own, surface)| height + a.x + (own - z - a.z) * slope < surface - GOUGE)
             })
         };
         let cuts_with_corner = |corner: &Point| {
-            let mut profile = Profile::new(&self.stations, &self.heights);
+            let mut profile = Profile::new(&self.positions, &self.heights);
             tips.iter().any(|&(z, height)| {
                 profile.at(z + corner.z).is_some_and(|surface| height + corner.x < surface - GOUGE)
             })
@@ -229,8 +229,8 @@ impl Surface {
     /// Whether a corner of an edge led along a track comes below a point of the surface.
     fn is_above(&self, edge: &Edge, track: &Track) -> bool {
         edge.0.iter().any(|corner| {
-            let mut led = Profile::new(&self.stations, &track.along);
-            let mut points = self.stations.all().iter().zip(&self.heights);
+            let mut led = Profile::new(&self.positions, &track.along);
+            let mut points = self.positions.all().iter().zip(&self.heights);
             points.any(|(z, surface)| {
                 led.at(z - corner.z).is_some_and(|height| height + corner.x < surface - GOUGE)
             })
@@ -286,22 +286,22 @@ impl Edge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::stations::Places;
     use crate::machine::tool::Shape;
+    use crate::machine::z_positions::Places;
 
-    fn led(points: &[(f64, f64)]) -> (Track, Stations) {
+    fn led(points: &[(f64, f64)]) -> (Track, ZPositions) {
         let way: Vec<Point> = points.iter().map(|&(x, z)| Point::new(x, z)).collect();
         let mut places = Places::default();
         way.windows(2).for_each(|ends| places.add(ends));
-        let stations = places.between(-40.0, 8.0);
-        let mut track = Track::new(&stations);
-        track.add(&way, Facing::Outwards, &stations);
-        (track, stations)
+        let positions = places.between(-40.0, 8.0);
+        let mut track = Track::new(&positions);
+        track.add(&way, Facing::Outwards, &positions);
+        (track, positions)
     }
 
     fn gouges(tool: &str, points: &[(f64, f64)]) -> bool {
-        let (track, stations) = led(points);
-        let surface = Surface::of([&track].into_iter(), (Facing::Outwards, stations), 30.0, (-40.0, 0.0));
+        let (track, positions) = led(points);
+        let surface = Surface::of([&track].into_iter(), (Facing::Outwards, positions), 30.0, (-40.0, 0.0));
         let shape = Shape::of(&serde_json::from_str(tool).expect("a tool"));
         surface.is_gouged(&shape.edge, &track, SHIFT)
     }
@@ -321,8 +321,8 @@ mod tests {
 
     #[test]
     fn valleys_and_rings() {
-        let clears = |(track, stations): &(Track, Stations)| {
-            let side = (Facing::Outwards, stations.clone());
+        let clears = |(track, positions): &(Track, ZPositions)| {
+            let side = (Facing::Outwards, positions.clone());
             Surface::of([track].into_iter(), side, 30.0, (-40.0, 0.0)).clears_plunges(track, 0.0)
         };
         let valley = led(&[(30.0, -10.0), (25.0, -10.0), (25.0, -15.0), (30.0, -20.0)]);

@@ -103,8 +103,7 @@ impl Shape {
                 (Action::Turning, edge, body)
             }
             ToolKind::Endmill => {
-                let radius =
-                    tool.tool_radius.or(tool.diameter.map(|diameter| diameter / 2.0)).unwrap_or(DRILL / 2.0);
+                let radius = tool.cutter_radius().unwrap_or(DRILL / 2.0);
                 (Action::Live, Outline::around(rectangle((0.0, LONG / 10.0), (-radius, radius))), None)
             }
         };
@@ -321,12 +320,12 @@ fn rectangle(z: (f64, f64), x: (f64, f64)) -> [Point; 4] {
     [Point::new(x.0, z.0), Point::new(x.0, z.1), Point::new(x.1, z.1), Point::new(x.1, z.0)]
 }
 
-/// What a guessed tool takes off.
+/// What an inferred tool takes off.
 pub(super) fn takes(tool: &Tool) -> Outline {
     over_edge(tool, &Shape::of(tool))
 }
 
-/// How long the edge of a guessed insert is, nobody knows: nothing is left standing over it.
+/// The edge length of an inferred insert is not known: nothing is left standing over it.
 pub(super) fn over_edge(tool: &Tool, shape: &Shape) -> Outline {
     let over = match tool.kind {
         Some(ToolKind::Turning) => LONG,

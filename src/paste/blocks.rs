@@ -4,6 +4,7 @@
 //! second axis word of the same letter, before a second code of the same group.
 
 use super::items::{Item, Kind, Word, slice};
+use crate::control::codes;
 
 /// Of an item that belongs to no block.
 pub(super) const NOBODY: u32 = u32::MAX;
@@ -390,8 +391,7 @@ fn repeats(block: &Block, word: Word) -> bool {
 
 /// Codes of which a block has only one.
 fn is_group_1(word: Word) -> bool {
-    const CODES: [i64; 10] = [0, 10, 20, 30, 320, 330, 340, 900, 920, 940];
-    word.letter == b'G' && CODES.contains(&word.tenths())
+    word.letter == b'G' && u64::try_from(word.tenths()).is_ok_and(codes::is_of_motion_group)
 }
 
 /// Takes note of an item of a block.

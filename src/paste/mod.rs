@@ -32,7 +32,7 @@ pub struct Found {
     pub too_long: bool,
     /// The text is more than a program as a control takes it: prose stands around it, or a program had to be repaired by
     /// more than the parser does itself.
-    pub doubtful: bool,
+    pub needs_review: bool,
 }
 
 /// A program found in a text.
@@ -137,12 +137,12 @@ pub fn find(text: &str) -> Found {
         let name = programs::name(text, &items, &blocks, stretch, lines.0);
         programs.push(Program { name, span, lines, pieces });
     }
-    let doubtful = more > 0 || is_doubtful(text, &items, &programs);
-    Found { programs, more, too_long: false, doubtful }
+    let needs_review = more > 0 || needs_review(text, &items, &programs);
+    Found { programs, more, too_long: false, needs_review }
 }
 
 /// Whether the text is more than programs as a control takes them.
-fn is_doubtful(text: &str, items: &[items::Item], programs: &[Program]) -> bool {
+fn needs_review(text: &str, items: &[items::Item], programs: &[Program]) -> bool {
     if programs.is_empty() {
         return false;
     }

@@ -8,16 +8,25 @@ use super::blocks::{Blocks, NOBODY};
 use super::items::{Item, Kind, Word, is_blank, is_invisible, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
+use crate::control::codes;
 use crate::source::Span;
 
 /// Longest text after a block that becomes a remark, characters.
 const LONGEST_REMARK: usize = 40;
 
-/// Codes a G word may have been whose second digit cannot be read; `G0` is G00 already.
-const CODES: [&str; 22] = [
-    "G01", "G02", "G03", "G04", "G20", "G21", "G28", "G32", "G50", "G70", "G71", "G72", "G73", "G74", "G75",
-    "G76", "G90", "G92", "G94", "G96", "G97", "G98",
-];
+/// Codes besides the turning cycles that a G word may have been whose second digit cannot be read; `G0` is G00 already.
+const CODES: [&str; 12] =
+    ["G01", "G02", "G03", "G04", "G20", "G21", "G28", "G32", "G50", "G96", "G97", "G98"];
+
+/// All codes that begin as what can be read of one, in the order of their numbers. Hole cycles are left out: ten codes that
+/// begin alike are no choice.
+fn longer_codes(read: &str) -> Vec<String> {
+    let all = CODES.into_iter().map(str::to_owned).chain(codes::turning_cycles());
+    let mut longer: Vec<String> =
+        all.filter(|code| code.len() > read.len() && code.starts_with(read)).collect();
+    longer.sort_unstable();
+    longer
+}
 
 /// Writes a program.
 pub(super) fn write(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Vec<Piece> {
@@ -116,8 +125,7 @@ impl Writer<'_> {
             .get(at + 1)
             .filter(|next| next.kind == Kind::Foreign && next.span.start == item.span.end);
         if next.is_some() && word.letter == b'G' && self.blocks.owner[at + 1] == self.blocks.owner[at] {
-            let longer = CODES.into_iter().filter(|code| code.len() > now.len() && code.starts_with(&now));
-            let choices: Vec<String> = [now.as_str()].into_iter().chain(longer).map(str::to_string).collect();
+            let choices: Vec<String> = [now.clone()].into_iter().chain(longer_codes(&now)).collect();
             let reason = if choices.len() > 1 { Some(Reason::UnreadableDigit) } else { word.reason };
             self.push(end, now, reason);
             return self.ask(choices);

@@ -16,8 +16,8 @@ const FEWEST: usize = 2;
 
 /// Asks where a minus seems to be lost.
 pub(super) fn ask(text: &str, items: &[Item], blocks: &Blocks, stretch: &Stretch, pieces: &mut Vec<Piece>) {
-    let Some(doubtful) = doubtful(items, blocks, stretch) else { return };
-    let mut asked = doubtful.into_iter().peekable();
+    let Some(ambiguous) = ambiguous(items, blocks, stretch) else { return };
+    let mut asked = ambiguous.into_iter().peekable();
     let mut split = Vec::with_capacity(pieces.len());
     for piece in pieces.drain(..) {
         if piece.reason.is_some() {
@@ -82,7 +82,7 @@ fn behind_words(text: &str, bytes: usize) -> Option<usize> {
 }
 
 /// The words that may have lost their minus; nothing where the program has one, or cuts towards the part.
-fn doubtful(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<Span>> {
+fn ambiguous(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<Span>> {
     let mut code = 0;
     let mut clearance: Option<f64> = None;
     let mut depths: Vec<f64> = Vec::new();

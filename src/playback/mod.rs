@@ -4,5 +4,5 @@
 
 pub mod clock;
 pub mod steps;
-pub mod tally;
 pub mod timing;
+pub mod totals;

@@ -27,7 +27,7 @@ pub fn files(rules: &[RuleFile]) -> Vec<(String, String)> {
     let mut files = vec![
         ("message.rs".to_owned(), message(rules)),
         ("sentences.rs".to_owned(), sentences(rules)),
-        ("samples.rs".to_owned(), samples(rules)),
+        ("example_messages.rs".to_owned(), example_messages(rules)),
     ];
     for (index, tag) in LANGUAGES.iter().enumerate() {
         files.push((format!("messages.{tag}.json"), json(rules, index)));
@@ -179,13 +179,13 @@ fn sentences(rules: &[RuleFile]) -> String {
 }
 
 /// A value of each message with the samples of its arguments, one for each alarm.
-fn samples(rules: &[RuleFile]) -> String {
+fn example_messages(rules: &[RuleFile]) -> String {
     let mut out = String::new();
     put(
         &mut out,
         "/// Every message with the samples of its rule file; where a rule has several alarms, once for each.",
     );
-    put(&mut out, "pub fn samples() -> Vec<Message> {\n    vec![");
+    put(&mut out, "pub fn example_messages() -> Vec<Message> {\n    vec![");
     for (rule, message) in messages(rules) {
         let has_alarm = message.arguments.iter().any(|argument| argument.kind == Type::Alarm);
         let without = [String::new()];

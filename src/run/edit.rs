@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Origin, Run, RunId, TextEdit};
+use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
-use crate::origin;
+use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
 use crate::text::parser::Resume;
@@ -18,13 +18,13 @@ const BLOCKS_PER_MOTION: usize = 4;
 /// A snapshot on the way through the text, between the first word of the main program and its end: the O numbers met
 /// are the same at all of them.
 #[derive(Clone, Debug)]
-pub(super) struct Mark {
+pub(super) struct Checkpoint {
     snapshot: Snapshot,
     /// Blocks read before it.
     blocks: usize,
 }
 
-impl Mark {
+impl Checkpoint {
     fn byte(&self) -> u32 {
         self.snapshot.at().byte
     }
@@ -32,7 +32,7 @@ impl Mark {
 
 /// What a run gave before its text was changed, from the first snapshot after the change on.
 #[derive(Clone, Debug)]
-pub(super) struct Before {
+pub(super) struct PreviousRun {
     remainder: Remainder,
     /// Blocks read at each of its snapshots.
     blocks: Vec<usize>,
@@ -50,7 +50,7 @@ pub(super) struct Before {
     filled: usize,
 }
 
-impl Before {
+impl PreviousRun {
     /// Takes in a further change, of the text as it is now.
     fn edit(mut self, end: u32, bytes: i64) -> Self {
         let behind = i64::from(self.shift.from) + self.shift.bytes;
@@ -81,54 +81,56 @@ impl Run {
         let start = edit.start.min(end);
         let bytes = edit.insert.len() as i64 - (end - start) as i64;
         let before = self.before_edit(end as u32, bytes);
-        let keep = self.marks.partition_point(|mark| (mark.byte() as usize) < start);
-        self.marks.truncate(keep);
+        let keep = self.checkpoints.partition_point(|checkpoint| (checkpoint.byte() as usize) < start);
+        self.checkpoints.truncate(keep);
         self.numbers = None;
         let mut text = std::mem::take(&mut self.text);
         text.splice(start..end, edit.insert);
-        let mark = self.marks.last().filter(|_| {
+        let checkpoint = self.checkpoints.last().filter(|_| {
             text.len() <= self.setup().limits.text
-                && (start >= origin::HEAD
-                    || self.origin == Origin::of(&origin::look_at_head(&text), &self.setup().dialect))
+                && (start >= provenance::HEAD
+                    || self.recognised
+                        == Recognised::of(&provenance::detect_in_head(&text), &self.setup().dialect))
                 && (start >= notes::HEAD || self.notes == Notes::read(&text))
         });
-        let same_way = match mark {
-            Some(mark) => {
+        let same_way = match checkpoint {
+            Some(checkpoint) => {
                 self.text = text;
-                self.interpreter.restore(&mark.snapshot);
-                (self.at, self.blocks) = (mark.snapshot.at(), mark.blocks);
+                self.interpreter.restore(&checkpoint.snapshot);
+                (self.at, self.blocks) = (checkpoint.snapshot.at(), checkpoint.blocks);
                 self.programs.retain(|_, start| *start < self.at.byte);
                 (self.begun, self.ended, self.finished, self.stopped) = (true, false, false, false);
                 self.due = self.next_due();
                 true
             }
             None => {
-                let (origin, setup) = (self.origin, self.setup().clone());
+                let (recognised, setup) = (self.recognised, self.setup().clone());
                 *self = Self::begin(text, self.given.clone(), self.decided);
-                !self.finished && self.origin == origin && *self.setup() == setup
+                !self.finished && self.recognised == recognised && *self.setup() == setup
             }
         };
         let filled = self.text.trim_ascii_end().len();
-        self.before = before.filter(|_| same_way).map(|before| Before { filled, ..before });
-        self.look_out(self.at);
+        self.previous = before.filter(|_| same_way).map(|before| PreviousRun { filled, ..before });
+        self.find_next_meeting(self.at);
     }
 
     /// What this run, or the one before it, gave after a change that is about to be made.
-    fn before_edit(&mut self, end: u32, bytes: i64) -> Option<Before> {
-        if let Some(before) = self.before.take() {
+    fn before_edit(&mut self, end: u32, bytes: i64) -> Option<PreviousRun> {
+        if let Some(before) = self.previous.take() {
             return Some(before.edit(end, bytes));
         }
         if !self.finished || self.stopped || !self.interpreter.is_straight() {
             return None;
         }
-        let behind = self.marks.partition_point(|mark| mark.byte() < end);
-        let marks = self.marks.split_off(behind);
-        let first = marks.first()?.byte();
-        let (snapshots, blocks) = marks.into_iter().map(|mark| (mark.snapshot, mark.blocks)).unzip();
+        let behind = self.checkpoints.partition_point(|checkpoint| checkpoint.byte() < end);
+        let checkpoints = self.checkpoints.split_off(behind);
+        let first = checkpoints.first()?.byte();
+        let (snapshots, blocks) =
+            checkpoints.into_iter().map(|checkpoint| (checkpoint.snapshot, checkpoint.blocks)).unzip();
         let programs = std::mem::take(&mut self.programs);
         let (heads, others) = programs.into_iter().partition(|(_, start)| *start < first);
         self.programs = heads;
-        Some(Before {
+        Some(PreviousRun {
             remainder: self.interpreter.take_remainder(snapshots)?,
             blocks,
             last: self.blocks,
@@ -151,18 +153,18 @@ impl Run {
     pub(super) fn pause(&mut self, at: Resume) -> bool {
         self.due = self.next_due();
         if self.ended || !self.interpreter.is_straight() {
-            self.before = None;
+            self.previous = None;
         }
         let may_pause = self.begun && !self.ended && at.begins_line() && self.interpreter.is_straight();
         let joined = may_pause && {
             let snapshot = self.interpreter.snapshot(at);
-            self.marks.push(Mark { snapshot, blocks: self.blocks });
+            self.checkpoints.push(Checkpoint { snapshot, blocks: self.blocks });
             self.join_at(at)
         };
         if !may_pause && self.interpreter.has_full_chunk() {
             self.interpreter.begin_chunk(at);
         }
-        self.look_out(at);
+        self.find_next_meeting(at);
         joined
     }
 
@@ -171,17 +173,17 @@ impl Run {
     }
 
     /// Finds out where after a place the run before the edit may be met next.
-    fn look_out(&mut self, at: Resume) {
-        let next = self.before.as_mut().and_then(|before| before.meeting(at.byte));
+    fn find_next_meeting(&mut self, at: Resume) {
+        let next = self.previous.as_mut().and_then(|before| before.meeting(at.byte));
         if next.is_none() {
-            self.before = None;
+            self.previous = None;
         }
         self.meeting = next.unwrap_or(u32::MAX);
     }
 
     /// Takes over the rest of the run before the edit, if that went on from here as this one does.
     fn join_at(&mut self, at: Resume) -> bool {
-        let Some(before) = &mut self.before else { return false };
+        let Some(before) = &mut self.previous else { return false };
         let index = before.next;
         let Some(there) = before.remainder.at(index) else { return false };
         before.shift.lines = i64::from(at.line) - i64::from(there.line);
@@ -192,7 +194,7 @@ impl Run {
         {
             return false;
         }
-        let Some(Before { remainder, blocks, last, heads, others, .. }) = self.before.take() else {
+        let Some(PreviousRun { remainder, blocks, last, heads, others, .. }) = self.previous.take() else {
             return false;
         };
         if !heads.iter().eq(self.programs.keys()) {
@@ -203,7 +205,8 @@ impl Run {
         let (met, own) = (blocks[index], self.blocks);
         let moved = |blocks: usize| blocks - met + own;
         let blocks = blocks.into_iter().skip(index + 1).map(moved);
-        self.marks.extend(later.into_iter().zip(blocks).map(|(snapshot, blocks)| Mark { snapshot, blocks }));
+        self.checkpoints
+            .extend(later.into_iter().zip(blocks).map(|(snapshot, blocks)| Checkpoint { snapshot, blocks }));
         self.blocks = moved(last);
         self.programs.extend(others.into_iter().map(|(number, start)| (number, shift.byte(start))));
         true

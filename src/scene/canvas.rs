@@ -55,7 +55,7 @@ struct Painted {
     source: Source,
     view: View,
     work: Option<u64>,
-    outline: u64,
+    path_index: u64,
     /// Which image of the strokes.
     strokes: u32,
 }
@@ -76,11 +76,11 @@ impl Painter {
             source: *source,
             view: (*view).clone(),
             work: scene.work().map(Work::id),
-            outline: scene.outline().id(),
+            path_index: scene.path_index().id(),
             strokes: self.strokes.version(),
         };
         let before = self.painted.take();
-        if before.as_ref().is_some_and(|before| before.outline != now.outline) {
+        if before.as_ref().is_some_and(|before| before.path_index != now.path_index) {
             self.picked = None;
         }
         if before.as_ref() != Some(&now) {
@@ -292,7 +292,7 @@ impl Painter {
 impl Painted {
     /// Whether the sheet under what is picked out is the same.
     fn has_same_sheet(&self, now: &Painted) -> bool {
-        let image = |painted: &Painted| (painted.source, painted.work, painted.outline, painted.strokes);
+        let image = |painted: &Painted| (painted.source, painted.work, painted.path_index, painted.strokes);
         self.view.shows_same_ground(&now.view) && image(self) == image(now)
     }
 }

@@ -1,19 +1,19 @@
 //! The end face: what polar interpolation (G12.1) makes of it, in a picture of its own.
 //!
-//! In: the motions of a run and the shop. Out: [`Face`], whose [`Scene`] is drawn, picked in and exported as the section is:
+//! In: the motions of a run and the simulation. Out: [`Face`], whose [`Scene`] is drawn, picked in and exported as the section is:
 //! the moves of the virtual plane, as a list of motions of their own, and the area that live cutters sweep. Points have C
 //! in `x` (upwards) and X in `z` (to the right), mm, seen from the tailstock. Must not know of canvases.
 
 use std::f64::consts::TAU;
 
-use super::outline::Outline;
+use super::path_index::PathIndex;
 use super::work::{ToolOutline, Work};
 use super::{Place, Plane, Scene};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::geometry::{Point, Turn};
-use crate::machine::Shop;
-use crate::machine::fitting::Fitted;
+use crate::machine::SimulationResult;
 use crate::machine::region::Region;
+use crate::machine::resolved_setup::ResolvedTool;
 use crate::machine::sweep::{self, way_of};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::playback::clock::Playhead;
@@ -29,7 +29,7 @@ const CORNERS: u32 = 256;
 pub struct Face {
     /// The moves, in the plane of the face.
     motions: Motions,
-    outline: Outline,
+    path_index: PathIndex,
     /// For each of them the motion of the run it is.
     of: Vec<usize>,
     /// For each of them what its cutter sweeps, where its radius is known and it cuts.
@@ -38,8 +38,9 @@ pub struct Face {
 
 impl Face {
     /// The face of a program; nothing where no motion moves in it.
-    pub fn of(motions: &Motions, shop: &Shop) -> Option<Self> {
-        let face_of_stock = shop.fitting().stock().map_or(f64::INFINITY, |(stock, _)| stock.face);
+    pub fn of(motions: &Motions, simulation: &SimulationResult) -> Option<Self> {
+        let face_of_stock =
+            simulation.resolved_setup().stock().map_or(f64::INFINITY, |(stock, _)| stock.face);
         let (mut of, mut cutters) = (Vec::new(), Vec::new());
         let mut own: Option<Chunk> = None;
         let mut index = 0;
@@ -59,18 +60,18 @@ impl Face {
                 );
                 of.push(place);
                 let cuts = moved.third.0.min(moved.third.1) < face_of_stock;
-                cutters.push(cutter_radius(shop.fitting().tool(&motion)).filter(|_| cuts));
+                cutters.push(cutter_radius(simulation.resolved_setup().tool(&motion)).filter(|_| cuts));
             }
         }
         let mut list = Motions::default();
         list.push(own?);
-        let outline = Outline::of(&list);
-        Some(Self { motions: list, outline, of, cutters })
+        let path_index = PathIndex::of(&list);
+        Some(Self { motions: list, path_index, of, cutters })
     }
 
     /// The picture.
     pub fn scene<'a>(&'a self, work: Option<&'a Work>) -> Scene<'a> {
-        Scene::new(&self.motions, &self.outline, work).on(Plane::Face)
+        Scene::new(&self.motions, &self.path_index, work).on(Plane::Face)
     }
 
     /// The motion of the run that a move of this picture is.
@@ -91,8 +92,8 @@ impl Face {
     }
 
     /// Blank, what is left of the face, and the cutter: when all is done, or with the tool at a place of the run.
-    pub fn work(&self, shop: &Shop, place: Option<Place>) -> Option<Work> {
-        let (stock, known) = shop.fitting().stock()?;
+    pub fn work(&self, simulation: &SimulationResult, place: Option<Place>) -> Option<Work> {
+        let (stock, basis) = simulation.resolved_setup().stock()?;
         let mut blank = Region::inside(&circle(stock.diameter / 2.0));
         if stock.bore > 0.0 {
             blank.cut(&[circle(stock.bore / 2.0)]);
@@ -107,7 +108,7 @@ impl Face {
             let edge = sweep::Outline::around(circle(radius)).at(tip);
             Some(ToolOutline { edge, body: None, tip })
         });
-        Some(Work::on_face(&blank, &left, known, tool, stock.diameter / 2.0))
+        Some(Work::on_face(&blank, &left, basis, tool, stock.diameter / 2.0))
     }
 
     /// What the cutters sweep in the moves before `until`, and in a part of the next one.
@@ -154,9 +155,9 @@ fn in_plane(motion: &Motion, moved: &VirtualMove) -> Motion {
 }
 
 /// The radius of a live cutter, mm, where somebody has said it.
-fn cutter_radius(fitted: &Fitted) -> Option<f64> {
-    let tool = &fitted.tool;
-    let radius = tool.tool_radius.or(tool.diameter.map(|diameter| diameter / 2.0)).or(tool.geometry_r)?;
+fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
+    let tool = &resolved_tool.tool;
+    let radius = tool.cutter_radius().or(tool.geometry_r)?;
     (radius > 0.0 && radius.is_finite()).then_some(radius)
 }
 
@@ -180,17 +181,17 @@ mod tests {
     const SQUARE: &str = "T0101\nG97 S100 M13\nG00 X80 Z30\nG98 G01 Z-20 F100\nG12.1\nG42 X50\nC25\nX-50\nC-25\nX50\nC0\n\
         G40 X100\nG13.1\nG00 X120";
 
-    fn face(program: &str) -> (Face, Shop) {
+    fn face(program: &str) -> (Face, SimulationResult) {
         let setup = Setup::from_json(SETUP).expect("a setup");
         let analysis = analyze(program.as_bytes(), &setup);
-        let shop = Shop::done(&analysis.motions, &setup);
-        (Face::of(&analysis.motions, &shop).expect("a face"), shop)
+        let simulation = SimulationResult::of(&analysis.motions, &setup);
+        (Face::of(&analysis.motions, &simulation).expect("a face"), simulation)
     }
 
     #[test]
     fn a_square_is_a_square() {
-        let (face, shop) = face(SQUARE);
-        let work = face.work(&shop, None).expect("a blank");
+        let (face, simulation) = face(SQUARE);
+        let work = face.work(&simulation, None).expect("a blank");
         let mut middle = Region::default();
         for outline in &work.part {
             if outline.iter().all(|at| at.x.hypot(at.z) < 36.0) {
@@ -212,15 +213,15 @@ mod tests {
 
     #[test]
     fn the_tool_is_where_it_is_in_the_section() {
-        let (face, shop) = face(SQUARE);
+        let (face, simulation) = face(SQUARE);
         let third = face.motion(2).expect("a motion");
         let place = Place { motion: third, fraction: 0.5, at: Point::default() };
-        let tool = face.work(&shop, Some(place)).and_then(|work| work.tool).expect("a tool");
+        let tool = face.work(&simulation, Some(place)).and_then(|work| work.tool).expect("a tool");
         assert!(tool.tip.is_same(Point::new(35.0, 0.0)), "{:?}", tool.tip);
         assert_eq!(face.playhead(place), Playhead { motion: 2, share: 0.5 });
         let before = Place { motion: 0, fraction: 0.3, at: Point::default() };
         assert_eq!(face.playhead(before), Playhead::START);
-        let work = face.work(&shop, Some(before)).expect("a blank");
+        let work = face.work(&simulation, Some(before)).expect("a blank");
         assert!(work.tool.is_none() && work.part == work.blank);
     }
 
@@ -228,6 +229,6 @@ mod tests {
     fn only_polar_moves_are_on_the_face() {
         let setup = Setup::from_json(SETUP).expect("a setup");
         let analysis = analyze(b"T0101\nG00 X62 Z2\nG98 G01 Z-20 F100", &setup);
-        assert!(Face::of(&analysis.motions, &Shop::done(&analysis.motions, &setup)).is_none());
+        assert!(Face::of(&analysis.motions, &SimulationResult::of(&analysis.motions, &setup)).is_none());
     }
 }

@@ -12,8 +12,8 @@ pub mod face;
 pub mod hatch;
 pub mod ink;
 pub mod marks;
-pub mod outline;
 pub mod palette;
+pub mod path_index;
 pub mod pick;
 pub mod plot;
 pub mod ruler;
@@ -32,7 +32,7 @@ use crate::playback::clock::Playhead;
 use crate::source::Span;
 
 use crate::geometry::bounds::{Bounds, join};
-use outline::{Outline, Stretch};
+use path_index::{PathIndex, Stretch};
 use ruler::Axis;
 use work::Work;
 
@@ -276,16 +276,16 @@ impl Plane {
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a> {
     motions: &'a Motions,
-    outline: &'a Outline,
+    path_index: &'a PathIndex,
     work: Option<&'a Work>,
     plane: Plane,
 }
 
 impl<'a> Scene<'a> {
-    /// The picture of `motions`, of which `outline` was made, and of the work. Motions that the outline has not
+    /// The picture of `motions`, of which `path index` was made, and of the work. Motions that the path index has not
     /// seen yet are left out.
-    pub fn new(motions: &'a Motions, outline: &'a Outline, work: Option<&'a Work>) -> Self {
-        Self { motions, outline, work, plane: Plane::Section }
+    pub fn new(motions: &'a Motions, path_index: &'a PathIndex, work: Option<&'a Work>) -> Self {
+        Self { motions, path_index, work, plane: Plane::Section }
     }
 
     /// The same with the points taken as those of another plane.
@@ -298,14 +298,14 @@ impl<'a> Scene<'a> {
         self.plane
     }
 
-    /// The outline the scene goes by.
-    pub fn outline(&self) -> &'a Outline {
-        self.outline
+    /// The path index the scene goes by.
+    pub fn path_index(&self) -> &'a PathIndex {
+        self.path_index
     }
 
     /// Number of motions.
     pub fn len(&self) -> usize {
-        self.outline.len()
+        self.path_index.len()
     }
 
     /// Whether there are no motions.
@@ -332,7 +332,7 @@ impl<'a> Scene<'a> {
     pub fn strokes_of(&self, range: Range<usize>) -> impl Iterator<Item = Stroke> + use<'a> {
         let chunks = self.motions.chunks();
         let end = range.end.min(self.len());
-        let (mut chunk, mut at) = self.outline.locate(range.start);
+        let (mut chunk, mut at) = self.path_index.locate(range.start);
         (range.start..end).map(move |motion| {
             if at == chunks[chunk].len() {
                 (chunk, at) = (chunk + 1, 0);
@@ -360,7 +360,7 @@ impl<'a> Scene<'a> {
     /// The programmed path where compensation leads the tip elsewhere.
     pub fn programmed(&self) -> impl Iterator<Item = StrokeShape> + use<'a> {
         let scene = *self;
-        self.outline.stretches().iter().flat_map(move |stretch| scene.programmed_in(stretch))
+        self.path_index.stretches().iter().flat_map(move |stretch| scene.programmed_in(stretch))
     }
 
     /// That of the motions of a stretch.
@@ -373,7 +373,7 @@ impl<'a> Scene<'a> {
     /// The motions made by blocks that lie within `block`, as ranges: a block may run more than once.
     pub fn motions_of(&self, block: Span) -> Vec<Range<usize>> {
         let mut ranges: Vec<Range<usize>> = Vec::new();
-        for stretch in self.outline.stretches() {
+        for stretch in self.path_index.stretches() {
             if stretch.span.end <= block.start || block.end <= stretch.span.start {
                 continue;
             }
@@ -401,15 +401,15 @@ impl<'a> Scene<'a> {
                 Plane::Face => bounds.with(Point::default()),
             }
         });
-        let Some(cuts) = self.outline.cuts() else {
-            let all = join(self.outline.rapids(), stock)
+        let Some(cuts) = self.path_index.cuts() else {
+            let all = join(self.path_index.rapids(), stock)
                 .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });
             return with_axis(all);
         };
         let core = with_axis(join(Some(cuts), stock).unwrap_or(cuts));
         let near = core.grown(core.length().max(core.height()) / 2.0);
         let mut bounds = core;
-        for stretch in self.outline.stretches() {
+        for stretch in self.path_index.stretches() {
             let Some(rapids) = stretch.rapids.filter(|rapids| rapids.meets(near)) else { continue };
             if near.holds(rapids.min) && near.holds(rapids.max) {
                 bounds = bounds.union(rapids);
@@ -424,7 +424,7 @@ impl<'a> Scene<'a> {
 
     /// Length of the whole path, mm, rapids included.
     pub fn length(&self) -> f64 {
-        self.outline.length()
+        self.path_index.length()
     }
 
     /// Where the tool is at a place of the program; `None` past its end.

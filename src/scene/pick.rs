@@ -40,7 +40,7 @@ pub fn pick(
     let dot = DOT / camera.scale();
     let near = |reach: f64| {
         let around = Bounds::of(pointer).grown(reach + dot);
-        let stretches = scene.outline().stretches().iter().filter(move |s| s.bounds.meets(around));
+        let stretches = scene.path_index().stretches().iter().filter(move |s| s.bounds.meets(around));
         stretches.flat_map(|stretch| scene.strokes_of(stretch.motions.clone())).filter_map(move |stroke| {
             if !stroke.shape.bounds().meets(around) {
                 return None;
@@ -112,7 +112,7 @@ fn rank(style: StrokeStyle) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline::Outline;
+    use super::super::path_index::PathIndex;
     use super::super::tests::{Path, point};
     use super::*;
     use crate::scene::camera::Size;
@@ -120,8 +120,8 @@ mod tests {
     /// Picks `off` CSS pixels beside a diameter and Z, on the path of each test, within 6 pixels.
     fn check(path: Path, (diameter, z): (f64, f64), off: (f64, f64), expected: Option<usize>) {
         let motions = path.motions();
-        let outline = Outline::of(&motions);
-        let scene = Scene::new(&motions, &outline, None);
+        let path_index = PathIndex::of(&motions);
+        let scene = Scene::new(&motions, &path_index, None);
         let camera = Camera::fit(scene.bounds(), Size { width: 700.0, height: 500.0 });
         let at = camera.to_screen(point(diameter, z));
         let found = pick(&scene, &camera, Pixel::new(at.x + off.0, at.y + off.1), 6.0, &[]);

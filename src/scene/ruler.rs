@@ -1,9 +1,12 @@
 //! Where the ticks of the rulers stand, and what they say.
 //!
-//! In: a camera. Out: ticks at round values, as many as there is room for. Z and C read in mm, X as a **diameter**
-//! in mm: the one place of the picture where radii become diameters.
+//! In: a camera, and the symbol of the unit. Out: ticks at round values, as many as there is room for. Z and C read in mm,
+//! X as a **diameter** in mm: the one place of the picture where radii become diameters. Knows no language.
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
+
+/// The international symbol of the unit of all rulers.
+pub const MILLIMETRE: &str = "mm";
 
 /// An axis of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,13 +22,14 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// What is written beside its ruler.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Z => "Z mm",
-            Self::X | Self::FaceX => "X ⌀ mm",
-            Self::FaceC => "C mm",
-        }
+    /// What is written beside its ruler; `millimetre` is the unit symbol in the language of the picture.
+    pub fn name(self, millimetre: &str) -> String {
+        let letter = match self {
+            Self::Z => "Z",
+            Self::X | Self::FaceX => "X ⌀",
+            Self::FaceC => "C",
+        };
+        format!("{letter} {millimetre}")
     }
 
     /// Whether it stands along the bottom edge.

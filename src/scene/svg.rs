@@ -8,13 +8,13 @@ use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
 use crate::machine::compare::Side;
-use crate::machine::fitting::Known;
+use crate::machine::resolved_setup::Basis;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
-use super::ruler::{Axis, Tick, TickWeight, ticks};
+use super::ruler::{MILLIMETRE, Tick, TickWeight, ticks};
 use super::work::{Outlines, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 
@@ -31,6 +31,8 @@ pub struct SvgOptions {
     pub ground: Ground,
     /// Which way X+ is drawn.
     pub x_plus: XPlus,
+    /// The unit symbol of the rulers, in the language of the picture.
+    pub millimetre: &'static str,
     /// What the two colours of a comparison mean.
     pub legend: Vec<(Side, String)>,
 }
@@ -47,7 +49,14 @@ pub enum Ground {
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        Self { width: 960.0, height: None, ground: Ground::default(), x_plus: XPlus::Up, legend: Vec::new() }
+        Self {
+            width: 960.0,
+            height: None,
+            ground: Ground::default(),
+            x_plus: XPlus::Up,
+            millimetre: MILLIMETRE,
+            legend: Vec::new(),
+        }
     }
 }
 
@@ -102,7 +111,7 @@ impl Drawing {
         self.dangers(scene);
         self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(scene.plane(), &along, &across);
+        self.rulers(scene.plane().axes().map(|axis| axis.name(options.millimetre)), &along, &across);
         self.line("</svg>");
     }
 
@@ -121,9 +130,9 @@ impl Drawing {
     /// The blank, what is left of it, and what stands around it: above the axis, and below.
     fn work(&mut self, scene: &Scene) {
         let Some(work) = scene.work() else { return };
-        let guessed = match work.known {
-            Known::Given => "",
-            Known::Guessed => " guessed",
+        let guessed = match work.basis {
+            Basis::Given => "",
+            Basis::Inferred => " guessed",
         };
         for side in scene.plane().sides() {
             let seen = |outlines: &Outlines, camera: &Camera| -> Vec<Vec<Pixel>> {
@@ -277,7 +286,7 @@ impl Drawing {
         }
     }
 
-    fn rulers(&mut self, plane: Plane, along: &[Tick], across: &[Tick]) {
+    fn rulers(&mut self, [z, x]: [String; 2], along: &[Tick], across: &[Tick]) {
         let Size { width, height } = self.camera.size();
         let (left, bottom) = (LEFT_RULER - 0.5, height - BOTTOM_RULER + 0.5);
         let mut d = format!("M{} 0V{}H{}", number(left), number(bottom), number(width));
@@ -300,7 +309,6 @@ impl Drawing {
         }
         self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
         self.text.push_str(&labels);
-        let [z, x] = plane.axes().map(Axis::name);
         self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
         let (right, low) = (number(width - 8.0), number(height - 7.0));
         self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
@@ -425,14 +433,14 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline::Outline;
+    use super::super::path_index::PathIndex;
     use super::super::tests::Path;
     use super::*;
 
     fn draw(path: Path) -> String {
         let motions = path.motions();
-        let outline = Outline::of(&motions);
-        svg(&Scene::new(&motions, &outline, None), &SvgOptions::default())
+        let path_index = PathIndex::of(&motions);
+        svg(&Scene::new(&motions, &path_index, None), &SvgOptions::default())
     }
 
     fn paths(file: &str) -> Vec<&str> {
@@ -471,6 +479,21 @@ mod tests {
         let file = draw(Path::from(0.0, 0.0));
         assert!(paths(&file).is_empty() && file.contains(">\u{2212}50<") && !file.contains("NaN"), "{file}");
         assert!(file.ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn rulers_name_the_unit_in_the_language_of_the_picture() {
+        let motions = Path::from(100.0, 20.0).motions();
+        let path_index = PathIndex::of(&motions);
+        let options = SvgOptions { millimetre: "мм", ..SvgOptions::default() };
+        let scene = Scene::new(&motions, &path_index, None);
+        let names = |file: &str| -> Vec<String> {
+            let names = file.lines().filter(|line| line.contains(r#"class="name"#));
+            names.filter_map(|line| Some(line.split_once('>')?.1.split_once('<')?.0.to_owned())).collect()
+        };
+        assert_eq!(names(&svg(&scene, &options)), ["X ⌀ мм", "Z мм"]);
+        assert_eq!(names(&svg(&scene.on(Plane::Face), &options)), ["C мм", "X ⌀ мм"]);
+        assert_eq!(names(&svg(&scene, &SvgOptions::default())), ["X ⌀ mm", "Z mm"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Tests of the scene, and hand-built paths for those of its parts.
 
 use crate::geometry::{Point, Turn};
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::motion::{Chunk, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn};
 use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
@@ -9,7 +9,7 @@ use crate::setup::{Setup, Stock};
 use crate::source::Span;
 
 use super::Scene;
-use super::outline::{Outline, STRETCH, Stretch, StretchKey};
+use super::path_index::{PathIndex, STRETCH, Stretch, StretchKey};
 use crate::geometry::bounds::Bounds;
 
 /// A point by its diameter and Z.
@@ -112,10 +112,10 @@ const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0
 
 fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
     let motions = path.motions();
-    let outline = Outline::of(&motions);
+    let path_index = PathIndex::of(&motions);
     let setup = Setup { stock, ..Setup::default() };
-    let work = stock.and_then(|_| Work::of(&Shop::done(&motions, &setup), &motions, None));
-    let bounds = Scene::new(&motions, &outline, work.as_ref()).bounds();
+    let work = stock.and_then(|_| Work::of(&SimulationResult::of(&motions, &setup), &motions, None));
+    let bounds = Scene::new(&motions, &path_index, work.as_ref()).bounds();
     let expected = Bounds::around(point(low.0, low.1), point(high.0, high.1));
     assert!(bounds.min.is_same(expected.min) && bounds.max.is_same(expected.max), "{bounds:?} {expected:?}");
 }
@@ -139,8 +139,8 @@ fn strokes_carry_their_block_through_all_chunks() {
         path = path.feed(20.0, -f64::from(step));
     }
     let motions = path.chunks_of(7);
-    let outline = Outline::of(&motions);
-    let scene = Scene::new(&motions, &outline, None);
+    let path_index = PathIndex::of(&motions);
+    let scene = Scene::new(&motions, &path_index, None);
     assert_eq!(scene.strokes().count(), 5000);
     for (index, stroke) in scene.strokes().enumerate() {
         assert_eq!((stroke.motion, stroke.line as usize), (index, index));
@@ -160,23 +160,23 @@ fn passes(count: usize) -> Vec<Chunk> {
     path.chunks_of(10).chunks().to_vec()
 }
 
-/// What an outline says of each stretch but which chunk it was measured in.
-fn said(outline: &Outline) -> Vec<String> {
+/// What an path index says of each stretch but which chunk it was measured in.
+fn said(path_index: &PathIndex) -> Vec<String> {
     let row =
         |s: &Stretch| (s.motions.clone(), s.cuts, s.rapids, s.bounds, s.span, s.length_before, s.length);
-    outline.stretches().iter().map(|stretch| format!("{:?}", row(stretch))).collect()
+    path_index.stretches().iter().map(|stretch| format!("{:?}", row(stretch))).collect()
 }
 
 #[test]
 fn an_outline_that_grew_equals_one_made_at_once() {
     let chunks = passes(200);
-    let (mut grown, mut motions) = (Outline::new(), Motions::default());
+    let (mut grown, mut motions) = (PathIndex::new(), Motions::default());
     for chunk in chunks {
         motions.push(chunk);
         let id = grown.id();
         grown.update(&motions);
         assert_ne!(grown.id(), id);
-        assert_eq!(said(&grown), said(&Outline::of(&motions)));
+        assert_eq!(said(&grown), said(&PathIndex::of(&motions)));
     }
     assert_eq!((grown.len(), grown.stretches().len()), (400, 40));
     let id = grown.id();
@@ -188,20 +188,20 @@ fn an_outline_that_grew_equals_one_made_at_once() {
 fn an_edit_leaves_the_measures_of_the_chunks_that_stay() {
     let mut motions = Motions::default();
     passes(100).into_iter().for_each(|chunk| motions.push(chunk));
-    let mut outline = Outline::of(&motions);
-    let before: Vec<StretchKey> = outline.stretches().iter().map(|stretch| stretch.key).collect();
+    let mut path_index = PathIndex::of(&motions);
+    let before: Vec<StretchKey> = path_index.stretches().iter().map(|stretch| stretch.key).collect();
     // As a run does it: the chunks after the edit come back when those before them are there again.
     let rest = motions.split_off(10).split_off(2);
-    outline.update(&motions);
+    path_index.update(&motions);
     for chunk in passes(3) {
         motions.push(chunk);
-        outline.update(&motions);
+        path_index.update(&motions);
     }
     motions.append(rest, |_, chunk| (chunk.base, chunk.first_line) = (chunk.base + 7, chunk.first_line + 1));
-    outline.update(&motions);
-    outline.settle();
-    assert_eq!(said(&outline), said(&Outline::of(&motions)));
-    let after: Vec<StretchKey> = outline.stretches().iter().map(|stretch| stretch.key).collect();
+    path_index.update(&motions);
+    path_index.settle();
+    assert_eq!(said(&path_index), said(&PathIndex::of(&motions)));
+    let after: Vec<StretchKey> = path_index.stretches().iter().map(|stretch| stretch.key).collect();
     assert_eq!((&after[..10], &after[11..]), (&before[..10], &before[12..]));
     assert!(!before.contains(&after[10]));
 }
@@ -213,9 +213,9 @@ fn a_long_chunk_has_several_stretches() {
         path = path.feed(20.0, -f64::from(step));
     }
     let motions = path.chunks_of(3000);
-    let outline = Outline::of(&motions);
-    assert_eq!(outline.stretches().len(), 3000usize.div_ceil(STRETCH));
-    let scene = Scene::new(&motions, &outline, None);
+    let path_index = PathIndex::of(&motions);
+    assert_eq!(path_index.stretches().len(), 3000usize.div_ceil(STRETCH));
+    let scene = Scene::new(&motions, &path_index, None);
     assert_eq!(scene.motions_of(Span::new(20_470, 20_490)), vec![2047..2049]);
 }
 
@@ -228,8 +228,8 @@ fn places_along_the_path() {
         .arc(Turn::Counterclockwise, (40.0, -20.0), (40.0, -10.0))
         .feed(60.0, -20.0);
     let motions = path.motions();
-    let outline = Outline::of(&motions);
-    let scene = Scene::new(&motions, &outline, None);
+    let path_index = PathIndex::of(&motions);
+    let scene = Scene::new(&motions, &path_index, None);
     let half = 10.0 * std::f64::consts::PI;
     assert!((scene.length() - (40.0 + half)).abs() < 1e-9);
     let check = |motion: usize, share: f64, at: Point| {
@@ -249,8 +249,8 @@ fn places_along_the_path() {
 fn a_stroke_split_at_a_place_keeps_its_length() {
     let path = Path::from(60.0, 0.0).arc(Turn::Clockwise, (60.0, 0.0), (40.0, 0.0)).feed(20.0, -7.0);
     let motions = path.motions();
-    let outline = Outline::of(&motions);
-    let scene = Scene::new(&motions, &outline, None);
+    let path_index = PathIndex::of(&motions);
+    let scene = Scene::new(&motions, &path_index, None);
     for stroke in scene.strokes() {
         for t in [0.0, 0.3, 1.0] {
             let (before, after) = stroke.shape.split(t);

@@ -11,6 +11,7 @@ use crate::playback::clock::Playhead;
 use super::Scene;
 use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
+use super::ruler::MILLIMETRE;
 use super::steps::StepLabel;
 
 /// Whether the camera still shows the whole picture.
@@ -39,6 +40,8 @@ pub struct View {
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
+    /// The unit symbol of the rulers, in the language of the picture.
+    pub millimetre: &'static str,
     /// Motions of the selected block or blocks.
     pub highlight: Vec<Range<usize>>,
     /// Named places of the selected cycle.
@@ -61,6 +64,7 @@ impl View {
             framing: Framing::Fitted,
             pixel_ratio: 1.0,
             palette: Palette::default(),
+            millimetre: MILLIMETRE,
             highlight: Vec::new(),
             marks: Vec::new(),
             steps: Vec::new(),
@@ -94,9 +98,9 @@ impl View {
 
     /// Whether it differs by nothing but what is picked out.
     pub fn shows_same_ground(&self, other: &View) -> bool {
-        let Self { camera, framing, pixel_ratio, palette, playhead, .. } = self;
+        let Self { camera, framing, pixel_ratio, palette, millimetre, playhead, .. } = self;
         (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
-            && (palette, playhead) == (&other.palette, &other.playhead)
+            && (palette, millimetre, playhead) == (&other.palette, &other.millimetre, &other.playhead)
     }
 
     /// The same view with nothing picked out, and the tool somewhere else.

@@ -1,6 +1,6 @@
 //! The work as it is drawn: blank, what is left of it, what stands around it, and the tool.
 //!
-//! In: the shop, and the moment. Out: outlines in mm above the spindle axis; an exporter draws them below it too. Must not
+//! In: the simulation, and the moment. Out: outlines in mm above the spindle axis; an exporter draws them below it too. Must not
 //! know how material is taken off.
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -8,10 +8,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::Plane;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Point, SAME};
-use crate::machine::Shop;
+use crate::machine::SimulationResult;
 use crate::machine::compare::{Comparison, Side};
-use crate::machine::fitting::Known;
 use crate::machine::region::Region;
+use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 
 /// A way over a point that is longer than the straight one by no more than this, mm, leads along it.
@@ -29,7 +29,7 @@ pub struct Work {
     /// What is left of it.
     pub part: Outlines,
     /// Whether somebody has named the blank.
-    pub known: Known,
+    pub basis: Basis,
     /// Chuck and tailstock.
     pub obstacles: Outlines,
     /// The tool, where it stands.
@@ -65,15 +65,15 @@ pub struct Moment {
 
 impl Work {
     /// The work when all motions are done, or at a moment; nothing where there is no blank.
-    pub fn of(shop: &Shop, motions: &Motions, moment: Option<Moment>) -> Option<Self> {
-        let (stock, known) = shop.fitting().stock()?;
+    pub fn of(simulation: &SimulationResult, motions: &Motions, moment: Option<Moment>) -> Option<Self> {
+        let (stock, basis) = simulation.resolved_setup().stock()?;
         let part = match moment {
-            Some(at) => shop.part_at(motions, at.motion, at.share),
-            None => shop.finished(),
+            Some(at) => simulation.part_at(motions, at.motion, at.share),
+            None => simulation.finished(),
         };
         let part = part.unwrap_or_default();
         let tool = moment.filter(|at| at.motion < motions.len()).map(|at| {
-            let shape = &shop.fitting().tool(&motions.get(at.motion)).shape;
+            let shape = &simulation.resolved_setup().tool(&motions.get(at.motion)).shape;
             ToolOutline {
                 edge: shape.edge.at(at.tip),
                 body: shape.body.as_ref().map(|body| body.at(at.tip)),
@@ -82,12 +82,12 @@ impl Work {
         });
         Some(Self {
             id: next_id(),
-            blank: outlines(shop.blank()?),
+            blank: outlines(simulation.blank()?),
             part: outlines(&part),
-            known,
-            obstacles: shop.obstacles().flat_map(outlines).collect(),
+            basis,
+            obstacles: simulation.obstacles().flat_map(outlines).collect(),
             tool,
-            dangers: shop
+            dangers: simulation
                 .findings()
                 .iter()
                 .filter(|found| found.danger.has_place())
@@ -105,7 +105,7 @@ impl Work {
     pub fn on_face(
         blank: &Region,
         part: &Region,
-        known: Known,
+        basis: Basis,
         tool: Option<ToolOutline>,
         radius: f64,
     ) -> Self {
@@ -113,7 +113,7 @@ impl Work {
             id: next_id(),
             blank: outlines(blank),
             part: outlines(part),
-            known,
+            basis,
             obstacles: Vec::new(),
             tool,
             dangers: Vec::new(),
@@ -136,15 +136,15 @@ impl Work {
         Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
-    /// Lines along the edges of what is left: those that were cut, and those of a blank that is only guessed.
+    /// Lines along the edges of what is left: those that were cut, and those of a blank that is only inferred.
     pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
         let lines = match plane {
             Plane::Section => edges(&self.part),
             Plane::Face => closed(&self.part),
         };
-        match self.known {
-            Known::Given => [lines, Vec::new()],
-            Known::Guessed => without(&lines, &closed(&self.blank)),
+        match self.basis {
+            Basis::Given => [lines, Vec::new()],
+            Basis::Inferred => without(&lines, &closed(&self.blank)),
         }
     }
 
@@ -230,26 +230,26 @@ mod tests {
     }
 
     /// A bar of radius 10 from Z-20 to Z0 with a groove of radius 6 between Z-10 and Z-5.
-    fn grooved(known: Known) -> Work {
+    fn grooved(basis: Basis) -> Work {
         let blank = Region::inside(&[at(0.0, -20.0), at(0.0, 0.0), at(10.0, 0.0), at(10.0, -20.0)]);
         let mut part = blank.clone();
         part.cut(&[[at(6.0, -10.0), at(6.0, -5.0), at(12.0, -5.0), at(12.0, -10.0)]]);
-        Work::on_face(&blank, &part, known, None, 10.0)
+        Work::on_face(&blank, &part, basis, None, 10.0)
     }
 
     #[test]
-    fn edges_of_a_guessed_blank_are_told_from_those_that_were_cut() {
+    fn edges_of_an_inferred_blank_are_told_from_those_that_were_cut() {
         let length = |lines: &[Vec<Point>]| -> f64 {
             lines.iter().flat_map(|line| line.windows(2)).map(|ends| ends[0].distance(ends[1])).sum()
         };
-        let [cut, blank] = grooved(Known::Guessed).part_edges(Plane::Section);
+        let [cut, blank] = grooved(Basis::Inferred).part_edges(Plane::Section);
         assert_eq!(cut.len(), 1, "{cut:?}");
         // Two flanks of 4 mm and a bottom of 5; both ends of the bar and what is left of its outside.
         assert!(
             (length(&cut) - 13.0).abs() < 1e-3 && (length(&blank) - 35.0).abs() < 1e-3,
             "{cut:?} {blank:?}"
         );
-        let [cut, blank] = grooved(Known::Given).part_edges(Plane::Section);
+        let [cut, blank] = grooved(Basis::Given).part_edges(Plane::Section);
         assert!((length(&cut) - 48.0).abs() < 1e-3 && blank.is_empty(), "{cut:?} {blank:?}");
     }
 }

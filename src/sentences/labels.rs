@@ -1,13 +1,13 @@
 //! Short labels: severity and category of a message; the setup form: names of fields, and errors in entries.
 //!
-//! In: a severity, a field's name, a choice, a slip. Out: the words in a language, short enough to stand beside it.
+//! In: a severity, a field's name, a choice, an error in an entry. Out: the words in a language, short enough to stand beside it.
 
 use super::language::Language;
 use crate::message::{Kind, Severity};
 use crate::setup::ToolKind;
-use crate::setup::draft::Slip;
-use crate::setup::faults::Need;
-use crate::setup::fields::{Name, Unit, Unread};
+use crate::setup::draft::EntryError;
+use crate::setup::fields::{Name, ReadError, Unit};
+use crate::setup::invalid::Requirement;
 use crate::units::{self, number};
 
 impl Language {
@@ -32,7 +32,7 @@ pub fn severity(severity: Severity, language: Language) -> &'static str {
 }
 
 /// The name of a category of messages.
-pub fn matter(kind: Kind, language: Language) -> &'static str {
+pub fn category(kind: Kind, language: Language) -> &'static str {
     language.among(match kind {
         Kind::Wrong => ["error in the program", "程序有误", "ошибка в программе"],
         Kind::Unsupported => ["not supported here", "此处不支持", "здесь не поддерживается"],
@@ -41,7 +41,7 @@ pub fn matter(kind: Kind, language: Language) -> &'static str {
 }
 
 /// That a stock is assumed, and what was not checked because of it; `note` is the comment that names this stock.
-pub fn stock_assumed(note: &str, language: Language) -> String {
+pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
         "stock assumed, collisions not checked. This stock in the program:",
         "毛坯为假定，未检查碰撞。在程序中写明此毛坯：",
@@ -131,13 +131,13 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// What a kind of tool is called.
-pub fn kind(kind: ToolKind, language: Language) -> &'static str {
+/// What a kind of tool is called, wherever it is named: form, readout, setup sheet.
+pub fn tool_kind(kind: ToolKind, language: Language) -> &'static str {
     language.among(match kind {
-        ToolKind::Turning => ["turning", "车刀", "проходной"],
-        ToolKind::Boring => ["boring", "镗刀", "расточной"],
-        ToolKind::Grooving => ["grooving", "切槽刀", "канавочный"],
-        ToolKind::Threading => ["threading", "螺纹刀", "резьбовой"],
+        ToolKind::Turning => ["turning tool", "车刀", "проходной резец"],
+        ToolKind::Boring => ["boring bar", "镗刀", "расточной резец"],
+        ToolKind::Grooving => ["grooving tool", "切槽刀", "канавочный резец"],
+        ToolKind::Threading => ["threading tool", "螺纹刀", "резьбовой резец"],
         ToolKind::Drill => ["drill", "钻头", "сверло"],
         ToolKind::Tap => ["tap", "丝锥", "метчик"],
         ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
@@ -167,31 +167,35 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         _ => ToolKind::ALL
             .into_iter()
             .find(|kind| kind.name() == choice)
-            .map_or(choice, |own| kind(own, language)),
+            .map_or(choice, |own| tool_kind(own, language)),
     }
 }
 
 /// What is wrong with an entry.
-pub fn slip(slip: Slip, language: Language) -> String {
+pub fn entry_error(error: EntryError, language: Language) -> String {
     let with = |texts: [&'static str; 3], most: f64| language.among(texts).replace("{most}", &number(most));
-    match slip {
-        Slip::Unread(Unread::NotANumber) => language.among(["Not a number", "不是数字", "Не число"]).into(),
-        Slip::Unread(Unread::NotWhole) => {
+    match error {
+        EntryError::Unreadable(ReadError::NotANumber) => {
+            language.among(["Not a number", "不是数字", "Не число"]).into()
+        }
+        EntryError::Unreadable(ReadError::NotWhole) => {
             language.among(["Must be a whole number", "必须是整数", "Нужно целое число"]).into()
         }
-        Slip::Unread(Unread::NotKnown) => {
+        EntryError::Unreadable(ReadError::NotKnown) => {
             language.among(["Unknown value", "无法识别", "Неизвестное значение"]).into()
         }
-        Slip::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
-        Slip::Need(Need::Positive) => {
+        EntryError::Missing => language.among(["Required", "必填", "Нужно указать"]).into(),
+        EntryError::Unmet(Requirement::Positive) => {
             language.among(["Must be greater than zero", "必须大于零", "Должно быть больше нуля"]).into()
         }
-        Slip::Need(Need::NotNegative) => {
+        EntryError::Unmet(Requirement::NotNegative) => {
             language.among(["Cannot be negative", "不能为负", "Не может быть отрицательным"]).into()
         }
-        Slip::Need(Need::Below(most)) => {
+        EntryError::Unmet(Requirement::Below(most)) => {
             with(["Must be less than {most}", "必须小于 {most}", "Должно быть меньше {most}"], most)
         }
-        Slip::Need(Need::AtMost(most)) => with(["{most} at most", "最大 {most}", "Не больше {most}"], most),
+        EntryError::Unmet(Requirement::AtMost(most)) => {
+            with(["{most} at most", "最大 {most}", "Не больше {most}"], most)
+        }
     }
 }

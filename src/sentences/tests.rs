@@ -7,12 +7,12 @@ use super::{Language, Sentence, labels};
 use crate::message::{Message, Value};
 use crate::units::{Unit, number};
 
-include!(concat!(env!("OUT_DIR"), "/samples.rs"));
+include!(concat!(env!("OUT_DIR"), "/example_messages.rs"));
 
 /// The build finds a name that is no argument; this, what is left of a template.
 #[test]
 fn every_message_is_said_in_every_language_and_unit() {
-    for message in samples() {
+    for message in example_messages() {
         for language in Language::ALL {
             for unit in [Unit::Millimetre, Unit::Inch] {
                 let Sentence { message: said, help } = message.sentence_in(language, unit);
@@ -64,8 +64,8 @@ fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
     for (language, file) in Language::ALL.into_iter().zip(files) {
         let file: serde_json::Value = serde_json::from_str(file).expect("JSON");
         let own: BTreeSet<&str> = file.as_object().expect("an object").keys().map(String::as_str).collect();
-        assert_eq!(own, samples().iter().map(Message::name).collect());
-        for message in samples() {
+        assert_eq!(own, example_messages().iter().map(Message::name).collect());
+        for message in example_messages() {
             let own = &file[message.name()];
             assert_eq!(own["rule"], message.slug());
             let filled = |template: &str| {

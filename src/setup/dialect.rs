@@ -110,7 +110,7 @@ impl CodeList {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum DecimalChoice {
-    /// What the program shows: [`crate::origin::numbers`].
+    /// What the program shows: [`crate::provenance::numbers`].
     #[default]
     Auto,
     /// Units.

@@ -1,12 +1,12 @@
 //! A setup as a form holds it: a text for each key, some of them wrong, most of them empty.
 //!
 //! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each entry; the setup as
-//! JSON, with all else that a JSON says kept. The rules of values are those of `faults`.
+//! JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
 
 use serde_json::{Map, Value as Json};
 
-use super::faults::Need;
-use super::fields::{self, Field, Name, Unread, Value};
+use super::fields::{self, Field, Name, ReadError, Value};
+use super::invalid::Requirement;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::setup::dialect::DialectChoice;
 
@@ -21,13 +21,13 @@ pub struct Entry {
 
 /// What is wrong with an entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Slip {
+pub enum EntryError {
     /// It cannot be read.
-    Unread(Unread),
+    Unreadable(ReadError),
     /// It is empty, and nothing can be assumed.
     Missing,
     /// The value is invalid.
-    Need(Need),
+    Unmet(Requirement),
 }
 
 /// What a form says.
@@ -36,7 +36,7 @@ pub struct Draft {
     /// Stock, tools, tailstock, machine, start, rules and decimal rule as they would be kept.
     pub setup: Setup,
     /// What is wrong, by key.
-    pub slips: Vec<(String, Slip)>,
+    pub errors: Vec<(String, EntryError)>,
 }
 
 /// Stands for a length that is not known: of what has no name in a setup, only in a form.
@@ -50,13 +50,13 @@ pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: 20.0 };
 
 impl Draft {
     /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
-    /// blanks is what is usual, that of others the guess.
-    pub fn read(entries: &[Entry], given: &Setup, guessed: &Setup) -> Self {
-        let mut form = Reader { entries, slips: Vec::new() };
+    /// blanks is the defaults, that of others the inferred one.
+    pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
+        let mut form = FormReader { entries, errors: Vec::new() };
         // Single rules have no place in the form, and stay as they are.
         let rules = given.rules.clone().without_groups();
         let mut setup = Setup {
-            stock: form.group("stock.", fields::STOCK, stock_base(given, guessed)),
+            stock: form.group("stock.", fields::STOCK, stock_base(given, inferred)),
             tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
             machine: form.group("machine.", fields::MACHINE, Machine::default()).unwrap_or_default(),
             initial: form.group("initial.", fields::START, start_base()),
@@ -66,28 +66,28 @@ impl Draft {
         };
         for name in form.tools() {
             let prefix = format!("tools.{name}.");
-            let base = if given.tools.contains_key(&name) { None } else { guessed.tools.get(&name) };
+            let base = if given.tools.contains_key(&name) { None } else { inferred.tools.get(&name) };
             let base = base.cloned().unwrap_or_default();
-            let tool = form.group(&prefix, fields::TOOL, form.fitting_base(&prefix, base));
+            let tool = form.group(&prefix, fields::TOOL, form.matching_base(&prefix, base));
             setup.tools.extend(tool.map(|tool| (name, tool)));
         }
-        let mut slips = form.slips;
-        let told = |key: &str, slips: &[(String, Slip)]| slips.iter().any(|slip| slip.0 == key);
-        for fault in setup.clone().without_faults().1 {
-            if !told(&fault.key, &slips) {
-                slips.push((fault.key, Slip::Need(fault.need)));
+        let mut errors = form.errors;
+        let told = |key: &str, errors: &[(String, EntryError)]| errors.iter().any(|error| error.0 == key);
+        for invalid in setup.clone().without_invalid_values().1 {
+            if !told(&invalid.key, &errors) {
+                errors.push((invalid.key, EntryError::Unmet(invalid.requirement)));
             }
         }
-        Self { setup, slips }
+        Self { setup, errors }
     }
 }
 
 /// What is assumed of a blank where some of it is said.
-pub fn stock_base(given: &Setup, guessed: &Setup) -> Stock {
-    let guess = guessed.stock.unwrap_or(NO_STOCK);
+pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
+    let inferred = inferred.stock.unwrap_or(NO_STOCK);
     match given.stock {
-        Some(_) => Stock { bore: 0.0, face: 0.0, ..guess },
-        None => guess,
+        Some(_) => Stock { bore: 0.0, face: 0.0, ..inferred },
+        None => inferred,
     }
 }
 
@@ -97,12 +97,12 @@ pub fn start_base() -> Position {
 }
 
 /// The entries, and what is wrong with those that were read.
-struct Reader<'a> {
+struct FormReader<'a> {
     entries: &'a [Entry],
-    slips: Vec<(String, Slip)>,
+    errors: Vec<(String, EntryError)>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> FormReader<'a> {
     /// The entries of a group that are not blank: the rest of the key, and the text.
     fn entered<'k>(&self, prefix: &'k str) -> impl Iterator<Item = (&'a str, &'a str)> + use<'a, 'k> {
         let filled = self.entries.iter().filter(|entry| !entry.text.trim().is_empty());
@@ -120,15 +120,15 @@ impl<'a> Reader<'a> {
             let Some(field) = fields.iter().find(|field| field.key == key) else { continue };
             match field.entry.read(text) {
                 Ok(value) => (field.set)(&mut own, &value),
-                Err(unread) => self.slips.push((format!("{prefix}{key}"), Slip::Unread(unread))),
+                Err(error) => self.errors.push((format!("{prefix}{key}"), EntryError::Unreadable(error))),
             }
         }
         let mut whole = true;
         for field in fields.iter().filter(|field| field.name.is_needed() && (field.get)(&own).is_none()) {
             whole = false;
             let key = format!("{prefix}{}", field.key);
-            if self.slips.iter().all(|slip| slip.0 != key) {
-                self.slips.push((key, Slip::Missing));
+            if self.errors.iter().all(|error| error.0 != key) {
+                self.errors.push((key, EntryError::Missing));
             }
         }
         whole.then_some(own)
@@ -143,18 +143,18 @@ impl<'a> Reader<'a> {
         names
     }
 
-    /// A guess without what the entries take the ground from: of another kind nothing is left of it.
-    fn fitting_base(&self, prefix: &str, guess: Tool) -> Tool {
+    /// An inferred tool without what the entries contradict: of another kind nothing is left of it.
+    fn matching_base(&self, prefix: &str, inferred: Tool) -> Tool {
         let entered =
             |wanted: &str| self.entered(prefix).find(|(key, _)| *key == wanted).map(|found| found.1);
-        let other_kind = |kind: &str| guess.kind.is_none_or(|own| !own.name().eq_ignore_ascii_case(kind));
+        let other_kind = |kind: &str| inferred.kind.is_none_or(|own| !own.name().eq_ignore_ascii_case(kind));
         if entered("type").is_some_and(other_kind) {
             return Tool::default();
         }
         if entered("insert").is_some() {
-            return Tool { insert: None, point_angle: None, edge_length: None, ..guess };
+            return Tool { insert: None, point_angle: None, edge_length: None, ..inferred };
         }
-        guess
+        inferred
     }
 }
 
@@ -240,14 +240,14 @@ mod tests {
         list.iter().map(|(key, text)| Entry { key: (*key).into(), text: (*text).into() }).collect()
     }
 
-    /// The JSON that comes of entries, and what is wrong with them, under a guess.
+    /// The JSON that comes of entries, and what is wrong with them, under an inferred setup.
     #[track_caller]
-    fn check(list: &[(&str, &str)], guessed: &str, json: &str, slips: &[(&str, Slip)]) {
-        let guessed = Setup::from_json(guessed).expect("a setup");
-        let draft = Draft::read(&entries(list), &Setup::default(), &guessed);
-        let found: Vec<_> = draft.slips.iter().map(|(key, slip)| (key.as_str(), *slip)).collect();
-        assert_eq!(found, slips);
-        if slips.is_empty() {
+    fn check(list: &[(&str, &str)], inferred: &str, json: &str, errors: &[(&str, EntryError)]) {
+        let inferred = Setup::from_json(inferred).expect("a setup");
+        let draft = Draft::read(&entries(list), &Setup::default(), &inferred);
+        let found: Vec<_> = draft.errors.iter().map(|(key, error)| (key.as_str(), *error)).collect();
+        assert_eq!(found, errors);
+        if errors.is_empty() {
             assert_eq!(put_into_json("{}", &draft.setup), json);
             let read = Setup::from_json(if json.is_empty() { "{}" } else { json });
             assert_eq!(read, Ok(draft.setup));
@@ -256,26 +256,26 @@ mod tests {
 
     #[test]
     fn what_is_left_empty_is_what_was_assumed() {
-        let guess = r#"{"stock": {"diameter": 60, "length": 75},
+        let inferred = r#"{"stock": {"diameter": 60, "length": 75},
             "tools": {"T0303": {"type": "grooving", "side": "face"}}}"#;
-        check(&[], guess, "", &[]);
-        check(&[("stock.diameter", " ")], guess, "", &[]);
-        check(&[("stock.diameter", "65,5")], guess, r#"{"stock":{"diameter":65.5,"length":75}}"#, &[]);
+        check(&[], inferred, "", &[]);
+        check(&[("stock.diameter", " ")], inferred, "", &[]);
+        check(&[("stock.diameter", "65,5")], inferred, r#"{"stock":{"diameter":65.5,"length":75}}"#, &[]);
         check(
             &[("tools.T0303.width", "4")],
-            guess,
+            inferred,
             r#"{"tools":{"T0303":{"side":"face","type":"grooving","width":4}}}"#,
             &[],
         );
         check(
             &[("tools.T0303.type", "drill"), ("tools.T0303.diameter", "12")],
-            guess,
+            inferred,
             r#"{"tools":{"T0303":{"diameter":12,"type":"drill"}}}"#,
             &[],
         );
         check(
             &[("machine.travel.xMin", "-5"), ("machine.turret", "front"), ("initial.x", "150")],
-            guess,
+            inferred,
             r#"{"initial":{"x":150,"z":200},"machine":{"travel":{"xMin":-5},"turret":"front"}}"#,
             &[],
         );
@@ -288,25 +288,25 @@ mod tests {
             "{}",
             "",
             &[
-                ("stock.diameter", Slip::Unread(Unread::NotANumber)),
-                ("stock.length", Slip::Unread(Unread::NotANumber)),
+                ("stock.diameter", EntryError::Unreadable(ReadError::NotANumber)),
+                ("stock.length", EntryError::Unreadable(ReadError::NotANumber)),
             ],
         );
-        check(&[("stock.diameter", "60")], "{}", "", &[("stock.length", Slip::Missing)]);
+        check(&[("stock.diameter", "60")], "{}", "", &[("stock.length", EntryError::Missing)]);
         check(
             &[("stock.diameter", "60"), ("stock.length", "80"), ("stock.bore", "70")],
             "{}",
             "",
-            &[("stock.bore", Slip::Need(Need::Below(60.0)))],
+            &[("stock.bore", EntryError::Unmet(Requirement::Below(60.0)))],
         );
         check(
             &[("tools.T0101.tip", "3.5"), ("tools.T0101.type", "hammer"), ("tools.T0101.insert", "(C)")],
             "{}",
             "",
             &[
-                ("tools.T0101.tip", Slip::Unread(Unread::NotWhole)),
-                ("tools.T0101.type", Slip::Unread(Unread::NotKnown)),
-                ("tools.T0101.insert", Slip::Unread(Unread::NotKnown)),
+                ("tools.T0101.tip", EntryError::Unreadable(ReadError::NotWhole)),
+                ("tools.T0101.type", EntryError::Unreadable(ReadError::NotKnown)),
+                ("tools.T0101.insert", EntryError::Unreadable(ReadError::NotKnown)),
             ],
         );
         check(
@@ -314,8 +314,8 @@ mod tests {
             r#"{"stock": {"diameter": 60, "length": 75}}"#,
             "",
             &[
-                ("stock.length", Slip::Unread(Unread::NotANumber)),
-                ("stock.diameter", Slip::Need(Need::Positive)),
+                ("stock.length", EntryError::Unreadable(ReadError::NotANumber)),
+                ("stock.diameter", EntryError::Unmet(Requirement::Positive)),
             ],
         );
     }

@@ -85,7 +85,7 @@ pub enum Name {
 
 /// Why an entry cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unread {
+pub enum ReadError {
     /// It is no number.
     NotANumber,
     /// It is no whole number from 0 to 255.
@@ -336,16 +336,16 @@ pub const DIALECT: &[Field<DialectChoice>] = &[field(
 
 impl Entry {
     /// Reads what somebody has written; small and capital letters are the same.
-    pub fn read(self, text: &str) -> Result<Value, Unread> {
+    pub fn read(self, text: &str) -> Result<Value, ReadError> {
         let text = text.trim();
         match self {
             Number(_) => {
                 // A comma is the decimal point of half the world.
                 let number = text.replace(',', ".").replace('−', "-").parse::<f64>();
                 let number = number.ok().filter(|number| number.is_finite());
-                number.map(Value::Number).ok_or(Unread::NotANumber)
+                number.map(Value::Number).ok_or(ReadError::NotANumber)
             }
-            Whole => text.parse::<u8>().map(|whole| Value::Number(whole.into())).or(Err(Unread::NotWhole)),
+            Whole => text.parse::<u8>().map(|whole| Value::Number(whole.into())).or(Err(ReadError::NotWhole)),
             Text => {
                 let designation: String = text.chars().filter(|c| !c.is_whitespace()).collect();
                 let is_one = designation
@@ -354,12 +354,12 @@ impl Entry {
                 if is_one && !designation.is_empty() {
                     Ok(Value::Text(designation))
                 } else {
-                    Err(Unread::NotKnown)
+                    Err(ReadError::NotKnown)
                 }
             }
             Choice(choices) => {
                 let found = choices.iter().find(|choice| choice.eq_ignore_ascii_case(text));
-                found.map(|choice| Value::Text((*choice).into())).ok_or(Unread::NotKnown)
+                found.map(|choice| Value::Text((*choice).into())).ok_or(ReadError::NotKnown)
             }
         }
     }

@@ -3,10 +3,11 @@
 //! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
 //! Lengths here are as people write them: X values are diameters, mm.
 
+pub mod as_comments;
 pub mod dialect;
 pub mod draft;
-pub mod faults;
 pub mod fields;
+pub mod invalid;
 pub mod machine;
 pub mod notes;
 mod side;
@@ -14,7 +15,6 @@ pub mod stock;
 pub mod thread_insert;
 pub mod tool;
 pub mod tool_words;
-pub mod written;
 
 use std::collections::BTreeMap;
 
@@ -38,9 +38,9 @@ pub struct Setup {
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
-    /// What prose in comments says of tools, by turret station: a hint for whoever guesses them. Never in a file.
+    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file.
     #[serde(skip)]
-    pub spoken: BTreeMap<u16, Tool>,
+    pub described_tools: BTreeMap<u16, Tool>,
     /// The blank.
     pub stock: Option<Stock>,
     /// The centre of the tailstock, where the work is held by one.

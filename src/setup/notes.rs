@@ -19,8 +19,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use super::faults::Fault;
 use super::fields::{self, Field, Name};
+use super::invalid::InvalidValue;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Message, Severity};
@@ -38,7 +38,7 @@ pub struct Notes {
     /// Tools by their T word in four digits.
     pub tools: Vec<(String, Tool)>,
     /// What prose says of tools, by turret station.
-    pub spoken: BTreeMap<u16, Tool>,
+    pub described_tools: BTreeMap<u16, Tool>,
     /// The tailstock.
     pub tailstock: Option<Tailstock>,
     /// The machine.
@@ -50,14 +50,14 @@ pub struct Notes {
     /// The severity of rules.
     pub rules: Levels,
     /// What cannot be read.
-    pub faults: Vec<NoteFault>,
+    pub unreadable: Vec<UnreadableWord>,
     /// Where each stands: the beginning of its key in a setup, such as `stock.`.
     places: Vec<(String, Span)>,
 }
 
 /// A word of a note that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoteFault {
+pub struct UnreadableWord {
     /// The word.
     pub span: Span,
     /// The words that can stand there.
@@ -93,8 +93,8 @@ impl Notes {
     /// Reads the comments at the head of a text.
     pub fn read(text: &[u8]) -> Self {
         let head = &text[..text.len().min(HEAD)];
-        let spoken = tool_words::read(&String::from_utf8_lossy(head));
-        let mut notes = Self { spoken, ..Self::default() };
+        let described_tools = tool_words::read(&String::from_utf8_lossy(head));
+        let mut notes = Self { described_tools, ..Self::default() };
         let mut at = 0;
         while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
             let start = at + found + 1;
@@ -119,13 +119,13 @@ impl Notes {
         setup.dialect.decimal = self.decimal.or(setup.dialect.decimal);
         setup.rules = setup.rules.with(&self.rules);
         setup.tools.extend(self.tools.iter().cloned());
-        setup.spoken.clone_from(&self.spoken);
+        setup.described_tools.clone_from(&self.described_tools);
         setup
     }
 
-    /// What is to be reported about them; `faults` are those of the whole setup.
-    pub fn diagnostics(&self, faults: Vec<Fault>, text: &[u8]) -> Vec<Diagnostic> {
-        let words = self.faults.iter().map(|fault| {
+    /// What is to be reported about them; `invalid` are those of the whole setup.
+    pub fn diagnostics(&self, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
+        let words = self.unreadable.iter().map(|fault| {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
             let key = word.split('=').next().map_or(0, str::len) as u32;
             let told = Diagnostic::new(
@@ -136,11 +136,12 @@ impl Notes {
             let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
             Diagnostic { fixes: fix.into_iter().collect(), ..told }
         });
-        let values = faults.into_iter().filter_map(|fault| {
+        let values = invalid.into_iter().filter_map(|fault| {
             let place = self.places.iter().rfind(|place| fault.key.starts_with(&place.0));
             let span = place.map_or(Span::new(0, 0), |place| place.1);
             // One fault, one message: what a word that cannot be read was to set is missing.
-            let is_consequence = self.faults.iter().any(|fault| place.is_some() && span.contains(fault.span));
+            let is_consequence =
+                self.unreadable.iter().any(|fault| place.is_some() && span.contains(fault.span));
             (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
         });
         words.chain(values).collect()
@@ -197,7 +198,11 @@ impl Notes {
         let expected = "T and four digits, such as T0101";
         let Some((name, rest)) = words.split_first() else { return };
         let Some(key) = tool_name(&name.key) else {
-            self.faults.push(NoteFault { span: name.span, expected: expected.into(), nearest: None });
+            self.unreadable.push(UnreadableWord {
+                span: name.span,
+                expected: expected.into(),
+                nearest: None,
+            });
             return;
         };
         let mut tool = Tool::default();
@@ -212,12 +217,12 @@ impl Notes {
             self.rules.set(name, level);
             return;
         }
-        let may_look = self.faults.len() < NEAREST;
+        let may_look = self.unreadable.len() < NEAREST;
         let nearest = if name.is_none() && may_look { levels::nearest(&word.key) } else { None };
         let name = name.or(nearest);
         let expected = name.map(|name| format!("{}=OFF (INFO, WARNING, ERROR)", name.to_ascii_uppercase()));
         let expected = expected.map_or(RULE_WORDS.into(), Cow::from);
-        self.faults.push(NoteFault { span: word.span, expected, nearest });
+        self.unreadable.push(UnreadableWord { span: word.span, expected, nearest });
     }
 
     fn stands(&mut self, key: &str, span: Span) {
@@ -258,7 +263,11 @@ impl Notes {
                 read => {
                     let known = fields.iter().map(|field| field.word);
                     let nearest = if read.is_none() { nearest(&word.key, known) } else { None };
-                    self.faults.push(NoteFault { span: word.span, expected: expected.into(), nearest });
+                    self.unreadable.push(UnreadableWord {
+                        span: word.span,
+                        expected: expected.into(),
+                        nearest,
+                    });
                 }
             }
         }
@@ -336,7 +345,7 @@ mod tests {
               (MACHINE RAPIDX=8000 ZMIN=-300 TURRET=FRONT)\n(START X=150 Z=20)\n\
               (rules classroom=warning No-Program-End=Off)\nG0 X1\n",
         );
-        assert_eq!(notes.faults, []);
+        assert_eq!(notes.unreadable, []);
         assert_eq!(
             notes.stock,
             Some(Stock { diameter: 65.0, bore: 18.0, face: 1.0, length: 80.0, grip: Some(30.0) })
@@ -377,16 +386,16 @@ mod tests {
     #[test]
     fn prose_is_prose_and_a_slip_is_told() {
         let prose = Notes::read(b"(STOCK: ROUND BAR)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)\n(X=3)");
-        assert_eq!(prose.spoken.keys().collect::<Vec<_>>(), [&1]);
-        assert_eq!(Notes { spoken: BTreeMap::new(), ..prose }, Notes::default());
+        assert_eq!(prose.described_tools.keys().collect::<Vec<_>>(), [&1]);
+        assert_eq!(Notes { described_tools: BTreeMap::new(), ..prose }, Notes::default());
         let text = b"(STOCK D=65 LENGHT=80 BORE=x)";
         let notes = Notes::read(text);
-        let told: Vec<_> = notes.faults.iter().map(|fault| fault.span.of(text)).collect();
+        let told: Vec<_> = notes.unreadable.iter().map(|fault| fault.span.of(text)).collect();
         assert_eq!(told, [&b"LENGHT=80"[..], b"BORE=x"]);
-        assert_eq!(Notes::read(b"(TOOL TURNING R=1)").faults.len(), 1);
+        assert_eq!(Notes::read(b"(TOOL TURNING R=1)").unreadable.len(), 1);
         assert_eq!(Notes::read(b"(RULES: CLASSROOM=OFF)\n(RULES OF THE SHOP)"), Notes::default());
         let notes = Notes::read(b"(RULES NO-PROGRAM-ENDS=OFF NO-PROGRAM-END=LOUD QQQ=OFF)");
-        let expected: Vec<_> = notes.faults.iter().map(|fault| &*fault.expected).collect();
+        let expected: Vec<_> = notes.unreadable.iter().map(|fault| &*fault.expected).collect();
         let end = "NO-PROGRAM-END=OFF (INFO, WARNING, ERROR)";
         assert_eq!(expected, [end, end, RULE_WORDS]);
     }

@@ -154,10 +154,14 @@ impl Tool {
         })
     }
 
-    /// The radius that compensation uses, mm: of the cutter, or of the nose.
+    /// Radius of a rotating cutter, mm: as given, or half of its diameter.
+    pub fn cutter_radius(&self) -> Option<f64> {
+        self.tool_radius.or(self.diameter.map(|diameter| diameter / 2.0))
+    }
+
+    /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset R overrides the diameter.
     pub fn compensation_radius(&self) -> f64 {
-        let cutter =
-            self.diameter.filter(|_| self.kind == Some(ToolKind::Endmill)).map(|diameter| diameter / 2.0);
+        let cutter = self.cutter_radius().filter(|_| self.kind == Some(ToolKind::Endmill));
         self.tool_radius.or(self.geometry_r).or(cutter).unwrap_or_else(|| self.nose())
     }
 

@@ -74,7 +74,7 @@ impl<'a> Parser<'a> {
         let end = self.read(block);
         block.span = Span::new(start, end);
         if !block.faults.is_empty() {
-            self.judge(block, behind_semicolon);
+            self.reconsider(block, behind_semicolon);
         }
         if block.kind == BlockKind::Percent && self.begun {
             self.ended = true;
@@ -85,9 +85,9 @@ impl<'a> Parser<'a> {
 
     /// Looks again at a block with faults: whether it was meant as one at all.
     #[cold]
-    fn judge(&mut self, block: &mut Block, behind_semicolon: bool) {
-        let doubtful = block.is_broken() || block.words.is_empty();
-        if behind_semicolon && doubtful && reads_as_prose(block.span.of(self.lexer.text())) {
+    fn reconsider(&mut self, block: &mut Block, behind_semicolon: bool) {
+        let unclear = block.is_broken() || block.words.is_empty();
+        if behind_semicolon && unclear && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(self.lexer.text())) {

@@ -10,11 +10,13 @@ use crate::api;
 use crate::export::card::{self, Card};
 use crate::export::{csv, dxf, stl};
 use crate::scene::canvas::{Painter, Progress};
-use crate::scene::outline::Outline;
+use crate::scene::path_index::PathIndex;
 use crate::scene::source::Picture;
 use crate::scene::svg::{Ground, SvgOptions, svg};
 use crate::scene::work::Work;
 use crate::scene::{Plane, Scene};
+use crate::sentences::labels;
+use crate::setup::fields::Unit;
 
 #[wasm_bindgen]
 impl Playground {
@@ -82,8 +84,10 @@ impl Playground {
 impl Playground {
     fn drawing(&self, ground: Ground) -> String {
         let motions = self.current.motions();
-        let outline = Outline::of(motions);
-        let work = self.current.shop().and_then(|shop| Work::of(shop, motions, None));
-        svg(&Scene::new(motions, &outline, work.as_ref()), &SvgOptions { ground, ..SvgOptions::default() })
+        let path_index = PathIndex::of(motions);
+        let work = self.current.simulation().and_then(|simulation| Work::of(simulation, motions, None));
+        let millimetre = labels::unit(Unit::Millimetre, self.language);
+        let options = SvgOptions { ground, millimetre, ..SvgOptions::default() };
+        svg(&Scene::new(motions, &path_index, work.as_ref()), &options)
     }
 }

@@ -95,7 +95,7 @@ impl Playground {
             places: self.places(),
             motions: self.current.motions(),
             clock: self.current.clock(),
-            fitting: self.current.fitting(),
+            resolved: self.current.resolved_setup(),
         };
         to_js(&Readout::new(&shown, playhead, place.at, self.language))
     }

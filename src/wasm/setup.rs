@@ -3,9 +3,9 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
-use crate::api::setup::{Fitted, SetupPlace, Subject};
-use crate::machine::assumed::guessed;
-use crate::machine::fitting::Fitting;
+use crate::api::setup::{SetupOverview, SetupPlace, Subject};
+use crate::machine::inferred::inferred_setup;
+use crate::machine::resolved_setup::ResolvedSetup;
 use crate::setup::draft::Entry;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -13,13 +13,15 @@ const PLACE: &str = "/** Where a setup is kept. */\nexport type SetupPlace = \"p
 
 #[wasm_bindgen]
 impl Playground {
-    /// Which of stock and tools are given, and which are assumed.
-    #[wasm_bindgen(unchecked_return_type = "Fitted")]
-    pub fn fitting(&self) -> Result<JsValue, JsValue> {
+    /// Which of stock and tools are given, and which are inferred.
+    #[wasm_bindgen(js_name = setupOverview, unchecked_return_type = "SetupOverview")]
+    pub fn setup_overview(&self) -> Result<JsValue, JsValue> {
         let run = self.current.run();
-        match self.current.fitting() {
-            Some(fitting) => to_js(&Fitted::new(fitting, self.language)),
-            None => to_js(&Fitted::new(&Fitting::new(run.motions(), run.setup()), self.language)),
+        match self.current.resolved_setup() {
+            Some(resolved) => to_js(&SetupOverview::new(resolved, self.language)),
+            None => {
+                to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), run.setup()), self.language))
+            }
         }
     }
 
@@ -70,12 +72,12 @@ impl Playground {
 impl Playground {
     fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
         let run = self.current.run();
-        let (guessed, given) = (guessed(run.motions(), run.setup()), run.as_given());
+        let (inferred, given) = (inferred_setup(run.motions(), run.setup()), run.as_given());
         answer(&Subject {
             given: &given,
             page: &self.setup,
             notes: run.notes(),
-            guessed: &guessed,
+            inferred: &inferred,
             decimal: run.decimal_rule(),
             language: self.language,
         })

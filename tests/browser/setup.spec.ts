@@ -36,7 +36,7 @@ test('what nobody has said is shown as assumed, and can be said by keyboard', as
   await page.keyboard.press('Enter');
   await expect(field(page, 'Stock', 'Diameter')).toBeFocused();
   await expect(field(page, 'Stock', 'Diameter')).toHaveAttribute('placeholder', '44 (assumed)');
-  await expect(field(page, 'Tool T0101', 'Kind')).toContainText('turning (assumed)');
+  await expect(field(page, 'Tool T0101', 'Kind')).toContainText('turning tool (assumed)');
   await expect(field(page, 'Tool T0101', 'Width')).toBeHidden();
   await field(page, 'Tool T0101', 'Kind').selectOption('grooving');
   await expect(field(page, 'Tool T0101', 'Width')).toHaveAttribute('placeholder', '3 (assumed)');

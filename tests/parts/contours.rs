@@ -1,9 +1,9 @@
-//! With tools that are only guessed the part has the contour that was programmed, or no part is shown: random contours, the
-//! programs of the tests, and ways of programming that a wrong guess would spoil.
+//! With tools that are only inferred the part has the contour that was programmed, or no part is shown: random contours, the
+//! programs of the tests, and ways of programming that a wrongly inferred tool would spoil.
 
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
 use gcode_playground::motion::{Cycle, Motion, Motions};
 use gcode_playground::run::Analysis;
@@ -21,10 +21,10 @@ const BESIDE: f64 = 0.1;
 /// Straight pieces of an arc.
 const PIECES: u32 = 200;
 
-fn run(program: &str) -> (Analysis, Shop) {
+fn run(program: &str) -> (Analysis, SimulationResult) {
     let analysis = analyze(program.as_bytes(), &Setup::default());
-    let shop = Shop::done(&analysis.motions, &analysis.setup);
-    (analysis, shop)
+    let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
+    (analysis, simulation)
 }
 
 fn way(motion: &Motion) -> Vec<Point> {
@@ -122,9 +122,9 @@ fn contour_or_no_part(blocks: &str, end: f64, count: u32) -> Result<Option<Regio
     let program = format!(
         "(STOCK D=160 LENGTH=120)\nT0101\nG97 S500 M03\nG00 X30 Z2\nG01 Z0 F0.2\n{blocks}X170\nG00 Z5\n"
     );
-    let (analysis, shop) = run(&program);
-    let Some(part) = shop.finished() else {
-        let is_told = !shop.fitting().unknown().is_empty();
+    let (analysis, simulation) = run(&program);
+    let Some(part) = simulation.finished() else {
+        let is_told = !simulation.resolved_setup().unknown().is_empty();
         return if is_told { Ok(None) } else { Err(format!("no part and no reason:\n{program}")) };
     };
     let stations = (0..count).map(|index| end * (f64::from(index) + 0.37) / f64::from(count));
@@ -165,7 +165,7 @@ fn finishing_passes_of_all_programs_are_there() {
     let mut seen = 0;
     for program in all() {
         let analysis = analyze(program.text.as_bytes(), &Setup::from_json(&program.setup).expect("a setup"));
-        let shop = Shop::done(&analysis.motions, &analysis.setup);
+        let simulation = SimulationResult::of(&analysis.motions, &analysis.setup);
         let all: Vec<Motion> = cuts(&analysis.motions);
         let finishing = |motion: &Motion| motion.cycle.is_some_and(|step| step.cycle == Cycle::Finishing);
         let own: Vec<Motion> = all.iter().filter(|motion| finishing(motion)).copied().collect();
@@ -178,7 +178,7 @@ fn finishing_passes_of_all_programs_are_there() {
         if is_bore {
             continue;
         }
-        let Some(part) = shop.finished() else { panic!("{}: no part", program.id) };
+        let Some(part) = simulation.finished() else { panic!("{}: no part", program.id) };
         let low = own.iter().map(|motion| motion.to.z).fold(f64::INFINITY, f64::min);
         let stations = (0..80).map(|index| low * (f64::from(index) + 0.37) / 80.0);
         let others: Vec<Motion> = all.iter().filter(|motion| !finishing(motion)).copied().collect();
@@ -193,12 +193,15 @@ fn finishing_passes_of_all_programs_are_there() {
 
 /// Kinds of the tools, in order; and diameters of the part at some Z.
 fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
-    let (analysis, shop) = run(program);
-    let kinds: Vec<&str> =
-        shop.fitting().tools().map(|fitted| fitted.tool.kind.map_or("none", |kind| kind.name())).collect();
+    let (analysis, simulation) = run(program);
+    let kinds: Vec<&str> = simulation
+        .resolved_setup()
+        .tools()
+        .map(|resolved_tool| resolved_tool.tool.kind.map_or("none", |kind| kind.name()))
+        .collect();
     assert_eq!(kinds.join(" "), tools, "{program}");
     assert!(!analysis.diagnostics.iter().any(|told| told.is_error()), "{:?}", analysis.diagnostics);
-    let Some(part) = shop.finished() else {
+    let Some(part) = simulation.finished() else {
         assert!(diameters.is_empty(), "no part: {program}");
         return;
     };
@@ -264,12 +267,12 @@ fn words_do_not_spoil_the_part() {
 #[test]
 fn words_give_measures() {
     let program = format!("{HEAD}T0202\n(BROCA 8MM)\nG00 X0 Z2\nG01 Z-20 F0.2\nG00 Z2\n");
-    let (_, shop) = run(&program);
-    let drill = shop.fitting().tools().next().expect("a drill");
+    let (_, simulation) = run(&program);
+    let drill = simulation.resolved_setup().tools().next().expect("a drill");
     assert_eq!(drill.tool.diameter, Some(8.0));
     let program = format!("{HEAD}T0303 (GROOVE W=2)\nG00 X42 Z-20\nG01 X30 F0.1\nG00 X42\n");
-    let (_, shop) = run(&program);
-    let blade = shop.fitting().tools().next().expect("a blade");
+    let (_, simulation) = run(&program);
+    let blade = simulation.resolved_setup().tools().next().expect("a blade");
     assert_eq!(blade.tool.width, Some(2.0));
 }
 
@@ -285,10 +288,10 @@ fn where_no_tool_will_do_no_part_is_shown() {
     let program = format!(
         "{HEAD}T0303\nG00 X52 Z2\nX42 Z-10\nG01 X30 F0.1\nZ-20\nX36 Z-30\nX28 Z-38\nX42\nG00 Z-24\nG01 X20\nG00 X52\n"
     );
-    let (mut analysis, shop) = run(&program);
-    assert_eq!(shop.fitting().unknown().len(), 1);
-    assert!(shop.finished().is_none() && shop.part_at(&analysis.motions, 1, 0.0).is_none());
-    analysis.look_at_machine();
+    let (mut analysis, simulation) = run(&program);
+    assert_eq!(simulation.resolved_setup().unknown().len(), 1);
+    assert!(simulation.finished().is_none() && simulation.part_at(&analysis.motions, 1, 0.0).is_none());
+    analysis.check_at_machine();
     let told: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
     assert!(told.contains(&"tool-unknown"), "{told:?}");
     // A tool that somebody names is believed.
@@ -307,16 +310,16 @@ fn a_second_clamping_leaves_the_part_of_the_first() {
     check(&both, "turning", &kept);
     let told = |program: &str| {
         let mut analysis = run(program).0;
-        analysis.look_at_machine();
+        analysis.check_at_machine();
         analysis.diagnostics.iter().filter(|told| told.message.slug() == "work-zero-unknown").count()
     };
     assert_eq!(told(&both), 1);
     // Named tools and a named blank change nothing of it, nor is a rapid there held against the work here.
     let named = format!("(STOCK D=50 LENGTH=60)\n(TOOL T0101 TYPE=TURNING)\n{both}");
-    let (mut analysis, shop) = run(&named);
-    let part = shop.finished().expect("a part");
+    let (mut analysis, simulation) = run(&named);
+    let part = simulation.finished().expect("a part");
     assert!((part.radii(-20.0).last().expect("material").1 - 20.0).abs() < 0.01);
-    analysis.look_at_machine();
+    analysis.check_at_machine();
     let slugs: Vec<_> = analysis.diagnostics.iter().map(|told| told.message.slug()).collect();
     assert_eq!(slugs.iter().filter(|slug| slug.contains("stock")).count(), 0, "{slugs:?}");
     // Back in the first frame the cuts count again; one frame all through is the first, whichever it is.

@@ -1,8 +1,8 @@
 //! Every turning program of the gallery: the radii of the part against intervals worked out motion by motion.
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
-use gcode_playground::machine::fitting::{Fitting, Known};
+use gcode_playground::machine::SimulationResult;
+use gcode_playground::machine::resolved_setup::{Basis, ResolvedSetup};
 use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::setup::{Setup, Side, Stock, Tool, ToolKind};
 
@@ -28,7 +28,7 @@ fn gallery() -> Vec<Program> {
 }
 
 /// The tool that was concluded, with its outline from the values of a tool maker's table.
-fn as_fitted(tool: &Tool, known: Known, pitch: f64) -> Reach {
+fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
     let up = if tool.side == Some(Side::Inside) { -1.0 } else { 1.0 };
     match tool.kind.expect("a kind") {
         ToolKind::Turning | ToolKind::Boring => {
@@ -47,7 +47,7 @@ fn as_fitted(tool: &Tool, known: Known, pitch: f64) -> Reach {
                 tip => panic!("tip {tip}"),
             };
             let edge = tool.edge_length.unwrap_or(12.0);
-            Reach::rhombus(180.0 - entering - point, point, edge, 0.0, flip, known == Known::Guessed)
+            Reach::rhombus(180.0 - entering - point, point, edge, 0.0, flip, basis == Basis::Inferred)
         }
         ToolKind::Grooving if tool.side == Some(Side::Face) => Reach::face_blade(3.0),
         ToolKind::Grooving => Reach::blade(3.0, up),
@@ -79,11 +79,12 @@ pub fn compare(
     motions: &Motions,
     setup: &Setup,
     stock: &Stock,
-    reach: impl Fn(&Fitting, &Motion) -> Reach,
+    reach: impl Fn(&ResolvedSetup, &Motion) -> Reach,
 ) -> u32 {
-    let shop = Shop::done(motions, setup);
-    let part = shop.finished().unwrap_or_else(|| panic!("{id}: no blank"));
-    let all: Vec<_> = motions.iter().map(|motion| (motion, reach(shop.fitting(), &motion))).collect();
+    let simulation = SimulationResult::of(motions, setup);
+    let part = simulation.finished().unwrap_or_else(|| panic!("{id}: no blank"));
+    let all: Vec<_> =
+        motions.iter().map(|motion| (motion, reach(simulation.resolved_setup(), &motion))).collect();
     let total = |rest: &[Interval]| rest.iter().map(|(low, high)| high - low).sum::<f64>();
     let mut full = 0;
     for station in 0..STATIONS {
@@ -119,28 +120,28 @@ pub fn compare(
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     let plain = analyze(program.text.as_bytes(), &setup);
-    let fitting = Fitting::new(&plain.motions, &setup);
-    let stock = fitting
+    let resolved = ResolvedSetup::new(&plain.motions, &setup);
+    let stock = resolved
         .stock()
         .map_or(Stock { diameter: 60.0, bore: 0.0, face: 0.0, length: 60.0, grip: None }, |(stock, _)| stock);
     setup.stock = Some(stock);
     let mut given: Vec<(u16, Reach)> = Vec::new();
-    for fitted in fitting.tools() {
-        if let Some((tool, reach)) = tool.map(|tool| tool(fitted.tool.kind.expect("a kind"))) {
-            let name = format!("T{:02}{:02}", fitted.station, fitted.station);
+    for resolved_tool in resolved.tools() {
+        if let Some((tool, reach)) = tool.map(|tool| tool(resolved_tool.tool.kind.expect("a kind"))) {
+            let name = format!("T{:02}{:02}", resolved_tool.station, resolved_tool.station);
             if setup.tools.insert(name, tool).is_none() {
-                given.push((fitted.station, reach));
+                given.push((resolved_tool.station, reach));
             }
         }
     }
     let analysis = analyze(program.text.as_bytes(), &setup);
     let pitch = analysis.motions.iter().filter_map(|motion| motion.lead).fold(0.0, f64::max);
-    let full = compare(&program.id, &analysis.motions, &setup, &stock, |fitting, motion| {
+    let full = compare(&program.id, &analysis.motions, &setup, &stock, |resolved, motion| {
         let given = given.iter().find(|given| given.0 == motion.process.tool.0);
-        let fitted = fitting.tool(motion);
+        let resolved_tool = resolved.tool(motion);
         match given {
             Some((_, reach)) if !reach.threads => reach.clone(),
-            _ => as_fitted(&fitted.tool, fitted.known, pitch),
+            _ => as_resolved(&resolved_tool.tool, resolved_tool.basis, pitch),
         }
     });
     assert!(full > 0, "{}: only {full} stations have material", program.id);

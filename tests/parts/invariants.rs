@@ -2,7 +2,7 @@
 
 use gcode_playground::analyze;
 use gcode_playground::machine::region::Region;
-use gcode_playground::machine::{Advanced, Machining, Shop};
+use gcode_playground::machine::{Simulation, SimulationResult, SimulationStep};
 use gcode_playground::motion::Motions;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
@@ -68,9 +68,9 @@ proptest! {
     #[test]
     fn any_moment_is_on_the_way_to_the_end(program in program(10)) {
         let (motions, setup) = run(&program);
-        let shop = Shop::done(&motions, &setup);
-        let at = |count, share| shop.part_at(&motions, count, share).expect("a blank");
-        prop_assert!(same(&at(0, 0.0), shop.blank().expect("a blank")));
+        let simulation = SimulationResult::of(&motions, &setup);
+        let at = |count, share| simulation.part_at(&motions, count, share).expect("a blank");
+        prop_assert!(same(&at(0, 0.0), simulation.blank().expect("a blank")));
         let mut before = at(0, 0.0);
         for count in 0..motions.len() {
             let half = at(count, 0.5);
@@ -80,18 +80,18 @@ proptest! {
             prop_assert!(same(&whole, &at(count + 1, 0.0)), "motion {count} whole\n{program}");
             before = whole;
         }
-        prop_assert!(same(&before, &shop.finished().expect("a blank")), "the end\n{program}");
+        prop_assert!(same(&before, &simulation.finished().expect("a blank")), "the end\n{program}");
     }
 
     #[test]
     fn slices_do_not_matter(program in program(60), slice in 1usize..50) {
         let (motions, setup) = run(&program);
-        let whole = Shop::done(&motions, &setup);
-        let mut machining = Machining::new(&motions, &setup);
+        let whole = SimulationResult::of(&motions, &setup);
+        let mut machining = Simulation::new(&motions, &setup);
         let sliced = loop {
             match machining.advance(&motions, slice) {
-                Advanced::UnderWay(more) => machining = more,
-                Advanced::Done(shop) => break shop,
+                SimulationStep::UnderWay(more) => machining = more,
+                SimulationStep::Done(simulation) => break simulation,
             }
         };
         prop_assert_eq!(whole.finished(), sliced.finished());

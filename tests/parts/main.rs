@@ -6,7 +6,7 @@ mod contours;
 #[path = "../fixtures/mod.rs"]
 mod fixtures;
 mod gallery;
-mod guesses;
+mod inferred;
 mod invariants;
 mod reach;
 mod worked;

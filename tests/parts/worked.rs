@@ -1,7 +1,7 @@
 //! Single cases worked out by hand. Diameters, mm.
 
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
 use gcode_playground::setup::Setup;
 
@@ -15,7 +15,7 @@ fn part(chamfer: u32, program: &str) -> Region {
     let setup = format!(r#"{{{dialect}, "stock": {{"diameter": 30, "length": 50}}, "tools": {{{TOOLS}}}}}"#);
     let setup = Setup::from_json(&setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    Shop::done(&analysis.motions, &setup).finished().expect("a blank")
+    SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank")
 }
 
 fn check(part: &Region, z: f64, expected: &[(f64, f64)]) {
@@ -130,7 +130,9 @@ fn motions_are_shown_half_done() {
     let setup = Setup::from_json(&setup).expect("a setup");
     let at = |program: &str, count: usize, share: f64| {
         let analysis = analyze(program.as_bytes(), &setup);
-        Shop::done(&analysis.motions, &setup).part_at(&analysis.motions, count, share).expect("a blank")
+        SimulationResult::of(&analysis.motions, &setup)
+            .part_at(&analysis.motions, count, share)
+            .expect("a blank")
     };
     let thread = at("M03 S100\nT0404\nG00 X28 Z4\nG32 Z-20 F2", 1, 0.5);
     check(&thread, -8.0, &[(0.0, 28.0)]);
@@ -152,7 +154,7 @@ fn seed_004_begins_its_taper_in_the_air() {
             |file: &str| std::fs::read_to_string(format!("tests/programs/{name}/{file}")).expect("a file");
         let setup = Setup::from_json(&read("setup.json")).expect("a setup");
         let analysis = analyze(read("program.nc").as_bytes(), &setup);
-        let part = Shop::done(&analysis.motions, &setup).finished().expect("a blank");
+        let part = SimulationResult::of(&analysis.motions, &setup).finished().expect("a blank");
         check(&part, end - 0.01, &[(0.0, 50.0)]);
         // From X50 there to X30 at Z0.
         check(&part, end / 2.0, &[(0.0, 40.0)]);

@@ -14,7 +14,7 @@ use std::{env, fs, io};
 use endless::{Hostile, MOST_SECONDS, hostile};
 use gcode_playground::api::{Places, Summary};
 use gcode_playground::run::Run;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use gcode_playground::source::LineIndex;
@@ -105,7 +105,7 @@ fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     let shown = lines.line(&case.text, lines.len().min(SHOWN_LINES) - 1).end as usize;
     let tokens: Vec<_> =
         highlight(&case.text, 0, shown).into_iter().map(|(span, _)| places.offsets(span)).collect();
-    let length = Outline::of(run.motions()).length();
+    let length = PathIndex::of(run.motions()).length();
     let taken = watch.milliseconds();
     std::hint::black_box((tokens, length));
     (taken, told.iter().any(|row| row.code == case.code && row.line == case.line), summary.motions)

@@ -5,7 +5,7 @@ mod workload;
 use divan::Bencher;
 use divan::counter::BytesCount;
 use gcode_playground::analyze;
-use gcode_playground::machine::Shop;
+use gcode_playground::machine::SimulationResult;
 use gcode_playground::setup::Setup;
 
 fn main() {
@@ -35,7 +35,7 @@ fn ten_thousand_box_cycles(bencher: Bencher) {
 #[divan::bench(args = workload::PASSES)]
 fn part_of_roughing_passes(bencher: Bencher, passes: u32) {
     let analysis = analyze(workload::passes(passes).as_bytes(), &Setup::default());
-    bencher.bench(|| Shop::done(&analysis.motions, &analysis.setup).finished());
+    bencher.bench(|| SimulationResult::of(&analysis.motions, &analysis.setup).finished());
 }
 
 #[divan::bench(args = workload::POINTS)]

@@ -45,7 +45,7 @@ function part(program) {
     const playground = new Playground();
     run(playground, program);
     times.push(time(() => {
-      while (!playground.machine(1_000));
+      while (!playground.removeMaterial(1_000));
     }));
     corners = playground.part().polygons.flat().length;
     playground.free();

@@ -79,7 +79,7 @@ impl<'a> Shown<'a> {
         let title = format!("{} · {}", text.title.replace('`', ""), words.playground);
         head(&mut out, language, &title, &format!("{slug}.html"));
         put(&mut out, format_args!("<h1>{}</h1>", prose(&text.title)));
-        self.facts(&mut out, language);
+        self.metadata(&mut out, language);
         put(&mut out, format_args!("<div class=\"said {}\">", self.severity.name()));
         put(&mut out, format_args!("<p>{}</p>", prose(&sentence.message)));
         if let Some(help) = sentence.help {
@@ -115,21 +115,21 @@ impl<'a> Shown<'a> {
     }
 
     /// Severity, codes, name, kind and alarms.
-    fn facts(&self, out: &mut String, language: Language) {
+    fn metadata(&self, out: &mut String, language: Language) {
         let words = words(language);
         let Rule { slug, codes, kind, alarms, .. } = self.rule;
         let codes: Vec<_> = codes.iter().map(|code| format!("<code>{code}</code>")).collect();
         let severity = labels::severity(self.severity, language);
-        let mut facts = vec![
+        let mut metadata = vec![
             format!("<span class=\"severity {}\">{severity}</span>", self.severity.name()),
             codes.join(" "),
             format!("<code>{slug}</code>"),
-            labels::matter(*kind, language).to_owned(),
+            labels::category(*kind, language).to_owned(),
         ];
         if !alarms.is_empty() {
-            facts.push(format!("{} {}", words.alarm, alarms.join(", ")));
+            metadata.push(format!("{} {}", words.alarm, alarms.join(", ")));
         }
-        put(out, format_args!("<p class=\"facts\">{}</p>", facts.join(" · ")));
+        put(out, format_args!("<p class=\"metadata\">{}</p>", metadata.join(" · ")));
     }
 
     /// A program with its picture.

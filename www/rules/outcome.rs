@@ -3,12 +3,12 @@
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` reports them, and its picture.
 
 use gcode_playground::findings;
-use gcode_playground::machine::{Machining, Shop};
+use gcode_playground::machine::{Simulation, SimulationResult};
 use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::outline::Outline;
+use gcode_playground::scene::path_index::PathIndex;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
@@ -41,13 +41,13 @@ impl Outcome {
         while !run.advance(usize::MAX) {}
         let mut analysis = run.into_analysis();
         if stop == Some(Stop::Part) {
-            let shop = Machining::new(&analysis.motions, &analysis.setup).stop();
+            let simulation = Simulation::new(&analysis.motions, &analysis.setup).stop();
             let levels = &analysis.setup.rules;
-            let found = findings::diagnostics(&shop, &analysis.motions, levels, &analysis.diagnostics);
+            let found = findings::diagnostics(&simulation, &analysis.motions, levels, &analysis.diagnostics);
             analysis.diagnostics.extend(found);
             sort_by_place(&mut analysis.diagnostics);
         } else {
-            analysis.look_at_machine();
+            analysis.check_at_machine();
         }
         Self { analysis }
     }
@@ -63,15 +63,15 @@ impl Outcome {
         if motions.is_empty() {
             return None;
         }
-        let shop = Shop::done(motions, setup);
+        let simulation = SimulationResult::of(motions, setup);
         let options =
             SvgOptions { width: WIDTH, x_plus: setup.machine.turret.into(), ..SvgOptions::default() };
-        if let Some(face) = Face::of(motions, &shop) {
-            let work = face.work(&shop, None);
+        if let Some(face) = Face::of(motions, &simulation) {
+            let work = face.work(&simulation, None);
             let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };
             return Some(svg(&face.scene(work.as_ref()), &options));
         }
-        let (outline, work) = (Outline::of(motions), Work::of(&shop, motions, None));
-        Some(svg(&Scene::new(motions, &outline, work.as_ref()), &options))
+        let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
+        Some(svg(&Scene::new(motions, &path_index, work.as_ref()), &options))
     }
 }

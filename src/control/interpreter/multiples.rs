@@ -202,14 +202,16 @@ impl Interpreter {
         if !self.dialect.strict
             && matches!(
                 moves,
-                Err(roughing::Fault::NotMonotoneAlong { .. } | roughing::Fault::NotMonotoneAcross { .. })
+                Err(roughing::RoughingError::NotMonotoneAlong { .. }
+                    | roughing::RoughingError::NotMonotoneAcross { .. })
             )
             && let Some(without) = shape.without_retreat(contour)
             && let Ok(found) = roughing::rough(&without, &how, most)
         {
             moves = Ok(found);
         }
-        if !pockets && second_named && matches!(moves, Err(roughing::Fault::NotMonotoneAcross { .. })) {
+        if !pockets && second_named && matches!(moves, Err(roughing::RoughingError::NotMonotoneAcross { .. }))
+        {
             how.shape = roughing::Shape::Pockets;
             moves = roughing::rough(contour, &how, most);
         }
@@ -228,9 +230,9 @@ impl Interpreter {
         };
         // At the block of the contour, which is where it can be fixed.
         let place = match fault {
-            roughing::Fault::NotMonotoneAlong { piece }
-            | roughing::Fault::NotMonotoneAcross { piece }
-            | roughing::Fault::BeyondStart { piece: Some(piece) } => shape.span_of(piece),
+            roughing::RoughingError::NotMonotoneAlong { piece }
+            | roughing::RoughingError::NotMonotoneAcross { piece }
+            | roughing::RoughingError::BeyondStart { piece: Some(piece) } => shape.span_of(piece),
             _ => None,
         };
         // Where much of the contour lies beyond the start, it is the start that is wrong.
@@ -240,7 +242,7 @@ impl Interpreter {
             let end = if turning { piece.to.x - contour.start.x } else { piece.to.z - contour.start.z };
             end.abs() > NEAR && end.signum() != side.signum()
         };
-        let start_is_wrong = matches!(fault, roughing::Fault::BeyondStart { .. })
+        let start_is_wrong = matches!(fault, roughing::RoughingError::BeyondStart { .. })
             && contour.pieces.iter().filter(beyond).count() > 2;
         let place = place.filter(|_| !start_is_wrong);
         let message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
@@ -390,7 +392,7 @@ impl Interpreter {
         for contour in candidates.into_iter().flatten() {
             match roughing::rough(&contour, &how, most) {
                 Ok(moves) => return Some(moves),
-                Err(roughing::Fault::TooManyMoves) if !self.spend(most, block) => return None,
+                Err(roughing::RoughingError::TooManyMoves) if !self.spend(most, block) => return None,
                 Err(_) => {}
             }
         }
@@ -400,7 +402,7 @@ impl Interpreter {
 
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.
 fn contour_message(
-    fault: roughing::Fault,
+    fault: roughing::RoughingError,
     code: &'static str,
     turning: bool,
     shape: &Shape,
@@ -411,10 +413,10 @@ fn contour_message(
         Message::ContourTurnsBack { code, axis, line: shape.line_of(piece), alarm }
     };
     Some(match fault {
-        roughing::Fault::NotMonotoneAlong { piece } => turns_back(along, piece),
-        roughing::Fault::NotMonotoneAcross { piece } => turns_back(across, piece),
-        roughing::Fault::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
-        roughing::Fault::NothingToCut => Message::ContourNothingToCut { code },
-        roughing::Fault::TooManyMoves => return None,
+        roughing::RoughingError::NotMonotoneAlong { piece } => turns_back(along, piece),
+        roughing::RoughingError::NotMonotoneAcross { piece } => turns_back(across, piece),
+        roughing::RoughingError::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
+        roughing::RoughingError::NothingToCut => Message::ContourNothingToCut { code },
+        roughing::RoughingError::TooManyMoves => return None,
     })
 }

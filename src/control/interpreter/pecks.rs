@@ -87,19 +87,19 @@ impl Interpreter {
                 self.run_cycle(block, cycle.cycle(), None, &moves);
                 return Some(());
             }
-            Err(grooving::Fault::NegativeRelief) => {
+            Err(grooving::PeckingError::NegativeRelief) => {
                 (Message::ReliefNegative { word: words.quote(text, b'R') }, words.span(b'R'))
             }
-            Err(grooving::Fault::NoStepover) => {
+            Err(grooving::PeckingError::NoStepover) => {
                 (Message::PeckMissing { code, address: other as char }, block.words_span())
             }
-            Err(grooving::Fault::NegativePeck) => {
+            Err(grooving::PeckingError::NegativePeck) => {
                 (Message::PeckNegative { word: words.quote(text, address) }, words.span(address))
             }
-            Err(grooving::Fault::NegativeStepover) => {
+            Err(grooving::PeckingError::NegativeStepover) => {
                 (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
             }
-            Err(grooving::Fault::TooManyMoves) => {
+            Err(grooving::PeckingError::TooManyMoves) => {
                 self.refuse_long_cycle(block, code, 0, most);
                 return None;
             }

@@ -86,13 +86,13 @@ impl Interpreter {
                 self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
                 return Some(());
             }
-            Err(threading::Fault::Angle) => Message::ThreadAngle { angle },
-            Err(threading::Fault::LeastDepthTooLarge) => {
+            Err(threading::ThreadingError::Angle) => Message::ThreadAngle { angle },
+            Err(threading::ThreadingError::LeastDepthTooLarge) => {
                 Message::ThreadLeastDepth { least: how.least_depth, height: how.height }
             }
-            Err(threading::Fault::NoHeight) => Message::ThreadNoHeight,
-            Err(threading::Fault::NoFirstDepth) => Message::ThreadNoFirstDepth,
-            Err(threading::Fault::TooManyMoves) => {
+            Err(threading::ThreadingError::NoHeight) => Message::ThreadNoHeight,
+            Err(threading::ThreadingError::NoFirstDepth) => Message::ThreadNoFirstDepth,
+            Err(threading::ThreadingError::TooManyMoves) => {
                 self.refuse_long_cycle(block, "G76", 0, most);
                 return None;
             }

@@ -290,7 +290,7 @@ fn without_a_last_pass_the_tool_goes_home_over_the_work() {
 }
 
 #[track_caller]
-fn check_fault(contour: &Contour, how: &Roughing, expected: Fault) {
+fn check_error(contour: &Contour, how: &Roughing, expected: RoughingError) {
     assert_eq!(rough(contour, how, 1000), Err(expected));
 }
 
@@ -299,19 +299,19 @@ fn a_contour_that_turns_back_is_refused_where_it_does() {
     let turning = type_one(Direction::Turning, 2.0, 0.5, (0.0, 0.0));
     let back_in_x = [(20.0, 2.0), (20.0, -10.0), (30.0, -20.0), (29.0, -25.0), (40.0, -30.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &back_in_x);
-    check_fault(&contour, &turning, Fault::NotMonotoneAcross { piece: 2 });
+    check_error(&contour, &turning, RoughingError::NotMonotoneAcross { piece: 2 });
     assert!(rough(&contour, &type_two(2.0, 0.5), 1000).is_ok());
 
     let back_in_z = [(20.0, 2.0), (20.0, -10.0), (30.0, -5.0), (40.0, -30.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &back_in_z);
-    check_fault(&contour, &turning, Fault::NotMonotoneAlong { piece: 1 });
-    check_fault(&contour, &type_two(2.0, 0.5), Fault::NotMonotoneAlong { piece: 1 });
+    check_error(&contour, &turning, RoughingError::NotMonotoneAlong { piece: 1 });
+    check_error(&contour, &type_two(2.0, 0.5), RoughingError::NotMonotoneAlong { piece: 1 });
 
     // Facing: X is the axis of the passes, Z that of depth.
     let facing = type_one(Direction::Facing, 2.0, 0.5, (0.0, 0.0));
     let back_in_z = [(40.0, -30.0), (30.0, -20.0), (30.0, -25.0), (20.0, 2.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &back_in_z);
-    check_fault(&contour, &facing, Fault::NotMonotoneAcross { piece: 1 });
+    check_error(&contour, &facing, RoughingError::NotMonotoneAcross { piece: 1 });
 
     // As little as drawings are rounded by is forgiven.
     let hardly = [(20.0, 2.0), (20.0, -10.0), (30.0, -20.0), (29.999, -25.0), (40.0, -25.0)];
@@ -327,13 +327,13 @@ fn an_arc_that_bulges_beyond_its_ends_turns_back() {
     let turning = type_one(Direction::Turning, 2.0, 0.5, (0.0, 0.0));
     for turn in [Turn::Clockwise, Turn::Counterclockwise] {
         contour.pieces[1] = arc(ends.0, ends.1, 6.0, turn);
-        check_fault(&contour, &turning, Fault::NotMonotoneAcross { piece: 1 });
+        check_error(&contour, &turning, RoughingError::NotMonotoneAcross { piece: 1 });
         assert!(rough(&contour, &type_two(2.0, 0.5), 1000).is_ok());
     }
     // More than half a turn comes back in Z too.
     let center = Point::new(12.0, -15.0);
     contour.pieces[1].arc = Some((center, Turn::Counterclockwise));
-    check_fault(&contour, &type_two(2.0, 0.5), Fault::NotMonotoneAlong { piece: 1 });
+    check_error(&contour, &type_two(2.0, 0.5), RoughingError::NotMonotoneAlong { piece: 1 });
 }
 
 #[test]
@@ -341,19 +341,19 @@ fn a_contour_beyond_the_start_is_refused() {
     let turning = type_one(Direction::Turning, 2.0, 0.5, (0.0, 0.0));
     let high = [(20.0, 2.0), (20.0, -10.0), (41.0, -10.0), (41.0, -20.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &high);
-    check_fault(&contour, &turning, Fault::BeyondStart { piece: Some(1) });
+    check_error(&contour, &turning, RoughingError::BeyondStart { piece: Some(1) });
     let before = [(20.0, 3.0), (20.0, -10.0), (40.0, -10.0)];
     let contour = straight(Approach::Rapid, (40.0, 2.0), &before);
-    check_fault(&contour, &turning, Fault::BeyondStart { piece: None });
+    check_error(&contour, &turning, RoughingError::BeyondStart { piece: None });
 }
 
 #[test]
 fn a_contour_without_depth_or_length_leaves_nothing_to_cut() {
     let turning = type_one(Direction::Turning, 2.0, 0.5, (0.0, 0.0));
     let flat = straight(Approach::Rapid, (40.0, 2.0), &[(40.0, 2.0), (40.0, -20.0)]);
-    check_fault(&flat, &turning, Fault::NothingToCut);
+    check_error(&flat, &turning, RoughingError::NothingToCut);
     let bare = straight(Approach::Rapid, (40.0, 2.0), &[(20.0, 2.0)]);
-    check_fault(&bare, &turning, Fault::NothingToCut);
+    check_error(&bare, &turning, RoughingError::NothingToCut);
 }
 
 #[test]
@@ -363,7 +363,7 @@ fn a_tiny_depth_is_refused_at_once() {
     for depth in [1e-4, 1e-12, 1e-300, 0.0] {
         for shape in [Shape::Monotone, Shape::Pockets] {
             let how = how(Direction::Turning, shape, depth, 0.5, (0.0, 0.0));
-            assert_eq!(rough(&contour, &how, 1_000_000), Err(Fault::TooManyMoves), "{depth}");
+            assert_eq!(rough(&contour, &how, 1_000_000), Err(RoughingError::TooManyMoves), "{depth}");
         }
     }
     let fine = type_one(Direction::Turning, 0.01, 0.5, (0.0, 0.0));

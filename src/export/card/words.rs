@@ -1,7 +1,7 @@
 //! The words of the setup sheet in every language. A card without a translation does not compile.
 
 use crate::control::codes::Function;
-use crate::sentences::Language;
+use crate::sentences::{Language, labels};
 use crate::setup::{Side, ToolKind};
 
 /// What is printed on a card.
@@ -14,7 +14,7 @@ pub(super) struct Words {
     pub length: &'static str,
     pub bore: &'static str,
     pub face: &'static str,
-    pub guessed: &'static str,
+    pub inferred: &'static str,
     pub tools: &'static str,
     pub tool: &'static str,
     pub kind: &'static str,
@@ -86,27 +86,19 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
     Some(text.to_owned())
 }
 
-/// The name of a kind of tool.
+/// The name of a kind of tool, with the side it works on where that is not the outside.
 pub(super) fn tool_kind(kind: ToolKind, side: Side, language: Language) -> String {
-    let [en, zh, ru] = match kind {
-        ToolKind::Turning => ["turning", "车刀", "проходной резец"],
-        ToolKind::Boring => ["boring", "镗刀", "расточной резец"],
-        ToolKind::Grooving => ["grooving", "切槽刀", "канавочный резец"],
-        ToolKind::Threading => ["threading", "螺纹刀", "резьбовой резец"],
-        ToolKind::Drill => ["drill", "钻头", "сверло"],
-        ToolKind::Tap => ["tap", "丝锥", "метчик"],
-        ToolKind::Endmill => ["live end mill", "动力刀具（铣刀）", "приводная фреза"],
-    };
-    let [side_en, side_zh, side_ru] = match (kind, side) {
+    let [english, chinese, russian] = match (kind, side) {
         (ToolKind::Grooving | ToolKind::Threading, Side::Inside) => [", inside", "（内）", ", внутренний"],
         (ToolKind::Grooving | ToolKind::Threading, Side::Face) => [", face", "（端面）", ", торцовый"],
         _ => ["", "", ""],
     };
-    match language {
-        Language::English => [en, side_en].concat(),
-        Language::Chinese => [zh, side_zh].concat(),
-        Language::Russian => [ru, side_ru].concat(),
-    }
+    let side = match language {
+        Language::English => english,
+        Language::Chinese => chinese,
+        Language::Russian => russian,
+    };
+    [labels::tool_kind(kind, language), side].concat()
 }
 
 static EN: Words = Words {
@@ -118,7 +110,7 @@ static EN: Words = Words {
     length: "length",
     bore: "bore",
     face: "face at Z",
-    guessed: "guessed from the program",
+    inferred: "guessed from the program",
     tools: "Tools",
     tool: "Tool",
     kind: "Kind",
@@ -152,7 +144,7 @@ static ZH: Words = Words {
     length: "长度",
     bore: "内孔",
     face: "端面 Z",
-    guessed: "由程序推测",
+    inferred: "由程序推测",
     tools: "刀具",
     tool: "刀具号",
     kind: "类型",
@@ -186,7 +178,7 @@ static RU: Words = Words {
     length: "длина",
     bore: "отверстие",
     face: "торец на Z",
-    guessed: "по программе, предположительно",
+    inferred: "по программе, предположительно",
     tools: "Инструменты",
     tool: "Инструмент",
     kind: "Вид",

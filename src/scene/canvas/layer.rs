@@ -14,8 +14,8 @@ use super::super::camera::Camera;
 use super::super::camera::Pixel;
 use super::super::ink::Ink;
 use super::super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, add_arrow_heads};
-use super::super::outline::{Stretch, StretchKey};
 use super::super::palette::Palette;
+use super::super::path_index::{Stretch, StretchKey};
 use super::super::plot::Plot;
 use super::super::view::View;
 use super::super::{Scene, StrokeShape, StrokeStyle};
@@ -67,7 +67,7 @@ type Colours = [[u8; 3]; Ink::ALL.len() + 1];
 struct Target {
     /// With nothing picked out, and the tool before a motion: what is done of that is drawn over the image.
     view: View,
-    outline: u64,
+    path_index: u64,
 }
 
 /// How an image came about.
@@ -130,9 +130,10 @@ impl StrokeLayer {
 
     /// Brings the image up to date, or a part of the way.
     pub fn update(&mut self, scene: &Scene, view: &View) -> Result<Progress, JsValue> {
-        let outline = scene.outline().id();
-        let target = Target { view: view.bare(view.playhead.map(before)), outline };
-        let same = |shown: &Target| shown.outline == outline && shown.view.shows_same_ground(&target.view);
+        let path_index = scene.path_index().id();
+        let target = Target { view: view.bare(view.playhead.map(before)), path_index };
+        let same =
+            |shown: &Target| shown.path_index == path_index && shown.view.shows_same_ground(&target.view);
         if self.shown.as_ref().is_some_and(same) {
             match (self.made, view.playhead) {
                 (Made::Added { tool, frames }, Some(now)) if tool != now || frames < STANDING => {
@@ -153,7 +154,7 @@ impl StrokeLayer {
         let view = &target.view;
         let seen = view.camera().seen().grown(2.0 * sheet::WIDEST / view.camera().scale());
         let in_view: Vec<&Stretch> =
-            scene.outline().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
+            scene.path_index().stretches().iter().filter(|stretch| stretch.bounds.meets(seen)).collect();
         let motions: usize = in_view.iter().map(|stretch| stretch.motions.len()).sum();
         if motions > CROWDED {
             return self.plot(scene, target, &in_view);
@@ -192,7 +193,7 @@ impl StrokeLayer {
         let shown = self.shown.as_ref()?;
         let (from, to) = (shown.view.playhead?.motion, target.view.playhead?.motion);
         let standing = target.view.bare(shown.view.playhead);
-        let same = shown.outline == target.outline && shown.view.shows_same_ground(&standing);
+        let same = shown.path_index == target.path_index && shown.view.shows_same_ground(&standing);
         (same && from < to && to - from <= FEW).then_some(from..to)
     }
 
@@ -211,7 +212,7 @@ impl StrokeLayer {
         let view = &target.view;
         // An image for another place of the tool is finished all the same: while it moves, there is a newer one each time.
         let goes_on = |of: &Target| {
-            of.outline == target.outline
+            of.path_index == target.path_index
                 && of.view.camera() == view.camera()
                 && of.view.pixel_ratio() == view.pixel_ratio()
         };

@@ -80,7 +80,7 @@ impl Paths {
 
 /// The paths of the stretch that the tool is in: of the motions before `until`, and of those from it on.
 pub fn halves(scene: &Scene, until: usize) -> Result<(Paths, Paths), JsValue> {
-    let Some(stretch) = scene.outline().stretch_of(until) else {
+    let Some(stretch) = scene.path_index().stretch_of(until) else {
         return Ok((Paths::default(), Paths::default()));
     };
     let before = Paths::of(scene.strokes_of(stretch.motions.start..until))?;

@@ -14,7 +14,7 @@ use super::super::work::{Outlines, closed, edges};
 use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
-use crate::machine::fitting::Known;
+use crate::machine::resolved_setup::Basis;
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
@@ -87,7 +87,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         let [cut, left] = work.part_edges(scene.plane());
         pen.opacity(1.0);
         pen.fill(&palette.stock, blank.iter().map(Vec::as_slice));
-        pen.polylines(&palette.stock_edge, &blank_edges, 1.0, blank_dash(work.known))?;
+        pen.polylines(&palette.stock_edge, &blank_edges, 1.0, blank_dash(work.basis))?;
         pen.fill(&palette.part, part.iter().map(Vec::as_slice));
         // What is looked at from outside is not cut through.
         if scene.plane() == Plane::Section {
@@ -98,7 +98,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
         pen.opacity(1.0);
-        pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.known))?;
+        pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.basis))?;
         pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
         pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
         let [first, second] =
@@ -120,11 +120,11 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// A blank that is only guessed has a broken outline.
-fn blank_dash(known: Known) -> Dash {
-    match known {
-        Known::Given => Dash::Solid,
-        Known::Guessed => Dash::Broken(7.0, 4.0),
+/// A blank that is only inferred has a broken outline.
+fn blank_dash(basis: Basis) -> Dash {
+    match basis {
+        Basis::Given => Dash::Solid,
+        Basis::Inferred => Dash::Broken(7.0, 4.0),
     }
 }
 
@@ -160,8 +160,12 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
         label(pen, tick, "right", Pixel::new(left - 10.0, tick.pixel), palette)?;
     }
     let [level, upright] = plane.axes();
-    name(pen, upright, "left", Pixel::new(left + 7.0, 12.0), palette)?;
-    name(pen, level, "right", Pixel::new(width - 8.0, height - 10.0), palette)
+    let name = |axis: Axis, align: &str, at: Pixel| {
+        let text = &axis.name(view.millimetre);
+        pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
+    };
+    name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
+    name(level, "right", Pixel::new(width - 8.0, height - 10.0))
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
@@ -169,10 +173,6 @@ fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> R
         Some(text) => pen.write(&Text { text, font: FONT, align, baseline: "middle" }, at, &palette.text),
         None => Ok(()),
     }
-}
-
-fn name(pen: &Pen, axis: Axis, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {
-    pen.write(&Text { text: axis.name(), font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
 }
 
 /// Where a corner is seen, held to just outside the picture: browsers lose far-away edges.

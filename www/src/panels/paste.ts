@@ -54,7 +54,7 @@ class Paste implements Panel {
     // Something else has been typed since.
     if (found === undefined || editor.revision !== revision || this.takesKeys) return;
     const texts = WORDS[this.#shell.language];
-    if (how === 'arrived' && (!found.doubtful || found.programs.length === 0)) return;
+    if (how === 'arrived' && (!found.needsReview || found.programs.length === 0)) return;
     if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
     const { PasteDialog } = await import('./paste-dialog');
     // The text has been changed, or searched once more, while the dialog was loaded.

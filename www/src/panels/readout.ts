@@ -113,12 +113,11 @@ export class ReadoutBoard {
   }
 
   #toolText(readout: Readout | undefined): string {
-    const { tool, toolKind, toolGuessed } = readout ?? {};
+    const { tool, toolKind, toolInferred } = readout ?? {};
     const texts = WORDS[this.#language];
-    const kind = toolKind === undefined ? '' : texts.kinds[toolKind];
-    const said = [tool, kind].filter((text) => text !== undefined && text !== '').join(' ');
+    const said = [tool, toolKind].filter((text) => text !== undefined && text !== '').join(' ');
     if (said === '') return NOTHING;
-    return toolGuessed === true ? texts.assumed(said) : said;
+    return toolInferred === true ? texts.assumed(said) : said;
   }
 }
 
@@ -163,10 +162,6 @@ const WORDS = words({
         rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid rate.' : '',
         cuts > 0 ? 'How long some cuts take is not known: they lack a feed or a turning spindle.' : '',
       ].join(' ').trim(),
-    kinds: {
-      turning: 'turning tool', boring: 'boring bar', grooving: 'grooving tool', threading: 'threading tool',
-      drill: 'drill', tap: 'tap', endmill: 'live end mill',
-    },
     assumed: (tool: string) => `${tool}, assumed`,
   },
   zh: {
@@ -188,10 +183,6 @@ const WORDS = words({
         rapids > 0 ? '快速移动所需时间未知：设置中没有给出快移速度。' : '',
         cuts > 0 ? '部分切削所需时间未知：没有进给量，或主轴未转动。' : '',
       ].join(''),
-    kinds: {
-      turning: '车刀', boring: '镗刀', grooving: '切槽刀', threading: '螺纹刀',
-      drill: '钻头', tap: '丝锥', endmill: '动力刀具（铣刀）',
-    },
     assumed: (tool) => `${tool}（推测）`,
   },
   ru: {
@@ -213,10 +204,6 @@ const WORDS = words({
         rapids > 0 ? 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.' : '',
         cuts > 0 ? 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.' : '',
       ].join(' ').trim(),
-    kinds: {
-      turning: 'проходной резец', boring: 'расточной резец', grooving: 'канавочный резец', threading: 'резьбовой резец',
-      drill: 'сверло', tap: 'метчик', endmill: 'приводная фреза',
-    },
     assumed: (tool) => `${tool}, предположительно`,
   },
 });

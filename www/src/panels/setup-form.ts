@@ -36,10 +36,10 @@ export class SetupDialog {
   readonly #moves = make('p', { className: 'moves' });
   readonly #form = make('form', { id: 'setup-form', className: 'text', noValidate: true });
   readonly #apply = make('button', { type: 'submit', className: 'framed apply' });
-  readonly #news = make('p', { className: 'slips', role: 'status' });
+  readonly #news = make('p', { className: 'errors', role: 'status' });
   readonly #word = make('input', { type: 'text', autocomplete: 'off', spellcheck: false, size: 8, id: 'another-tool' });
   readonly #add = make('button', { type: 'button', className: 'framed' });
-  readonly #noTool = make('p', { className: 'slip', id: 'another-tool-slip', hidden: true });
+  readonly #noTool = make('p', { className: 'error', id: 'another-tool-error', hidden: true });
   readonly #dialog: Dialog;
   #language: Language;
   #inputs: SetupInput[] = [];
@@ -180,8 +180,8 @@ export class SetupDialog {
     if (answer === undefined || asked !== this.#asked) return undefined;
     const states = new Map(answer.fields.map((state) => [state.key, state]));
     for (const input of this.#inputs) input.state = states.get(input.key);
-    const wrong = answer.fields.filter(({ slip }) => slip !== undefined).length;
-    const news = wrong === 0 ? '' : WORDS[this.#language].slips(wrong);
+    const wrong = answer.fields.filter(({ error }) => error !== undefined).length;
+    const news = wrong === 0 ? '' : WORDS[this.#language].errors(wrong);
     if (this.#news.textContent !== news) this.#news.textContent = news;
     return answer;
   }
@@ -190,9 +190,9 @@ export class SetupDialog {
     const keep = this.#keep;
     const answer = await this.#ask();
     if (answer === undefined) return;
-    const slip = answer.fields.find((state) => state.slip !== undefined);
-    if (slip !== undefined) {
-      this.#inputs.find(({ key }) => key === slip.key)?.focus();
+    const error = answer.fields.find((state) => state.error !== undefined);
+    if (error !== undefined) {
+      this.#inputs.find(({ key }) => key === error.key)?.focus();
       return;
     }
     this.#dialog.close();
@@ -231,7 +231,7 @@ const WORDS = words({
     anotherHint: 'T0202',
     add: 'Add',
     noTool: 'Write T and up to four digits',
-    slips: (n: number) => (n === 1 ? '1 invalid value' : `${n} invalid values`),
+    errors: (n: number) => (n === 1 ? '1 invalid value' : `${n} invalid values`),
   },
   zh: {
     title: '毛坯与刀具',
@@ -249,7 +249,7 @@ const WORDS = words({
     anotherHint: 'T0202',
     add: '添加',
     noTool: '请输入 T 和最多四位数字',
-    slips: (n) => `有 ${n} 个值不正确`,
+    errors: (n) => `有 ${n} 个值不正确`,
   },
   ru: {
     title: 'Наладка',
@@ -267,6 +267,6 @@ const WORDS = words({
     anotherHint: 'T0202',
     add: 'Добавить',
     noTool: 'Напишите T и до четырёх цифр',
-    slips: (n) => `Неверных значений: ${n}`,
+    errors: (n) => `Неверных значений: ${n}`,
   },
 });

@@ -14,7 +14,7 @@ export class SetupInput {
   readonly #input: HTMLInputElement | HTMLSelectElement;
   /** The option of a choice that says nothing. */
   readonly #none: HTMLOptionElement | undefined;
-  readonly #slip: HTMLElement;
+  readonly #error: HTMLElement;
 
   constructor(field: SetupField, language: Language, changed: () => void) {
     const { key, label, unit, entry, choices, value } = field;
@@ -30,14 +30,14 @@ export class SetupInput {
     }
     this.#input.value = value;
     this.#input.addEventListener('input', changed);
-    this.#slip = make('p', { className: 'slip', id: `${id}-slip`, hidden: true });
+    this.#error = make('p', { className: 'error', id: `${id}-error`, hidden: true });
     const unitText = make('span', { className: 'unit', id: `${id}-unit` }, unit);
-    this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-slip`);
+    this.#input.setAttribute('aria-describedby', `${id}-unit ${id}-error`);
     this.element = make(
       'div', { className: 'setup-field' },
       make('label', { htmlFor: id }, label),
       make('div', { className: 'entry' }, this.#input, unitText),
-      this.#slip,
+      this.#error,
     );
   }
 
@@ -51,17 +51,17 @@ export class SetupInput {
 
   set state(state: SetupState | undefined) {
     if (state === undefined) return;
-    const { assumed, slip, shown } = state;
+    const { assumed, error, shown } = state;
     const said = assumed === '' ? '' : WORDS[this.#language].placeholder(assumed);
     if (this.#none !== undefined) this.#none.textContent = said === '' ? WORDS[this.#language].nothing : said;
     else (this.#input as HTMLInputElement).placeholder = said;
     this.#input.classList.toggle('unsaid', this.text === '');
     this.element.hidden = shown === 'hidden';
-    this.#slip.hidden = slip === undefined;
-    this.#slip.textContent = slip ?? '';
-    this.#input.setAttribute('aria-invalid', String(slip !== undefined));
+    this.#error.hidden = error === undefined;
+    this.#error.textContent = error ?? '';
+    this.#input.setAttribute('aria-invalid', String(error !== undefined));
     const folded = this.element.closest('details');
-    if (slip !== undefined && folded !== null) folded.open = true;
+    if (error !== undefined && folded !== null) folded.open = true;
   }
 
   focus(): void {

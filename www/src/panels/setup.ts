@@ -1,14 +1,14 @@
-// The setup: the button that opens its form, whether tools and stock are assumed, and the form itself.
+// The setup: the button that opens its form, whether tools and stock are inferred, and the form itself.
 //
-// In: what is given and what is assumed; answers to what is entered. Out: the setup, kept in the program or on the page.
-// Must not know: what a setup may hold, or how anything is assumed.
+// In: what is given and what is inferred; answers to what is entered. Out: the setup, kept in the program or on the page.
+// Must not know: what a setup may hold, or how anything is inferred.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Fitted, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
+import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
-import { AssumedStock } from './assumed-stock';
+import { InferredStock } from './inferred-stock';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
@@ -18,17 +18,17 @@ export const setup: PanelKind = { styles: setupStyles, make: (shell) => new Setu
 class Setup implements Panel {
   readonly #shell: Shell;
   readonly #button = make('button', { type: 'button', className: 'setup-button', 'aria-haspopup': 'dialog' });
-  readonly #assumedTools = make('span', { className: 'assumed' });
-  readonly #assumedStock: AssumedStock;
+  readonly #inferredTools = make('span', { className: 'assumed' });
+  readonly #inferredStock: InferredStock;
   /** Loaded when it is first opened. */
   #form: SetupDialog | undefined;
-  #fitted: Fitted | undefined;
+  #overview: SetupOverview | undefined;
   readonly places: Panel['places'];
   readonly services: Partial<Services> = { openSetup: (group) => void this.#open(group) };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#assumedStock = new AssumedStock({
+    this.#inferredStock = new InferredStock({
       form: () => this.#ask(),
       read: (entries) => this.#read(entries),
       taken: (answer, place) => {
@@ -39,16 +39,16 @@ class Setup implements Panel {
     });
     this.#button.addEventListener('click', () => void this.#open());
     this.places = {
-      views: [make('div', { className: 'setup-bar', part: 'setup' }, this.#button, this.#assumedTools)],
-      assumptions: [this.#assumedStock.element],
+      views: [make('div', { className: 'setup-bar', part: 'setup' }, this.#button, this.#inferredTools)],
+      assumptions: [this.#inferredStock.element],
     };
   }
 
   set language(language: Language) {
     const texts = WORDS[language];
     this.#button.textContent = texts.setup;
-    this.#assumedTools.textContent = texts.toolsAssumed;
-    this.#assumedStock.speak(texts.stockAssumed, texts.useStock);
+    this.#inferredTools.textContent = texts.toolsAssumed;
+    this.#inferredStock.speak(texts.stockAssumed, texts.useStock);
     if (this.#form !== undefined) this.#form.language = language;
     this.#render();
   }
@@ -59,12 +59,12 @@ class Setup implements Panel {
 
   heard(event: Heard): void {
     if (event.kind !== 'report') return;
-    this.#fitted = this.#assumedStock.fitted = event.report.fitted;
+    this.#overview = this.#inferredStock.overview = event.report.overview;
     this.#render();
   }
 
   #render(): void {
-    this.#assumedTools.hidden = !(this.#fitted?.tools.some(({ known }) => known === 'guessed') ?? false);
+    this.#inferredTools.hidden = !(this.#overview?.tools.some(({ known }) => known === 'inferred') ?? false);
   }
 
   async #open(group?: SetupGroup['group']): Promise<void> {

@@ -7,12 +7,12 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Comparison, Diagnostic, Dimension, Fitted, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Comparison, Diagnostic, Dimension, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
-export type { Fitted, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
+export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
@@ -193,7 +193,7 @@ export type Work = 'run' | 'part';
 export interface Report {
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
-  readonly fitted: Fitted;
+  readonly overview: SetupOverview;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
   /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before; or what was told, in another language. */

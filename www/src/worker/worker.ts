@@ -254,7 +254,7 @@ function lookOn(playground: Playground): void {
 function stop(playground: Playground): void {
   if (stage.kind === 'machining') {
     playground.stopMachining();
-    machine(playground, stage);
+    removeMaterial(playground, stage);
   } else if (stage.kind === 'running') {
     playground.stop(Math.round((performance.now() - stage.startedAt) / 100) / 10);
     end(playground);
@@ -271,7 +271,7 @@ function slice(): void {
   if (core === undefined) return;
   if (stage.kind === 'running') advance(core, stage);
   else if (drawing) draw(core);
-  else if (stage.kind === 'machining') machine(core, stage);
+  else if (stage.kind === 'machining') removeMaterial(core, stage);
   else lookOn(core);
   if (stage.kind !== 'done' || drawing || looking !== undefined) queueSlice();
 }
@@ -296,14 +296,14 @@ function end(playground: Playground): void {
   const now = performance.now();
   const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
   stage = machining;
-  machine(playground, machining);
+  removeMaterial(playground, machining);
 }
 
 /** Takes some more material off; the part, and what runs into what, are there when all of it is. */
-function machine(playground: Playground, machining: Stage & { kind: 'machining' }): void {
+function removeMaterial(playground: Playground, machining: Stage & { kind: 'machining' }): void {
   const enough = performance.now() + WAIT_FOR_PART_MS;
   let done = false;
-  do done = playground.machine(MOTIONS_PER_SLICE);
+  do done = playground.removeMaterial(MOTIONS_PER_SLICE);
   while (!done && performance.now() < enough);
   if (done) {
     stage = { kind: 'done' };
@@ -333,7 +333,7 @@ function report(playground: Playground, told: Report['stage']): void {
     report: {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
-      fitted: playground.fitting(),
+      overview: playground.setupOverview(),
       decimal: playground.decimalNotice(),
       stage: told,
       setupRejected,

@@ -1,13 +1,13 @@
-//! What is seen of each use that a program puts a turret station to.
+//! What a program uses each turret station for, as its motions show it.
 //!
-//! In: the motions, what comments say of the tools, the blank. Out: a [`Seen`] for each use, and the [`Tool`] that could do what
-//! was seen.
+//! In: the motions, what comments say of the tools, the blank. Out: a [`ToolUse`] for each purpose of a station, and the [`Tool`] that
+//! could do it.
 
 use std::collections::BTreeMap;
 
 use super::blank::Extents;
 use crate::geometry::SAME;
-use crate::motion::{Cycle, Motion, MotionKind, Motions};
+use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::{Side, Stock, Tool, ToolKind};
 
 /// So many motions are looked at.
@@ -21,7 +21,7 @@ const ASIDE: f64 = 0.1;
 
 /// What a motion does, as far as it decides about the tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Use {
+pub enum Purpose {
     /// Turns, faces, bores.
     Turning,
     /// Cuts a thread.
@@ -34,29 +34,35 @@ pub enum Use {
     Live,
 }
 
-impl Use {
+impl Purpose {
     /// That of a motion.
     pub fn of(motion: &Motion) -> Self {
         let on_axis = motion.from.x.abs() <= 0.01 && motion.to.x.abs() <= 0.01;
         let along = (motion.to.z - motion.from.z).abs() > SAME;
-        match motion.cycle.map(|step| step.cycle) {
-            _ if motion.rotary.is_some() => Self::Live,
-            Some(Cycle::SideDrilling | Cycle::SideTapping | Cycle::SideBoring) => Self::Live,
-            Some(Cycle::Turning | Cycle::Facing) => Self::Turning,
+        let of_motion = match motion.kind {
             _ if on_axis && along && motion.kind.cuts() => Self::Hole,
-            Some(Cycle::Threading | Cycle::MultiThreading) => Self::Threading,
-            _ if motion.kind == MotionKind::Thread => Self::Threading,
-            Some(Cycle::Grooving | Cycle::FacePecking) => Self::Grooving,
+            MotionKind::Thread => Self::Threading,
             _ => Self::Turning,
+        };
+        match motion.cycle.map(|step| step.cycle.family()) {
+            _ if motion.rotary.is_some() => Self::Live,
+            Some(CycleFamily::SideHole) => Self::Live,
+            Some(CycleFamily::Turning) => Self::Turning,
+            Some(CycleFamily::Threading) if of_motion != Self::Hole => Self::Threading,
+            Some(CycleFamily::Pecking) if of_motion == Self::Turning => Self::Grooving,
+            Some(
+                CycleFamily::Threading | CycleFamily::Pecking | CycleFamily::Contour | CycleFamily::FaceHole,
+            )
+            | None => of_motion,
         }
     }
 }
 
-/// What is seen of one use of a station.
+/// One use of a station: its purpose, and what the motions show of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct ToolUse {
     pub station: u16,
-    pub purpose: Use,
+    pub purpose: Purpose,
     /// The first motion of this use.
     pub first: usize,
     /// Cuts within the work that the tool leaves outwards, less those it leaves inwards.
@@ -99,15 +105,15 @@ impl Clamping {
     }
 }
 
-impl Seen {
+impl ToolUse {
     /// What is seen of each use of a station in a clamping.
     pub fn all(
         motions: &Motions,
-        spoken: &BTreeMap<u16, Tool>,
+        described_tools: &BTreeMap<u16, Tool>,
         stock: Option<Stock>,
         clamping: Clamping,
     ) -> Vec<Self> {
-        let mut seen: Vec<Seen> = Vec::new();
+        let mut seen: Vec<ToolUse> = Vec::new();
         let mut before = None;
         let moves = motions.iter().take(LOOKED_AT).enumerate();
         let mut moves = moves.filter(|(_, motion)| motion.kind != MotionKind::Dwell).peekable();
@@ -116,41 +122,41 @@ impl Seen {
             if !motion.kind.cuts() || motion.process.uncertain || Clamping::of(&motion) != clamping {
                 continue;
             }
-            let (station, purpose) = (motion.process.tool.0, Use::of(&motion));
+            let (station, purpose) = (motion.process.tool.0, Purpose::of(&motion));
             let at = seen
                 .iter()
                 .position(|own| (own.station, own.purpose) == (station, purpose))
                 .unwrap_or_else(|| {
-                    seen.push(Seen::new(station, purpose, index));
+                    seen.push(ToolUse::new(station, purpose, index));
                     seen.len() - 1
                 });
             seen[at].look(&motion, before.as_ref(), moves.peek().map(|(_, next)| next));
         }
         // The beginning of a contour on the axis, or a facing tool that goes back, is no hole.
         let stations: Vec<u16> =
-            seen.iter().filter(|own| own.purpose != Use::Hole).map(|own| own.station).collect();
-        seen.retain(|own| own.purpose != Use::Hole || own.holes > 0 || !stations.contains(&own.station));
+            seen.iter().filter(|own| own.purpose != Purpose::Hole).map(|own| own.station).collect();
+        seen.retain(|own| own.purpose != Purpose::Hole || own.holes > 0 || !stations.contains(&own.station));
         // A live cutter that also moves along X or Z alone bores nothing.
         let live: Vec<u16> =
-            seen.iter().filter(|own| own.purpose == Use::Live).map(|own| own.station).collect();
+            seen.iter().filter(|own| own.purpose == Purpose::Live).map(|own| own.station).collect();
         for own in seen.iter_mut().filter(|own| live.contains(&own.station)) {
             own.outside = 0;
         }
         // What motions leave open, words decide.
         for own in seen.iter_mut().filter(|own| own.outside == 0) {
-            own.outside = if bores(spoken.get(&own.station)) { -1 } else { 0 };
+            own.outside = if bores(described_tools.get(&own.station)) { -1 } else { 0 };
         }
         // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
-        let is_drilled = seen.iter().any(|own| own.purpose == Use::Hole);
+        let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
         if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
-            for own in seen.iter_mut().filter(|own| !bores(spoken.get(&own.station))) {
+            for own in seen.iter_mut().filter(|own| !bores(described_tools.get(&own.station))) {
                 own.outside = own.outside.max(0);
             }
         }
         seen
     }
 
-    fn new(station: u16, purpose: Use, first: usize) -> Self {
+    fn new(station: u16, purpose: Purpose, first: usize) -> Self {
         Self {
             station,
             purpose,
@@ -174,7 +180,7 @@ impl Seen {
 
     /// Whether it works in a bore.
     pub fn is_inside(&self) -> bool {
-        self.outside < 0 && matches!(self.purpose, Use::Turning | Use::Threading | Use::Grooving)
+        self.outside < 0 && matches!(self.purpose, Purpose::Turning | Purpose::Threading | Purpose::Grooving)
     }
 
     fn look(&mut self, motion: &Motion, before: Option<&Motion>, next: Option<&Motion>) {
@@ -189,8 +195,7 @@ impl Seen {
         self.outside += leaves(motion, self.along, own_next);
         self.along = if motion.to.z < -SAME { dz } else { 0.0 };
         let cycle = motion.cycle.map(|step| step.cycle);
-        let contour = [Cycle::Finishing, Cycle::RoughTurning, Cycle::RoughFacing, Cycle::Pattern];
-        self.contour |= cycle.is_some_and(|cycle| contour.contains(&cycle));
+        self.contour |= cycle.is_some_and(|cycle| cycle.family() == CycleFamily::Contour);
         let back =
             |dx: f64, (x, z): (f64, f64)| z.abs() <= SAME && x * dx < 0.0 && x.abs() >= dx.abs() - SAME;
         let (before_x, before_z) = before.map_or((0.0, 0.0), way);
@@ -228,16 +233,18 @@ impl Seen {
         let inside = self.is_inside();
         let side = if inside { Side::Inside } else { Side::Outside };
         match self.purpose {
-            Use::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
-            Use::Hole => {
+            Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
+            Purpose::Hole => {
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
                 let diameter = if bore.is_finite() && bore > 0.0 { Some(2.0 * bore) } else { None };
                 Tool { kind: Some(kind), diameter, ..Tool::default() }
             }
-            Use::Threading => Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() },
-            Use::Grooving => self.blade(if self.face { Side::Face } else { side }),
-            Use::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
-            Use::Turning => {
+            Purpose::Threading => {
+                Tool { kind: Some(ToolKind::Threading), side: Some(side), ..Tool::default() }
+            }
+            Purpose::Grooving => self.blade(if self.face { Side::Face } else { side }),
+            Purpose::Turning if self.plunges > 0 && self.plunges == self.cuts => self.blade(Side::Outside),
+            Purpose::Turning => {
                 let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
                 let slope = self.slopes[usize::from(inside)].to_degrees();
                 // One that only cuts away from the chuck has its edge on the other side.

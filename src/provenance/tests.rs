@@ -1,99 +1,99 @@
-//! One small program for each origin and system, and near misses that must not be taken for one.
+//! One small program for each target and system, and near misses that must not be taken for one.
 
 use super::*;
 use crate::setup::dialect::DecimalRule;
 use std::fs;
 use std::path::Path;
 
-/// The one door for foreign programs: this origin, shown by this evidence.
+/// The one door for foreign programs: this target, shown by this evidence.
 #[track_caller]
-fn check(program: &str, origin: Origin, evidence: &str) {
-    let found = look(program.as_bytes())
+fn check(program: &str, target: Target, evidence: &str) {
+    let found = detect(program.as_bytes())
         .foreign
-        .map(|found| (found.origin, found.evidence.quote(program.as_bytes())));
-    assert_eq!(found, Some((origin, evidence.to_owned())), "\n{program}");
+        .map(|found| (found.target, found.evidence.quote(program.as_bytes())));
+    assert_eq!(found, Some((target, evidence.to_owned())), "\n{program}");
 }
 
 /// The one door for systems B and C.
 #[track_caller]
 fn check_system(program: &str, system: GSystem, evidence: &str) {
     let found =
-        look(program.as_bytes()).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
+        detect(program.as_bytes()).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
     assert_eq!(found, Some((system, evidence.to_owned())), "\n{program}");
 }
 
 #[track_caller]
 fn check_at_home(program: &str) {
-    assert_eq!(look(program.as_bytes()).foreign, None, "\n{program}");
-    assert_eq!(look(program.as_bytes()).system, None, "\n{program}");
+    assert_eq!(detect(program.as_bytes()).foreign, None, "\n{program}");
+    assert_eq!(detect(program.as_bytes()).system, None, "\n{program}");
 }
 
 #[test]
 fn hnc_has_both_blocks_of_a_cycle_in_one() {
     let roughing =
         "%0021\nT0101\nM03 S500\nG00 X42 Z2\nG71 U1.5 R1 P1 Q2 X0.5 Z0.1 F120\nN1 G01 X20 Z0\nN2 X40\nM30\n";
-    check(roughing, Origin::Hnc, "G71");
-    check("%7\nT0101\nG00 X42 Z2\nG80 X38 Z-20 F100\nX36\nM30\n", Origin::Hnc, "%7");
-    check("G36\nG00 X42 Z2\nG80 X38 Z-20 I-2 F100\nM30\n", Origin::Hnc, "G36");
-    check("%0003\nT0101\nG82 X19.2 Z-18 F1.5\nM30\n", Origin::Hnc, "%0003");
+    check(roughing, Target::Hnc, "G71");
+    check("%7\nT0101\nG00 X42 Z2\nG80 X38 Z-20 F100\nX36\nM30\n", Target::Hnc, "%7");
+    check("G36\nG00 X42 Z2\nG80 X38 Z-20 I-2 F100\nM30\n", Target::Hnc, "G36");
+    check("%0003\nT0101\nG82 X19.2 Z-18 F1.5\nM30\n", Target::Hnc, "%0003");
 }
 
 #[test]
 fn gsk928_cycles_have_i_and_k() {
-    check("N1 G00 X40 Z2\nN2 G81 X20 Z-30 I2 K1 L3 F80\nN3 M2\n", Origin::Gsk928, "G81");
+    check("N1 G00 X40 Z2\nN2 G81 X20 Z-30 I2 K1 L3 F80\nN3 M2\n", Target::Gsk928, "G81");
 }
 
 #[test]
 fn siemens_has_names_and_r_parameters() {
-    check("N10 G90 G95 DIAMON\nN20 T1 D1\nN30 G0 X40 Z2\n", Origin::Siemens, "DIAMON");
-    check("G95\nCYCLE95(\"SHAFT\",2,0.1,0.3)\nM30\n", Origin::Siemens, "CYCLE95");
-    check("R1=20 R2=5\nG0 X=R1 Z=R2 ; start\n", Origin::Siemens, "R1=");
-    check("%_N_SHAFT_MPF\nG0 X10\n", Origin::Siemens, "%_N_SHAFT_MPF");
-    check("T=\"ROUGH\" D1\nG96 S200 LIMS=3000 M4\nG1 Z-5 F0.2\n", Origin::Siemens, "T=");
-    check("TRANS Z80\nG3 X20 Z-5 CR=5\n", Origin::Siemens, "TRANS");
+    check("N10 G90 G95 DIAMON\nN20 T1 D1\nN30 G0 X40 Z2\n", Target::Siemens, "DIAMON");
+    check("G95\nCYCLE95(\"SHAFT\",2,0.1,0.3)\nM30\n", Target::Siemens, "CYCLE95");
+    check("R1=20 R2=5\nG0 X=R1 Z=R2 ; start\n", Target::Siemens, "R1=");
+    check("%_N_SHAFT_MPF\nG0 X10\n", Target::Siemens, "%_N_SHAFT_MPF");
+    check("T=\"ROUGH\" D1\nG96 S200 LIMS=3000 M4\nG1 Z-5 F0.2\n", Target::Siemens, "T=");
+    check("TRANS Z80\nG3 X20 Z-5 CR=5\n", Target::Siemens, "TRANS");
 }
 
 #[test]
 fn linuxcnc_has_o_words_and_names_of_variables() {
-    check("o100 sub\nG1 X#1 F0.1\no100 endsub\nM2\n", Origin::LinuxCnc, "o100 sub");
-    check("#<deep> = 3\no<pass> call [#<deep>]\nM2\n", Origin::LinuxCnc, "o<pass> call [#<deep>]");
-    check("G18 G8 G21 G40 G90\nG64 P0.01\nT1 M6\nG0 X10 Z2\n", Origin::LinuxCnc, "G8");
-    check("G76 P1 Z-20 I-1 J0.2 K1.1 R1.5\n", Origin::LinuxCnc, "G76");
+    check("o100 sub\nG1 X#1 F0.1\no100 endsub\nM2\n", Target::LinuxCnc, "o100 sub");
+    check("#<deep> = 3\no<pass> call [#<deep>]\nM2\n", Target::LinuxCnc, "o<pass> call [#<deep>]");
+    check("G18 G8 G21 G40 G90\nG64 P0.01\nT1 M6\nG0 X10 Z2\n", Target::LinuxCnc, "G8");
+    check("G76 P1 Z-20 I-1 J0.2 K1.1 R1.5\n", Target::LinuxCnc, "G76");
 }
 
 #[test]
 fn fagor_has_statements_in_brackets() {
-    check("N10 G0 X20 Z2\nN20 G1 Z-10\n(RPT N10,N20) N3\n", Origin::Fagor, "(RPT N10,N20)");
-    check("P1=K20 P2=K5\nG0 XP1 ZP2\n", Origin::Fagor, "P1=");
-    check("(P1=20)\n(IF P1 GT 10 GOTO N40)\nG1 X10\n", Origin::Fagor, "(P1=20)");
-    check("%SHAFT,MX,\nG0 X20\n", Origin::Fagor, "%SHAFT,MX,");
+    check("N10 G0 X20 Z2\nN20 G1 Z-10\n(RPT N10,N20) N3\n", Target::Fagor, "(RPT N10,N20)");
+    check("P1=K20 P2=K5\nG0 XP1 ZP2\n", Target::Fagor, "P1=");
+    check("(P1=20)\n(IF P1 GT 10 GOTO N40)\nG1 X10\n", Target::Fagor, "(P1=20)");
+    check("%SHAFT,MX,\nG0 X20\n", Target::Fagor, "%SHAFT,MX,");
 }
 
 #[test]
 fn heidenhain_writes_plain_text() {
-    check("0 BEGIN PGM 12 MM\n1 BLK FORM 0.1 Z X+0\n2 L X+10 Y+5 R0 FMAX\n", Origin::Heidenhain, "BEGIN PGM");
-    check("5 TOOL CALL 3 Z S900\n6 L Z+50 R0 FMAX M3\n", Origin::Heidenhain, "FMAX");
+    check("0 BEGIN PGM 12 MM\n1 BLK FORM 0.1 Z X+0\n2 L X+10 Y+5 R0 FMAX\n", Target::Heidenhain, "BEGIN PGM");
+    check("5 TOOL CALL 3 Z S900\n6 L Z+50 R0 FMAX M3\n", Target::Heidenhain, "FMAX");
 }
 
 #[test]
 fn okuma_names_its_sequences() {
-    check("$SHAFT.MIN%\nG50 S2000\nG00 X500 Z500\n", Origin::Okuma, "$SHAFT.MIN%");
-    check("NAT01\nG50 S2000\nG85 NLAP1 D4 U0.3 W0.1 F0.3\nNLAP1 G81\nG80\n", Origin::Okuma, "NLAP1");
-    check("VZSHZ=80\nG00 X500 Z500\n", Origin::Okuma, "VZSHZ");
+    check("$SHAFT.MIN%\nG50 S2000\nG00 X500 Z500\n", Target::Okuma, "$SHAFT.MIN%");
+    check("NAT01\nG50 S2000\nG85 NLAP1 D4 U0.3 W0.1 F0.3\nNLAP1 G81\nG80\n", Target::Okuma, "NLAP1");
+    check("VZSHZ=80\nG00 X500 Z500\n", Target::Okuma, "VZSHZ");
 }
 
 #[test]
 fn a_mill_has_its_tool_length_and_y() {
     let mill = "O1\nG17 G21 G40 G49 G80 G90\nT2 M06\nG54 G00 X5 Y5 S900 M03\nG43 H2 Z20\nG81 X5 Y5 Z-3 R2 F80\nM30\n";
-    check(mill, Origin::Mill, "G43 H2");
+    check(mill, Target::Mill, "G43 H2");
     let moves: String = (0..9).map(|y| format!("G1 X10 Y{y}\n")).collect();
-    check(&format!("G17 G90\nM6 T1\nG41 D1 X0 Y0\n{moves}M30\n"), Origin::Mill, "T1");
+    check(&format!("G17 G90\nM6 T1\nG41 D1 X0 Y0\n{moves}M30\n"), Target::Mill, "T1");
 }
 
 #[test]
 fn a_printer_heats_and_pushes() {
-    check("M140 S60\nM104 S200\nG28\nM82\nG92 E0\nG1 X10 Y5 E0.4\n", Origin::Printer, "G92");
-    check(";FLAVOR:Marlin\n;LAYER:0\nG1 X10 Y5 E0.4 F900\n", Origin::Printer, "FLAVOR");
+    check("M140 S60\nM104 S200\nG28\nM82\nG92 E0\nG1 X10 Y5 E0.4\n", Target::Printer, "G92");
+    check(";FLAVOR:Marlin\n;LAYER:0\nG1 X10 Y5 E0.4 F900\n", Target::Printer, "FLAVOR");
 }
 
 #[test]
@@ -245,8 +245,8 @@ fn programs_of_the_gallery_count_units() {
 fn any_bytes_are_read() {
     let bytes: Vec<u8> = (0..=255u8).cycle().take(70_000).collect();
     for start in 0..256 {
-        look(&bytes[start..]);
-        look_at_head(&bytes[start..]);
+        detect(&bytes[start..]);
+        detect_in_head(&bytes[start..]);
         numbers(&bytes[start..]);
     }
     for end in

@@ -1,6 +1,6 @@
 //! What each tool does, added up: time, cutting length, extents.
 //!
-//! In: the motions and the machine. Out: a [`Tally`] for each tool in the order in which the tools are first used, and the
+//! In: the motions and the machine. Out: [`ToolTotals`] for each tool in the order in which the tools are first used, and the
 //! whole program.
 
 use super::timing::Total;
@@ -10,7 +10,7 @@ use crate::setup::Machine;
 
 /// What is added up of the motions of a tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Tally {
+pub struct ToolTotals {
     /// Station and offset of the T word; zero before the first one.
     pub tool: (u16, u16),
     /// The time.
@@ -24,30 +24,30 @@ pub struct Tally {
 }
 
 /// Adds up all motions: by tool, and all of them.
-pub fn tally(motions: &Motions, machine: &Machine) -> (Vec<Tally>, Tally) {
-    let mut tools: Vec<Tally> = Vec::new();
-    let mut all = Tally::default();
+pub fn totals(motions: &Motions, machine: &Machine) -> (Vec<ToolTotals>, ToolTotals) {
+    let mut tools: Vec<ToolTotals> = Vec::new();
+    let mut all = ToolTotals::default();
     let mut last = 0;
     for motion in motions.iter() {
         let tool = motion.process.tool;
-        if tools.get(last).is_none_or(|tally| tally.tool != tool) {
-            last = tools.iter().position(|tally| tally.tool == tool).unwrap_or_else(|| {
-                tools.push(Tally { tool, ..Tally::default() });
+        if tools.get(last).is_none_or(|totals| totals.tool != tool) {
+            last = tools.iter().position(|totals| totals.tool == tool).unwrap_or_else(|| {
+                tools.push(ToolTotals { tool, ..ToolTotals::default() });
                 tools.len() - 1
             });
         }
-        for tally in [&mut tools[last], &mut all] {
-            tally.time.add(&motion, machine);
+        for totals in [&mut tools[last], &mut all] {
+            totals.time.add(&motion, machine);
             match motion.kind {
                 MotionKind::Dwell => continue,
-                MotionKind::Rapid => tally.rapid += motion.length(),
-                _ => tally.cut += motion.length(),
+                MotionKind::Rapid => totals.rapid += motion.length(),
+                _ => totals.cut += motion.length(),
             }
             if motion.kind.cuts() {
                 let own = motion
                     .arc()
                     .map_or_else(|| Bounds::around(motion.from, motion.to), |arc| Bounds::of_arc(&arc));
-                tally.extents = join(tally.extents, Some(own));
+                totals.extents = join(totals.extents, Some(own));
             }
         }
     }

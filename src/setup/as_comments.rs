@@ -129,7 +129,7 @@ mod tests {
         }
         assert_eq!(String::from_utf8_lossy(&text), after);
         let notes = Notes::read(&text);
-        assert_eq!(notes.faults, []);
+        assert_eq!(notes.unreadable, []);
         assert_eq!(notes.applied_to(Setup::default()), setup);
         assert_eq!(changes(&text, &lines), []);
     }

@@ -1,6 +1,6 @@
-//! What is worth remembering about the motions: boxes and lengths of short stretches of them.
+//! An index over the path: boxes and lengths of short stretches of the motions.
 //!
-//! In: the motion list, whole or as it grows and is edited. Out: [`Outline`], so that a picture of a million motions
+//! In: the motion list, whole or as it grows and is edited. Out: [`PathIndex`], so that a picture of a million motions
 //! can skip what is out of view and find a place along the path without walking all of it. A stretch lies within one
 //! chunk and is measured once: an edit moves those of the chunks that stayed. Knows nothing of pixels.
 
@@ -50,7 +50,7 @@ pub struct StretchKey {
 
 /// Boxes and lengths of all motions.
 #[derive(Clone, Debug)]
-pub struct Outline {
+pub struct PathIndex {
     /// Changes with the motions, so that a cache can detect that it is stale.
     id: u64,
     stretches: Vec<Stretch>,
@@ -58,27 +58,27 @@ pub struct Outline {
     gone: Vec<Stretch>,
 }
 
-impl Default for Outline {
+impl Default for PathIndex {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl Outline {
-    /// The outline of no motions.
+impl PathIndex {
+    /// The path index of no motions.
     pub fn new() -> Self {
         Self { id: next_id(), stretches: Vec::new(), gone: Vec::new() }
     }
 
-    /// The outline of all of `motions`.
+    /// The path index of all of `motions`.
     pub fn of(motions: &Motions) -> Self {
-        let mut outline = Self::new();
-        outline.update(motions);
-        outline
+        let mut path_index = Self::new();
+        path_index.update(motions);
+        path_index
     }
 
     /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are gone may come
-    /// back after the ones that are run again, until [`Outline::settle`].
+    /// back after the ones that are run again, until [`PathIndex::settle`].
     pub fn update(&mut self, motions: &Motions) {
         let ids = motions.ids();
         let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()
@@ -123,7 +123,7 @@ impl Outline {
         self.gone.clear();
     }
 
-    /// A number that no outline of other motions has.
+    /// A number that no path index of other motions has.
     pub fn id(&self) -> u64 {
         self.id
     }

@@ -1,27 +1,27 @@
-//! Which tool and which blank a program is run with: those of the setup, and guesses for what it does not name.
+//! Which tool and which blank a program is run with: those of the setup, and inferred ones for what it does not name.
 //!
-//! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is a guess.
+//! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is given or inferred.
 
-use super::guess::Guesses;
-use super::seen::Use;
+use super::inferred::InferredSetup;
 use super::sweep::Outline;
 use super::thread_point::{for_pitch, leads};
 use super::tool::{Shape, over_edge};
+use super::tool_use::Purpose;
 use crate::motion::{Motion, Motions};
 use crate::setup::{Setup, Stock, Tool, ToolKind};
 
-/// Whether somebody has said so.
+/// What a tool or a blank is based on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Known {
+pub enum Basis {
     /// By the setup, or a comment of the program.
     Given,
-    /// Concluded from the program.
-    Guessed,
+    /// Inferred from the program.
+    Inferred,
 }
 
 /// A tool with its shape.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fitted {
+pub struct ResolvedTool {
     /// Turret station.
     pub station: u16,
     /// The tool.
@@ -30,32 +30,32 @@ pub struct Fitted {
     pub shape: Shape,
     /// What of the work it takes off on its way.
     pub takes: Outline,
-    /// Whether somebody has named it.
-    pub known: Known,
+    /// Whether it is given or inferred.
+    pub basis: Basis,
 }
 
-/// How large the part of a guessed tool is that is held against the work, as a share of it: nothing is known of the rest.
+/// How large the part of an inferred tool is that is held against the work, as a share of it: nothing is known of the rest.
 const TIP: f64 = 0.02;
 
-/// How deep the tip of a guessed tool must be in the work to be reported, mm: what its true edges leave is not known to less.
+/// How deep the tip of an inferred tool must be in the work to be reported, mm: what its true edges leave is not known to less.
 const DEPTH: f64 = 0.5;
 
 /// Tools and blank.
 #[derive(Clone, Debug)]
-pub struct Fitting {
-    given: Vec<(u16, u16, Fitted)>,
-    guessed: Vec<(u16, Use, Fitted)>,
+pub struct ResolvedSetup {
+    given: Vec<(u16, u16, ResolvedTool)>,
+    inferred: Vec<(u16, Purpose, ResolvedTool)>,
     /// For what no tool is known of: a program without cuts.
-    other: Fitted,
-    stock: Option<(Stock, Known)>,
-    /// The first motion of each tool that is neither given nor to be concluded.
+    other: ResolvedTool,
+    stock: Option<(Stock, Basis)>,
+    /// The first motion of each tool that is neither given nor to be inferred.
     unknown: Vec<usize>,
 }
 
-impl Fitting {
-    /// Fits out a program.
+impl ResolvedSetup {
+    /// Of a program that has run.
     pub fn new(motions: &Motions, setup: &Setup) -> Self {
-        let guesses = Guesses::with(motions, &setup.spoken, setup.stock);
+        let inferred = InferredSetup::with(motions, &setup.described_tools, setup.stock);
         let leads = leads(motions);
         let for_pitch = |station: u16, tool: &Tool| {
             let lead = leads.iter().find(|own| own.0 == station);
@@ -63,36 +63,36 @@ impl Fitting {
         };
         let given = setup.tools.iter().filter_map(|(name, tool)| {
             let (station, offset) = station_of(name)?;
-            Some((station, offset, Fitted::given(station, for_pitch(station, tool))))
+            Some((station, offset, ResolvedTool::given(station, for_pitch(station, tool))))
         });
-        let guessed = guesses.tools().map(|(station, purpose, tool)| {
-            (station, purpose, Fitted::guessed(station, for_pitch(station, tool)))
+        let inferred_tools = inferred.tools().map(|(station, purpose, tool)| {
+            (station, purpose, ResolvedTool::inferred(station, for_pitch(station, tool)))
         });
-        let stock = setup.stock.map(|stock| (stock, Known::Given));
+        let stock = setup.stock.map(|stock| (stock, Basis::Given));
         let given: Vec<_> = given.collect();
-        let mut unknown = guesses.unknown.clone();
+        let mut unknown = inferred.unknown.clone();
         unknown.retain(|&index| given.iter().all(|own| own.0 != motions.get(index).process.tool.0));
         Self {
             unknown,
             given,
-            guessed: guessed.collect(),
-            other: Fitted::guessed(0, Tool::default()),
-            stock: stock.or_else(|| guesses.stock.map(|stock| (stock, Known::Guessed))),
+            inferred: inferred_tools.collect(),
+            other: ResolvedTool::inferred(0, Tool::default()),
+            stock: stock.or_else(|| inferred.stock.map(|stock| (stock, Basis::Inferred))),
         }
     }
 
-    /// The tool of a motion: of its station and offset, of its station, or the guess for what it does.
-    pub fn tool(&self, motion: &Motion) -> &Fitted {
+    /// The tool of a motion: of its station and offset, of its station, or the inferred one for what it does.
+    pub fn tool(&self, motion: &Motion) -> &ResolvedTool {
         let (station, offset) = motion.process.tool;
         let own = self.given.iter().filter(|given| given.0 == station);
         let given = own.clone().find(|given| given.1 == offset).or_else(|| own.clone().next());
         if let Some((.., tool)) = given {
             return tool;
         }
-        let purpose = Use::of(motion);
-        let own = self.guessed.iter().filter(|guess| guess.0 == station);
-        let guess = own.clone().find(|guess| guess.1 == purpose).or_else(|| own.clone().next());
-        guess.map_or(&self.other, |(.., tool)| tool)
+        let purpose = Purpose::of(motion);
+        let own = self.inferred.iter().filter(|inferred| inferred.0 == station);
+        let inferred = own.clone().find(|inferred| inferred.1 == purpose).or_else(|| own.clone().next());
+        inferred.map_or(&self.other, |(.., tool)| tool)
     }
 
     /// Whether the setup names tools, but none for this station.
@@ -100,31 +100,32 @@ impl Fitting {
         station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
     }
 
-    /// The first motion of each tool that is neither given nor to be concluded: each that was tried would cut into the contour.
+    /// The first motion of each tool that is neither given nor to be inferred: each that was tried would cut into the contour.
     pub fn unknown(&self) -> &[usize] {
         &self.unknown
     }
 
-    /// The blank, and whether somebody has named it.
-    pub fn stock(&self) -> Option<(Stock, Known)> {
+    /// The blank, and whether it is given or inferred.
+    pub fn stock(&self) -> Option<(Stock, Basis)> {
         self.stock
     }
 
     /// All tools that the program uses or the setup names.
-    pub fn tools(&self) -> impl Iterator<Item = &Fitted> {
+    pub fn tools(&self) -> impl Iterator<Item = &ResolvedTool> {
         let covered = |station: u16| self.given.iter().any(|given| given.0 == station);
-        let guessed = self.guessed.iter().filter(move |guess| !covered(guess.0)).map(|(.., tool)| tool);
-        self.given.iter().map(|(.., tool)| tool).chain(guessed)
+        let inferred =
+            self.inferred.iter().filter(move |inferred| !covered(inferred.0)).map(|(.., tool)| tool);
+        self.given.iter().map(|(.., tool)| tool).chain(inferred)
     }
 }
 
-impl Fitted {
+impl ResolvedTool {
     fn given(station: u16, tool: Tool) -> Self {
         let shape = Shape::of(&tool);
-        Self { station, takes: shape.edge.clone(), shape, tool, known: Known::Given }
+        Self { station, takes: shape.edge.clone(), shape, tool, basis: Basis::Given }
     }
 
-    fn guessed(station: u16, tool: Tool) -> Self {
+    fn inferred(station: u16, tool: Tool) -> Self {
         let mut shape = Shape::of(&tool);
         // Where in a threading tool its point is, is not known either.
         shape.core = match tool.kind {
@@ -133,7 +134,7 @@ impl Fitted {
         };
         shape.body = None;
         let takes = over_edge(&tool, &shape);
-        Self { station, shape, takes, tool, known: Known::Guessed }
+        Self { station, shape, takes, tool, basis: Basis::Inferred }
     }
 }
 

@@ -1,14 +1,14 @@
 //! What betrays another control or machine, and what each sign weighs.
 //!
-//! In: a [`Sign`]. Out: which origin it suggests. Knows nothing of how a sign is seen.
+//! In: a [`Sign`]. Out: which target it suggests. Knows nothing of how a sign is seen.
 
-use super::Origin;
+use super::Target;
 
-/// Which origin a sign suggests or excludes, and how much; the weights of one origin add up, each sign counting once.
+/// Which target a sign suggests or excludes, and how much; the weights of one target add up, each sign counting once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// For an origin.
-    For(Origin, u8),
+    /// For a target.
+    For(Target, u8),
     /// For a lathe with FANUC's words: not a mill, not a printer.
     Lathe(u8),
     /// For FANUC's own cycles: no other lathe control without a language of names.
@@ -26,7 +26,7 @@ macro_rules! signs {
         impl Sign {
             /// What it says.
             pub fn weight(self) -> Weight {
-                use Origin::*;
+                use Target::*;
                 use Weight::*;
                 match self { $(Self::$sign => $weight,)* }
             }

@@ -1,29 +1,29 @@
 //! Places along Z at which a surface of revolution is sampled.
 //!
 //! In: the cuts. Out: Z positions in ascending order: an even grid, both sides of each end of a cut (there may be a wall), and the
-//! points of arcs where they are steep. However many cuts a program has, the number of stations is bounded: ends and points that lie
+//! points of arcs where they are steep. However many cuts a program has, the number of positions is bounded: ends and points that lie
 //! closer together than a spacing share one, and the spacing grows until they fit.
 
 use std::rc::Rc;
 
 use crate::geometry::{Point, SAME};
 
-/// Evenly spaced stations.
+/// Evenly spaced positions.
 const GRID: usize = 800;
 
-/// Most ends of cuts; each has two stations.
+/// Most ends of cuts; each has two positions.
 const MOST_ENDS: usize = 400;
 
 /// Most points of steep arcs.
 const MOST_BENDS: usize = 400;
 
-/// How far from a wall its two stations are at least, mm.
+/// How far from a wall its two positions are at least, mm.
 const SIDE: f64 = 0.001;
 
 /// Positions that are equal but for rounding, mm.
 const ROUNDING: f64 = 1e-9;
 
-/// Collects where the stations of some cuts are.
+/// Collects where the positions of some cuts are.
 #[derive(Clone, Debug)]
 pub struct Places {
     ends: Spaced,
@@ -55,8 +55,8 @@ impl Places {
         self.ends.push(z);
     }
 
-    /// The stations, with a grid from `low` to `high`, mm.
-    pub fn between(mut self, low: f64, high: f64) -> Stations {
+    /// The positions, with a grid from `low` to `high`, mm.
+    pub fn between(mut self, low: f64, high: f64) -> ZPositions {
         let step = ((high - low) / GRID as f64).max(SAME);
         self.ends.thin_out();
         self.bends.thin_out();
@@ -67,7 +67,7 @@ impl Places {
         all.sort_unstable_by(f64::total_cmp);
         all.dedup_by(|next, kept| *next - *kept <= ROUNDING);
         let exact_to = if self.ends.spacing > SIDE { self.ends.spacing.min(step) } else { SIDE };
-        Stations { all: all.into(), exact_to }
+        ZPositions { all: all.into(), exact_to }
     }
 }
 
@@ -114,28 +114,28 @@ impl Spaced {
 
 /// Positions along Z in ascending order, mm.
 #[derive(Clone, Debug)]
-pub struct Stations {
+pub struct ZPositions {
     all: Rc<[f64]>,
     exact_to: f64,
 }
 
-impl Stations {
+impl ZPositions {
     /// All of them.
     pub fn all(&self) -> &[f64] {
         &self.all
     }
 
-    /// How far along Z a wall may be from where the stations show it, mm.
+    /// How far along Z a wall may be from where the positions show it, mm.
     pub fn exact_to(&self) -> f64 {
         self.exact_to
     }
 
-    /// The first station at `z` or in front of it; may be beyond the last.
+    /// The first position at `z` or in front of it; may be beyond the last.
     pub fn at_least(&self, z: f64) -> usize {
         self.all.partition_point(|own| *own < z - ROUNDING)
     }
 
-    /// Indices of the stations from one Z to another, both counted.
+    /// Indices of the positions from one Z to another, both counted.
     pub fn range(&self, from: f64, to: f64) -> std::ops::Range<usize> {
         let begin = self.at_least(from);
         let count = self.all[begin..].partition_point(|own| *own <= to + ROUNDING);
@@ -143,42 +143,42 @@ impl Stations {
     }
 }
 
-/// Heights at stations, straight in between; asked for at ascending places.
+/// Heights at positions, straight in between; asked for at ascending places.
 pub struct Profile<'a> {
-    stations: &'a [f64],
+    positions: &'a [f64],
     heights: &'a [f64],
     next: usize,
 }
 
 impl<'a> Profile<'a> {
-    /// Heights, one for each station; an infinite one is none.
-    pub fn new(stations: &'a Stations, heights: &'a [f64]) -> Self {
-        Self { stations: stations.all(), heights, next: 0 }
+    /// Heights, one for each position; an infinite one is none.
+    pub fn new(positions: &'a ZPositions, heights: &'a [f64]) -> Self {
+        Self { positions: positions.all(), heights, next: 0 }
     }
 
     /// The height at a place; `z` must not be less than that of the call before.
     pub fn at(&mut self, z: f64) -> Option<f64> {
         self.skip_to(z);
-        let (after, height) = (self.stations.get(self.next)?, self.heights[self.next]);
+        let (after, height) = (self.positions.get(self.next)?, self.heights[self.next]);
         if after - z <= ROUNDING {
             return Some(height).filter(|height| height.is_finite());
         }
         let index = self.next.checked_sub(1)?;
-        let (before, from) = (self.stations[index], self.heights[index]);
+        let (before, from) = (self.positions[index], self.heights[index]);
         let between = from + (z - before) / (after - before) * (height - from);
         Some(between).filter(|height| height.is_finite())
     }
 
-    /// The stations from one place to another with their heights; `from` must not be less than that of the call before.
+    /// The positions from one place to another with their heights; `from` must not be less than that of the call before.
     pub fn range(&mut self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         self.skip_to(from);
-        let stations = self.stations[self.next..].iter().copied();
+        let positions = self.positions[self.next..].iter().copied();
         let heights = self.heights[self.next..].iter().copied();
-        stations.zip(heights).take_while(move |(z, _)| *z <= to + ROUNDING)
+        positions.zip(heights).take_while(move |(z, _)| *z <= to + ROUNDING)
     }
 
     fn skip_to(&mut self, z: f64) {
-        while self.stations.get(self.next).is_some_and(|own| *own < z - ROUNDING) {
+        while self.positions.get(self.next).is_some_and(|own| *own < z - ROUNDING) {
             self.next += 1;
         }
     }
@@ -186,8 +186,8 @@ impl<'a> Profile<'a> {
 
 /// Heights without peaks that are narrower along Z than `width`, mm; walls and slopes stay where they are. Infinite heights above are
 /// left out of account, those below are nothing at all.
-pub fn without_narrow_peaks(stations: &Stations, heights: &[f64], width: f64) -> Vec<f64> {
-    let all = stations.all();
+pub fn without_narrow_peaks(positions: &ZPositions, heights: &[f64], width: f64) -> Vec<f64> {
+    let all = positions.all();
     let point = |index: usize| (all[index], heights[index]);
     let kept = |index: usize| {
         let behind = least_within(width, point(index), (0..index).rev().map(point));
@@ -197,7 +197,7 @@ pub fn without_narrow_peaks(stations: &Stations, heights: &[f64], width: f64) ->
     (0..all.len()).map(kept).collect()
 }
 
-/// The least height from a station to the place that is `width` away, over the stations on one side of it, nearest first.
+/// The least height from a position to the place that is `width` away, over the positions on one side of it, nearest first.
 fn least_within(width: f64, from: (f64, f64), beside: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut least, mut last) = (from.1, from);
     for (z, height) in beside {
@@ -220,8 +220,8 @@ mod tests {
     fn ends_of_cuts_have_stations_on_both_sides() {
         let mut places = Places::default();
         places.add(&[Point::new(10.0, 1.0), Point::new(10.0, -7.3)]);
-        let stations = places.between(-50.0, 1.0);
-        let near: Vec<f64> = stations.all()[stations.range(-7.31, -7.29)].to_vec();
+        let positions = places.between(-50.0, 1.0);
+        let near: Vec<f64> = positions.all()[positions.range(-7.31, -7.29)].to_vec();
         assert!(near.iter().any(|z| (z + 7.301).abs() < 1e-6), "{near:?}");
         assert!(near.iter().any(|z| (z + 7.299).abs() < 1e-6), "{near:?}");
     }
@@ -235,21 +235,21 @@ mod tests {
                 (0..5).map(|step| Point::new(f64::from(step), z - f64::from(step) * 1e-4)).collect();
             places.add(&way);
         }
-        let stations = places.between(-100.0, 0.0);
+        let positions = places.between(-100.0, 0.0);
         let bound = GRID + 2 * MOST_ENDS + MOST_BENDS;
-        assert!((GRID..=bound).contains(&stations.all().len()), "{}", stations.all().len());
-        assert!(stations.all().windows(2).all(|pair| pair[0] < pair[1] && pair[1] - pair[0] < 0.13));
-        assert!(stations.exact_to() <= 0.125);
+        assert!((GRID..=bound).contains(&positions.all().len()), "{}", positions.all().len());
+        assert!(positions.all().windows(2).all(|pair| pair[0] < pair[1] && pair[1] - pair[0] < 0.13));
+        assert!(positions.exact_to() <= 0.125);
     }
 
     #[test]
     fn a_profile_is_straight_between_stations() {
-        let stations = Stations { all: [0.0, 1.0, 1.5, 4.0].into(), exact_to: SIDE };
+        let positions = ZPositions { all: [0.0, 1.0, 1.5, 4.0].into(), exact_to: SIDE };
         let heights = [2.0, 4.0, f64::INFINITY, 1.0];
-        let mut profile = Profile::new(&stations, &heights);
+        let mut profile = Profile::new(&positions, &heights);
         let found = [-1.0, 0.0, 0.5, 1.0, 1.2, 4.0, 5.0].map(|z| profile.at(z));
         assert_eq!(found, [None, Some(2.0), Some(3.0), Some(4.0), None, Some(1.0), None]);
-        let within: Vec<_> = Profile::new(&stations, &heights).range(0.5, 1.0).collect();
+        let within: Vec<_> = Profile::new(&positions, &heights).range(0.5, 1.0).collect();
         assert_eq!(within, [(1.0, 4.0)]);
     }
 
@@ -257,7 +257,7 @@ mod tests {
     fn narrow_peaks_go_and_walls_stay() {
         let open = |points: &[(f64, f64)]| {
             let (places, heights): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
-            without_narrow_peaks(&Stations { all: places.into(), exact_to: SIDE }, &heights, 0.1)
+            without_narrow_peaks(&ZPositions { all: places.into(), exact_to: SIDE }, &heights, 0.1)
         };
         assert_eq!(open(&[(0.0, 1.0), (0.98, 1.0), (1.0, 5.0), (1.02, 1.0), (2.0, 1.0)]), [1.0; 5]);
         let wall = [(0.0, 1.0), (0.99, 1.0), (1.01, 5.0), (2.0, 5.0)];

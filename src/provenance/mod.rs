@@ -1,10 +1,10 @@
-//! Where a program text comes from: another control or machine, another G-code system of FANUC's lathes, a control that
-//! counts least increments.
+//! What a text shows of the control it was written for: another control or machine, another G-code system of FANUC's
+//! lathes, a control that counts least increments.
 //!
-//! In: the text; only its head is looked at. Out: the origin and the place that shows it, or nothing. A program for
-//! a FANUC, GSK or Haas lathe must never be called foreign, so one doubtful sign decides nothing: signs add up, each
-//! counting once, and what only such a lathe writes counts against. The G-code system and the numbers take the text for a
-//! FANUC lathe's: look at what is foreign first.
+//! In: the text; only its head is read. Out: the target and the place that shows it, or nothing. A program for
+//! a FANUC, GSK or Haas lathe must never be called foreign, so one uncertain sign decides nothing: signs add up, each
+//! counts once, and what only such a lathe uses counts against. The G-code system and the numbers are read as those of a
+//! FANUC lathe: check for a foreign target first.
 
 mod decimal;
 mod finder;
@@ -12,7 +12,7 @@ mod signs;
 mod statement;
 mod system;
 
-pub use self::decimal::{Bare, Measure, Numbers};
+pub use self::decimal::{DecimalEvidence, Measure, NumberWithoutPoint};
 use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
@@ -27,9 +27,9 @@ pub const HEAD: usize = 64 << 10;
 /// Most bytes of a text whose numbers are looked at. Habits show early, but the first cycle may come late.
 pub const NUMBERS: usize = 256 << 10;
 
-/// A control or machine whose programs are not read here.
+/// A control or machine that a program was written for, and whose programs are not read here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
+pub enum Target {
     /// Huazhong HNC, turning.
     Hnc,
     /// Siemens SINUMERIK.
@@ -50,7 +50,7 @@ pub enum Origin {
     Printer,
 }
 
-impl Origin {
+impl Target {
     /// The name of the control, the same in all languages; none for a kind of machine.
     pub fn name(self) -> &'static str {
         match self {
@@ -76,12 +76,12 @@ impl Origin {
             | Self::Fagor
             | Self::Heidenhain
             | Self::Okuma
-            | Self::Gsk928 => Message::ForeignControl { origin: self.name() },
+            | Self::Gsk928 => Message::ForeignControl { control: self.name() },
         }
     }
 
     /// All of them, in the order of their numbers.
-    pub const ALL: [Origin; 9] = [
+    pub const ALL: [Target; 9] = [
         Self::Hnc,
         Self::Siemens,
         Self::LinuxCnc,
@@ -103,54 +103,54 @@ impl Origin {
     }
 }
 
-/// Where a program comes from that is not for a FANUC, GSK or Haas lathe.
+/// A program that is not for a FANUC, GSK or Haas lathe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Foreign {
     /// The control or machine.
-    pub origin: Origin,
+    pub target: Target,
     /// The sign that says most, the first of its weight.
     pub evidence: Span,
 }
 
-/// What a text shows of where it comes from.
+/// What a text shows of the control it was written for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Seen {
+pub struct Provenance {
     /// Another control or machine, where the text is beyond doubt written for one.
     pub foreign: Option<Foreign>,
     /// System B or C, where the text of a FANUC lathe is beyond doubt written in it; nothing is no reason to leave A.
     pub system: Option<(GSystem, Span)>,
     /// What its numbers show of the decimal rule.
-    pub numbers: Numbers,
+    pub numbers: DecimalEvidence,
 }
 
 /// Reads the beginning of a text once for everything it shows.
-pub fn look(text: &[u8]) -> Seen {
-    look_at(&text[..text.len().min(NUMBERS)])
+pub fn detect(text: &[u8]) -> Provenance {
+    detect_within(&text[..text.len().min(NUMBERS)])
 }
 
-/// The same, but of the numbers only those of the head: all that shows where the text comes from.
-pub fn look_at_head(text: &[u8]) -> Seen {
-    look_at(&text[..text.len().min(HEAD)])
+/// The same, but of the numbers only those of the head: all that shows the target of the text.
+pub fn detect_in_head(text: &[u8]) -> Provenance {
+    detect_within(&text[..text.len().min(HEAD)])
 }
 
-fn look_at(text: &[u8]) -> Seen {
-    let (mut tally, mut finder) = (Tally::default(), Finder::default());
-    let (mut scales, mut numbers) = (Scales::default(), Numbers::default());
+fn detect_within(text: &[u8]) -> Provenance {
+    let (mut scores, mut finder) = (Scores::default(), Finder::default());
+    let (mut scales, mut numbers) = (Scales::default(), DecimalEvidence::default());
     let mut statement = Statement::default();
     let mut statements = Statements::new(text);
     while statements.read(&mut statement) {
         if (statement.span.start as usize) < HEAD {
-            finder.look(text, &statement, |sign, span| tally.add(sign, span));
+            finder.look(text, &statement, |sign, span| scores.add(sign, span));
             scales.take(&statement);
         }
         numbers.take(&statement);
     }
-    Seen { foreign: tally.verdict(), system: scales.verdict(), numbers }
+    Provenance { foreign: scores.verdict(), system: scales.verdict(), numbers }
 }
 
 /// What the numbers of a text show of the decimal rule.
-pub fn numbers(text: &[u8]) -> Numbers {
-    let mut numbers = Numbers::default();
+pub fn numbers(text: &[u8]) -> DecimalEvidence {
+    let mut numbers = DecimalEvidence::default();
     let mut statement = Statement::default();
     let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
     while statements.read(&mut statement) {
@@ -161,28 +161,28 @@ pub fn numbers(text: &[u8]) -> Numbers {
 
 /// What the signs so far weigh.
 #[derive(Clone, Debug, Default)]
-struct Tally {
+struct Scores {
     /// Bits of the signs seen.
     seen: u128,
-    /// For each origin.
-    totals: [i32; Origin::ALL.len()],
-    /// The heaviest sign of each origin, the first of its weight.
-    heaviest: [Option<(u8, Span)>; Origin::ALL.len()],
+    /// For each target.
+    totals: [i32; Target::ALL.len()],
+    /// The heaviest sign of each target, the first of its weight.
+    heaviest: [Option<(u8, Span)>; Target::ALL.len()],
     /// Against a mill or a printer.
     lathe: i32,
     /// Against another lathe control with words like FANUC's.
     fanuc: i32,
 }
 
-impl Tally {
+impl Scores {
     fn add(&mut self, sign: Sign, span: Span) {
         if self.seen & sign.bit() != 0 {
             return;
         }
         self.seen |= sign.bit();
         match sign.weight() {
-            Weight::For(origin, weight) => {
-                let at = origin as usize;
+            Weight::For(target, weight) => {
+                let at = target as usize;
                 self.totals[at] += i32::from(weight);
                 if self.heaviest[at].is_none_or(|(most, _)| weight > most) {
                     self.heaviest[at] = Some((weight, span));
@@ -198,25 +198,25 @@ impl Tally {
     }
 
     fn verdict(&self) -> Option<Foreign> {
-        let surplus = |origin: Origin| self.totals[origin as usize] - self.against(origin) - origin.enough();
-        let origin = Origin::ALL.into_iter().rev().max_by_key(|&origin| surplus(origin))?;
-        let (_, evidence) = self.heaviest[origin as usize]?;
-        (surplus(origin) >= 0 && self.is_possible(origin)).then_some(Foreign { origin, evidence })
+        let surplus = |target: Target| self.totals[target as usize] - self.against(target) - target.enough();
+        let target = Target::ALL.into_iter().rev().max_by_key(|&target| surplus(target))?;
+        let (_, evidence) = self.heaviest[target as usize]?;
+        (surplus(target) >= 0 && self.is_possible(target)).then_some(Foreign { target, evidence })
     }
 
-    fn against(&self, origin: Origin) -> i32 {
-        match origin {
-            Origin::Mill | Origin::Printer => self.lathe,
-            Origin::Hnc | Origin::LinuxCnc | Origin::Fagor | Origin::Gsk928 => self.fanuc,
+    fn against(&self, target: Target) -> i32 {
+        match target {
+            Target::Mill | Target::Printer => self.lathe,
+            Target::Hnc | Target::LinuxCnc | Target::Fagor | Target::Gsk928 => self.fanuc,
             // Their languages have names no FANUC program has.
-            Origin::Siemens | Origin::Heidenhain | Origin::Okuma => 0,
+            Target::Siemens | Target::Heidenhain | Target::Okuma => 0,
         }
     }
 
     /// A mill moves in Y, as a lathe may too; but it changes its tools by M6 or takes up their length.
-    fn is_possible(&self, origin: Origin) -> bool {
+    fn is_possible(&self, target: Target) -> bool {
         let tools = self.seen & (Sign::ToolLength.bit() | Sign::ToolChange.bit()) != 0;
-        origin != Origin::Mill || tools && self.seen & Sign::MoveY.bit() != 0
+        target != Target::Mill || tools && self.seen & Sign::MoveY.bit() != 0
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is concluded of tools and blank that nobody has named, as a machinist would.
 
 use gcode_playground::analyze;
-use gcode_playground::machine::fitting::Fitting;
+use gcode_playground::machine::resolved_setup::ResolvedSetup;
 use gcode_playground::setup::Setup;
 
 use crate::fixtures::all;
@@ -10,15 +10,15 @@ use crate::fixtures::all;
 fn guess(program: &str, setup: &str) -> String {
     let setup = Setup::from_json(setup).expect("a setup");
     let analysis = analyze(program.as_bytes(), &setup);
-    let fitting = Fitting::new(&analysis.motions, &setup);
-    let stock = fitting.stock().map_or("nothing".to_owned(), |(stock, _)| {
+    let resolved = ResolvedSetup::new(&analysis.motions, &setup);
+    let stock = resolved.stock().map_or("nothing".to_owned(), |(stock, _)| {
         let hollow = if stock.bore > 0.0 { format!(" bore {:.1}", stock.bore) } else { String::new() };
         format!("⌀{:.1}{hollow}, {} to {:.1}", stock.diameter, stock.face, stock.back())
     });
-    let tools = fitting.tools().map(|fitted| {
-        let tool = &fitted.tool;
+    let tools = resolved.tools().map(|resolved_tool| {
+        let tool = &resolved_tool.tool;
         let kind = tool.kind.map_or("unnamed", |kind| kind.name());
-        let mut line = format!("T{:02} {kind}", fitted.station);
+        let mut line = format!("T{:02} {kind}", resolved_tool.station);
         let number = |value: Option<f64>| value.map_or(String::new(), |value| format!(" {value:.0}"));
         line += &tool.insert.as_ref().map_or(String::new(), |insert| format!(" {insert}"));
         line += &number(tool.point_angle);

@@ -6,8 +6,9 @@
 //! one number that no lathe can mean.
 
 use super::statement::{Statement, Word};
+use crate::control::codes::{G, Multiple, g_code};
 use crate::message::Message;
-use crate::setup::dialect::DecimalRule;
+use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
 use crate::units::Unit;
 
@@ -39,7 +40,7 @@ impl Measure {
 
 /// A number without a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bare {
+pub struct NumberWithoutPoint {
     /// Its word.
     pub span: Span,
     /// The number as it is written, with its sign.
@@ -48,7 +49,7 @@ pub struct Bare {
     pub measure: Measure,
 }
 
-impl Bare {
+impl NumberWithoutPoint {
     /// What it counts under a rule, in its measure.
     pub fn counts(&self, rule: DecimalRule) -> f64 {
         match rule {
@@ -128,16 +129,35 @@ impl Amount {
             return matches!(letter, b'X' | b'U').then_some(Self::Time);
         }
         // In the first of their two blocks the cycles have amounts, in the second a contour or a place.
-        match (letter, among.cycle) {
-            (b'U' | b'W', 73) if !among.names_contour => Some(Self::Relief),
-            (b'U' | b'W', 71..=73) => Some(Self::Cut),
-            (b'R', 71 | 72) if !among.names_contour => Some(Self::Cut),
-            (b'R', 74 | 75) if !among.names_place => Some(Self::Cut),
-            (b'R', 76) if !among.names_place => Some(Self::ThreadAllowance),
-            (b'X' | b'U' | b'Y' | b'V', _) => Some(Self::Diameter),
-            (b'Z' | b'W', _) => Some(Self::Length),
+        let of_cycle = match (among.cycle, letter) {
+            (Some(Multiple::Pattern), b'U' | b'W') if !among.names_contour => Some(Self::Relief),
+            (Some(Multiple::Pattern | Multiple::RoughTurning | Multiple::RoughFacing), b'U' | b'W') => {
+                Some(Self::Cut)
+            }
+            (Some(Multiple::RoughTurning | Multiple::RoughFacing), b'R') if !among.names_contour => {
+                Some(Self::Cut)
+            }
+            (Some(Multiple::FacePecking | Multiple::Grooving), b'R') if !among.names_place => Some(Self::Cut),
+            (Some(Multiple::Threading), b'R') if !among.names_place => Some(Self::ThreadAllowance),
+            (
+                Some(
+                    Multiple::Finishing
+                    | Multiple::RoughTurning
+                    | Multiple::RoughFacing
+                    | Multiple::Pattern
+                    | Multiple::FacePecking
+                    | Multiple::Grooving
+                    | Multiple::Threading,
+                )
+                | None,
+                _,
+            ) => None,
+        };
+        of_cycle.or(match letter {
+            b'X' | b'U' | b'Y' | b'V' => Some(Self::Diameter),
+            b'Z' | b'W' => Some(Self::Length),
             _ => None,
-        }
+        })
     }
 }
 
@@ -146,8 +166,8 @@ impl Amount {
 struct Among {
     /// G04.
     dwells: bool,
-    /// G70 to G76; 0 without one.
-    cycle: u32,
+    /// The multiple cycle it calls.
+    cycle: Option<Multiple>,
     /// P or Q.
     names_contour: bool,
     /// X, Z, U or W.
@@ -171,11 +191,11 @@ impl Among {
                     among.codes += 1;
                     match word.number.and_then(|number| number.tenths()) {
                         Some(40) => among.dwells = true,
-                        Some(code @ 700..=760) => among.cycle = code as u32 / 10,
                         Some(650 | 660 | 661) => among.calls_macro = true,
                         Some(200) => among.unit = Some(Unit::Inch),
                         Some(210) => among.unit = Some(Unit::Millimetre),
-                        _ => {}
+                        Some(key) => among.cycle = multiple(key).or(among.cycle),
+                        None => {}
                     }
                 }
                 b'P' | b'Q' => among.names_contour = true,
@@ -192,9 +212,17 @@ impl Among {
     }
 }
 
+/// The multiple cycle of a code, ten times its number, in systems A and B.
+fn multiple(key: u64) -> Option<Multiple> {
+    match g_code(key, CodeList::A)?.code {
+        G::Multiple(cycle) => Some(cycle),
+        _ => None,
+    }
+}
+
 /// What the numbers of a program show.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Numbers {
+pub struct DecimalEvidence {
     /// Coordinates with a point.
     pointed: usize,
     /// Those of them that are whole.
@@ -206,14 +234,14 @@ pub struct Numbers {
     /// G20 is in force.
     inch: bool,
     /// The first number without a point.
-    first: Option<Bare>,
+    first: Option<NumberWithoutPoint>,
     /// The first that is too large as a unit in a program of few numbers without a point.
-    implausible: Option<Bare>,
+    implausible: Option<NumberWithoutPoint>,
     /// The first that is too large as a unit in a program without points.
-    large_one: Option<Bare>,
+    large_number: Option<NumberWithoutPoint>,
 }
 
-impl Numbers {
+impl DecimalEvidence {
     /// Takes in one more statement.
     pub fn take(&mut self, statement: &Statement) {
         let among = Among::of(statement);
@@ -247,7 +275,7 @@ impl Numbers {
             (_, false) => Measure::Millimetre,
         };
         let value = if word.negative { -magnitude } else { magnitude };
-        let bare = Bare { span: word.span, value, measure };
+        let bare = NumberWithoutPoint { span: word.span, value, measure };
         self.first = self.first.or(Some(bare));
         if magnitude >= amount.limit(measure) {
             self.implausible = self.implausible.or(Some(bare));
@@ -256,7 +284,7 @@ impl Numbers {
             self.bare += 1;
             if magnitude >= amount.usual_limit(measure) {
                 self.large += 1;
-                self.large_one = self.large_one.or(Some(bare));
+                self.large_number = self.large_number.or(Some(bare));
             }
         }
     }
@@ -270,14 +298,14 @@ impl Numbers {
     }
 
     /// The number that shows that they count least increments.
-    pub fn evidence(&self) -> Option<Bare> {
+    pub fn evidence(&self) -> Option<NumberWithoutPoint> {
         let habit = self.implausible.filter(|_| self.whole >= HABIT);
         let without_any = self.pointed == 0 && self.bare >= WITHOUT_ANY && 2 * self.large > self.bare;
-        habit.or(self.large_one.filter(|_| without_any))
+        habit.or(self.large_number.filter(|_| without_any))
     }
 
     /// A number without a point to show a rule by: the best there is.
-    pub fn example(&self) -> Option<Bare> {
+    pub fn example(&self) -> Option<NumberWithoutPoint> {
         self.evidence().or(self.implausible).or(self.first)
     }
 }

@@ -1,42 +1,42 @@
-// The line that says that the stock is assumed and what was not checked because of it, and the button that takes it over.
+// The line that says that the stock is inferred and what was not checked because of it, and the button that takes it over.
 //
-// In: what is given and what is assumed; the answers of the setup form. Out: `taken`: the form with that stock filled in. Must not
-// know: how a stock is assumed, or what a setup holds beyond the group of the stock.
+// In: what is given and what is inferred; the answers of the setup form. Out: `taken`: the form with that stock filled in. Must not
+// know: how a stock is inferred, or what a setup holds beyond the group of the stock.
 
 import { make } from '../dom/dom';
-import type { Fitted, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';
+import type { SetupOverview, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';
 import type { SetupEntries } from './setup-form';
 
-export interface AssumedStockEvents {
+export interface InferredStockEvents {
   form(): Promise<SetupForm | undefined>;
   read(entries: SetupEntries): Promise<SetupAnswer | undefined>;
   taken(answer: SetupAnswer, place: SetupPlace): void;
 }
 
-export class AssumedStock {
+export class InferredStock {
   readonly #text = make('span', { className: 'said' });
   readonly #use = make('button', { type: 'button', className: 'quiet' });
   readonly element = make(
-    'div', { className: 'assumed-stock', hidden: true },
-    make('span', { className: 'guess', 'aria-hidden': 'true' }), this.#text, make('span', { 'aria-hidden': 'true' }, '·'), this.#use,
+    'div', { className: 'inferred-stock', hidden: true },
+    make('span', { className: 'swatch', 'aria-hidden': 'true' }), this.#text, make('span', { 'aria-hidden': 'true' }, '·'), this.#use,
   );
-  readonly #events: AssumedStockEvents;
+  readonly #events: InferredStockEvents;
 
-  constructor(events: AssumedStockEvents) {
+  constructor(events: InferredStockEvents) {
     this.#events = events;
     this.#use.addEventListener('click', () => void this.#take());
   }
 
-  speak(assumed: string, use: string): void {
-    this.#text.textContent = assumed;
+  speak(inferred: string, use: string): void {
+    this.#text.textContent = inferred;
     this.#use.textContent = use;
   }
 
-  set fitted(fitted: Fitted) {
-    this.element.hidden = fitted.stock !== 'guessed';
+  set overview(overview: SetupOverview) {
+    this.element.hidden = overview.stock !== 'inferred';
   }
 
-  /** The stock that is assumed is filled into the form, which is kept where it would be kept by hand. */
+  /** The stock that is inferred is filled into the form, which is kept where it would be kept by hand. */
   async #take(): Promise<void> {
     const form = await this.#events.form();
     if (form === undefined) return;

@@ -5,12 +5,12 @@ use serde::Serialize;
 use crate::run::Analysis;
 use crate::sentences::{Language, labels};
 use crate::setup::Stock;
-use crate::setup::written;
+use crate::setup::as_comments;
 
-/// A stock that is assumed, and what was not checked because of that.
+/// A stock that is inferred, and what was not checked because of that.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct AssumedStock {
+pub struct InferredStock {
     /// `stock-assumed`: what sets the row apart from those of messages.
     pub note: &'static str,
     /// What was not looked for.
@@ -34,21 +34,21 @@ pub struct StockRow {
     pub length: f64,
 }
 
-impl AssumedStock {
+impl InferredStock {
     /// That of a program; nothing where its setup names a stock, nothing is cut, or a tool is not known and no part is shown.
     pub fn of(analysis: &Analysis, language: Language) -> Option<Self> {
         if analysis.setup.stock.is_some() {
             return None;
         }
-        let fitting = analysis.fitting();
-        let (stock, _) = fitting.stock().filter(|_| fitting.unknown().is_empty())?;
+        let resolved = analysis.resolved_setup();
+        let (stock, _) = resolved.stock().filter(|_| resolved.unknown().is_empty())?;
         let Stock { diameter, bore, face, length, .. } = stock;
         let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);
-        let note = written::stock(&Stock { diameter, bore, face, length, grip: None });
+        let note = as_comments::stock(&Stock { diameter, bore, face, length, grip: None });
         Some(Self {
             note: "stock-assumed",
             not_checked: ["collisions"],
-            message: labels::stock_assumed(&note, language),
+            message: labels::inferred_stock(&note, language),
             stock: StockRow { diameter, bore, face, length },
         })
     }

@@ -1,0 +1,109 @@
+//! The tools and the blank that are inferred from a program where they are not given.
+//!
+//! In: the motions. Out: a [`Tool`] for each purpose of a station (`tool_use`, `choice`), and a [`Stock`] (its size: `blank`). An
+//! inferred tool is sharp and can follow every slope of its path. It is shown as inferred, and no alarm is raised because of it.
+
+use std::collections::BTreeMap;
+
+use super::blank::{Cuts, clear_of_rapids};
+use super::choice;
+use super::tool_use::{Clamping, Purpose, ToolUse};
+use crate::geometry::SAME;
+use crate::motion::Motions;
+use crate::setup::{Setup, Stock, Tool};
+
+/// At most so many motions are searched for names of tools.
+const LOOKED_AT: usize = 200_000;
+
+/// What is inferred from a program.
+#[derive(Clone, Debug, Default)]
+pub struct InferredSetup {
+    tools: Vec<(u16, Purpose, Tool)>,
+    /// The first motion of each use of a station that no tool is known for: with each that was tried it cuts into the contour.
+    pub unknown: Vec<usize>,
+    /// The blank; nothing where nothing cuts.
+    pub stock: Option<Stock>,
+}
+
+impl InferredSetup {
+    /// Infers tools and blank of a program of which nothing else is known.
+    pub fn of(motions: &Motions) -> Self {
+        Self::with(motions, &BTreeMap::new(), None)
+    }
+
+    /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by station; `stock` the blank, where one is given.
+    pub fn with(motions: &Motions, described_tools: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
+        let uses = ToolUse::all(motions, described_tools, stock, Clamping::First);
+        let mut tools = tools_of(&uses);
+        let mut cuts = Cuts::default();
+        for (own, (.., tool)) in uses.iter().zip(&tools) {
+            cuts.add(&own.extents, tool);
+        }
+        let blank = cuts.blank().map(|stock| clear_of_rapids(stock, motions));
+        let choices = tools.iter_mut().map(|(.., tool)| tool).collect();
+        let unknown = choice::decide(motions, &uses, described_tools, stock.or(blank), choices);
+        let mut inferred = Self { tools, unknown, stock: blank };
+        // No material is removed there: for these the first tool will do.
+        if motions.cuts_elsewhere().is_some() {
+            for other in tools_of(&ToolUse::all(motions, described_tools, stock, Clamping::Other)) {
+                if inferred.tools.iter().all(|own| (own.0, own.1) != (other.0, other.1)) {
+                    inferred.tools.push(other);
+                }
+            }
+        }
+        inferred
+    }
+
+    /// All tools: station, use and tool, in the order in which they are first put to use.
+    pub fn tools(&self) -> impl Iterator<Item = (u16, Purpose, &Tool)> {
+        self.tools.iter().map(|(station, purpose, tool)| (*station, *purpose, tool))
+    }
+}
+
+/// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is what cuts
+/// before any T word.
+pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
+    let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
+    let mut setup = Setup { stock: inferred.stock, ..Setup::default() };
+    let mut names: Vec<(u16, u16)> = Vec::new();
+    for motion in motions.iter().take(LOOKED_AT).filter(|motion| motion.kind.cuts()) {
+        let name = motion.process.tool;
+        if names.last() != Some(&name) && names.iter().all(|own| own.0 != name.0) {
+            names.push(name);
+        }
+    }
+    for (station, offset) in names {
+        if let Some((.., tool)) = inferred.tools().find(|inferred| inferred.0 == station) {
+            setup.tools.insert(format!("T{station:02}{offset:02}"), tool.clone());
+        }
+    }
+    setup
+}
+
+/// A first tool for each use.
+fn tools_of(uses: &[ToolUse]) -> Vec<(u16, Purpose, Tool)> {
+    // What a drill leaves is where boring begins.
+    let inside = uses.iter().filter(|own| own.is_inside());
+    let bore = inside.map(|own| own.extents.least()).fold(f64::INFINITY, f64::min);
+    let holes = uses.iter().filter(|own| own.purpose == Purpose::Hole);
+    let deepest = holes.map(|own| own.deepest).fold(f64::INFINITY, f64::min);
+    // A centre drill comes before the drill that makes the bore.
+    let bore_of = |own: &ToolUse| if own.deepest <= deepest + SAME { bore } else { f64::INFINITY };
+    uses.iter().map(|own| (own.station, own.purpose, own.tool(bore_of(own)))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analyze;
+    use crate::setup::ToolKind;
+
+    #[test]
+    fn stations_are_named_as_the_program_calls_them() {
+        let text = b"M3 S500\nG0 X40 Z2\nG1 Z-5 F.2\nT0305\nG0 X40 Z2\nG75 R1\nG75 X20 Z-9 P2000 Q2000 F.1\nT0300\nG1 X60\n";
+        let inferred = inferred_setup(&analyze(text, &Setup::default()).motions, &Setup::default());
+        let tools: Vec<_> = inferred.tools.iter().map(|(name, tool)| (name.as_str(), tool.kind)).collect();
+        assert_eq!(tools, [("T0000", Some(ToolKind::Turning)), ("T0305", Some(ToolKind::Grooving))]);
+        assert!(inferred.stock.is_some());
+    }
+}

@@ -1,0 +1,220 @@
+//! Values that are invalid in a setup.
+//!
+//! In: a setup as it was read. Out: the invalid values, and the setup without what is wrong in it, so that a run and a picture
+//! come of every setup.
+
+use super::{Setup, Stock, Tool};
+use crate::message::Message;
+
+/// An invalid value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InvalidValue {
+    /// Where it stands, as in JSON: `stock.diameter`, `tools.T0101.width`.
+    pub key: String,
+    /// The value.
+    pub value: f64,
+    /// What is asked of it.
+    pub requirement: Requirement,
+}
+
+impl InvalidValue {
+    /// What is said of it.
+    pub fn message(self) -> Message {
+        let Self { key, value, requirement } = self;
+        match requirement {
+            Requirement::Positive => Message::SetupPositive { key, value },
+            Requirement::NotNegative => Message::SetupNotNegative { key, value },
+            Requirement::Below(most) => Message::SetupBelow { key, value, most },
+            Requirement::AtMost(most) => Message::SetupAtMost { key, value, most },
+        }
+    }
+}
+
+/// What is asked of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Requirement {
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NotNegative,
+    /// Less than this.
+    Below(f64),
+    /// Not more than this.
+    AtMost(f64),
+}
+
+/// Longest length of anything, mm.
+const LONGEST: f64 = 5000.0;
+
+impl Requirement {
+    fn is_met(self, value: f64) -> bool {
+        match self {
+            Self::Positive => value > 0.0,
+            Self::NotNegative => value >= 0.0,
+            Self::Below(most) => value < most,
+            Self::AtMost(most) => value <= most,
+        }
+    }
+}
+
+/// Checks values, and keeps the first requirement that each does not meet.
+#[derive(Default)]
+struct Checker {
+    invalid: Vec<InvalidValue>,
+}
+
+impl Checker {
+    fn at(&mut self, key: impl Into<String>, value: Option<f64>, requirements: &[Requirement]) {
+        let Some(value) = value else { return };
+        if let Some(&requirement) = requirements.iter().find(|requirement| !requirement.is_met(value)) {
+            self.invalid.push(InvalidValue { key: key.into(), value, requirement });
+        }
+    }
+
+    fn stock(&mut self, stock: &Stock) {
+        const SIZE: [Requirement; 2] = [Requirement::Positive, Requirement::AtMost(LONGEST)];
+        self.at("stock.diameter", Some(stock.diameter), &SIZE);
+        self.at("stock.length", Some(stock.length), &SIZE);
+        self.at("stock.face", Some(stock.face.abs()), &[Requirement::AtMost(LONGEST)]);
+        self.at("stock.bore", Some(stock.bore), &[Requirement::NotNegative]);
+        if self.invalid.is_empty() {
+            self.at("stock.bore", Some(stock.bore), &[Requirement::Below(stock.diameter)]);
+            self.at("stock.grip", stock.grip, &[Requirement::NotNegative, Requirement::Below(stock.length)]);
+        }
+    }
+
+    fn tool(&mut self, name: &str, tool: &Tool) {
+        const LENGTH: [Requirement; 2] = [Requirement::Positive, Requirement::AtMost(LONGEST)];
+        const RADIUS: [Requirement; 2] = [Requirement::NotNegative, Requirement::AtMost(100.0)];
+        let angle = |most| [Requirement::Positive, Requirement::Below(most)];
+        let key = |key: &str| format!("tools.{name}.{key}");
+        self.at(key("noseRadius"), tool.nose_radius, &RADIUS);
+        self.at(key("tip"), tool.tip.map(f64::from), &[Requirement::AtMost(9.0)]);
+        self.at(key("pointAngle"), tool.point_angle, &angle(180.0));
+        self.at(key("enteringAngle"), tool.entering_angle, &angle(180.0));
+        // Edges that are together wider than a half turn: the one behind the tip would be below it.
+        let point = tool.point_angle.or_else(|| tool.insert()?.point_angle).unwrap_or(80.0);
+        if tool.entering_angle.is_some_and(|entering| entering < 180.0) {
+            self.at(key("enteringAngle"), tool.entering_angle, &[Requirement::AtMost(180.0 - point)]);
+        }
+        self.at(key("edgeLength"), tool.edge_length, &LENGTH);
+        self.at(key("width"), tool.width, &LENGTH);
+        self.at(key("diameter"), tool.diameter, &LENGTH);
+        self.at(key("reach"), tool.reach, &LENGTH);
+        self.at(key("shank"), tool.shank, &LENGTH);
+        self.at(key("toolRadius"), tool.tool_radius, &RADIUS);
+        self.at(key("geometryR"), tool.geometry_r, &RADIUS);
+        self.at(key("angle"), tool.angle, &[Requirement::Positive, Requirement::AtMost(180.0)]);
+        if let (Some(width), Some(nose)) = (tool.width, tool.nose_radius) {
+            self.at(key("noseRadius"), Some(nose), &[Requirement::AtMost(width / 2.0)]);
+        }
+    }
+}
+
+impl Setup {
+    /// The setup without what cannot be in it, and why. Stock and tools with an invalid value count as not given.
+    pub fn without_invalid_values(mut self) -> (Self, Vec<InvalidValue>) {
+        let mut checker = Checker::default();
+        if let Some(stock) = self.stock {
+            checker.stock(&stock);
+            if !checker.invalid.is_empty() {
+                self.stock = None;
+            }
+        }
+        self.tools.retain(|name, tool| {
+            let before = checker.invalid.len();
+            checker.tool(name, tool);
+            checker.invalid.len() == before
+        });
+        if let Some(tailstock) = self.tailstock {
+            let before = checker.invalid.len();
+            checker.at(
+                "tailstock.diameter",
+                Some(tailstock.diameter),
+                &[Requirement::Positive, Requirement::AtMost(LONGEST)],
+            );
+            checker.at("tailstock.z", Some(tailstock.z.abs()), &[Requirement::AtMost(LONGEST)]);
+            if checker.invalid.len() > before {
+                self.tailstock = None;
+            }
+        }
+        if let Some(start) = self.initial {
+            let before = checker.invalid.len();
+            checker.at("initial.x", Some(start.x.abs()), &[Requirement::AtMost(LONGEST)]);
+            checker.at("initial.z", Some(start.z.abs()), &[Requirement::AtMost(LONGEST)]);
+            if checker.invalid.len() > before {
+                self.initial = None;
+            }
+        }
+        for (key, value) in [
+            ("machine.rapidX", &mut self.machine.rapid_x),
+            ("machine.rapidZ", &mut self.machine.rapid_z),
+            ("machine.maxSpeed", &mut self.machine.max_speed),
+        ] {
+            let before = checker.invalid.len();
+            checker.at(key, *value, &[Requirement::Positive]);
+            if checker.invalid.len() > before {
+                *value = None;
+            }
+        }
+        (self, checker.invalid)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(json: &str, invalid: &[(&str, f64, Requirement)]) {
+        let (setup, found) = Setup::from_json(json).expect("well-formed JSON").without_invalid_values();
+        let found: Vec<_> =
+            found.iter().map(|fault| (fault.key.as_str(), fault.value, fault.requirement)).collect();
+        assert_eq!(found, invalid, "{json}");
+        assert_eq!(setup.without_invalid_values().1, [], "{json}");
+    }
+
+    #[test]
+    fn each_fault_is_found_once() {
+        check(r#"{"stock": {"diameter": 60, "length": 80, "bore": 59.9, "grip": 79}}"#, &[]);
+        check(
+            r#"{"stock": {"diameter": -60, "length": 80, "bore": 70}}"#,
+            &[("stock.diameter", -60.0, Requirement::Positive)],
+        );
+        check(r#"{"stock": {"diameter": 60, "length": 0}}"#, &[("stock.length", 0.0, Requirement::Positive)]);
+        check(
+            r#"{"stock": {"diameter": 60, "length": 80, "bore": 60}}"#,
+            &[("stock.bore", 60.0, Requirement::Below(60.0))],
+        );
+        check(
+            r#"{"stock": {"diameter": 60, "length": 80, "bore": -1}}"#,
+            &[("stock.bore", -1.0, Requirement::NotNegative)],
+        );
+        check(
+            r#"{"stock": {"diameter": 60, "length": 80, "grip": 80}}"#,
+            &[("stock.grip", 80.0, Requirement::Below(80.0))],
+        );
+        check(
+            r#"{"stock": {"diameter": 1e300, "length": 80}}"#,
+            &[("stock.diameter", 1e300, Requirement::AtMost(5000.0))],
+        );
+        check(
+            r#"{"tools": {"T0303": {"width": 3, "noseRadius": 2}}}"#,
+            &[("tools.T0303.noseRadius", 2.0, Requirement::AtMost(1.5))],
+        );
+        check(
+            r#"{"tools": {"T0303": {"width": -3}}}"#,
+            &[("tools.T0303.width", -3.0, Requirement::Positive)],
+        );
+        check(r#"{"tools": {"T0101": {"tip": 10}}}"#, &[("tools.T0101.tip", 10.0, Requirement::AtMost(9.0))]);
+        check(r#"{"tools": {"T0101": {"insert": "SNMG120408", "enteringAngle": 90}}}"#, &[]);
+        check(
+            r#"{"tools": {"T0101": {"insert": "SNMG120408", "enteringAngle": 95}}}"#,
+            &[("tools.T0101.enteringAngle", 95.0, Requirement::AtMost(90.0))],
+        );
+        check(r#"{"machine": {"rapidX": 0}}"#, &[("machine.rapidX", 0.0, Requirement::Positive)]);
+        check(
+            r#"{"tailstock": {"z": 2, "diameter": -1}}"#,
+            &[("tailstock.diameter", -1.0, Requirement::Positive)],
+        );
+    }
+}
