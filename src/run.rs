@@ -73,7 +73,8 @@ impl Analysis {
             self.diagnostics.extend(found.into_iter().map(|found| found.in_unit(self.unit)));
         } else {
             let left_out = findings::not_shown(self.resolved_setup(), &self.motions);
-            let left_out: Vec<_> = left_out.filter_map(|told| self.setup.rules.graded(told)).collect();
+            let left_out: Vec<_> =
+                left_out.filter_map(|diagnostic| self.setup.rules.graded(diagnostic)).collect();
             self.diagnostics.extend(left_out);
         }
         sort_by_place(&mut self.diagnostics);
@@ -228,22 +229,23 @@ impl Run {
         };
         if run.text.len() > limits.text {
             let message = Message::TextTooLong { bytes: run.text.len(), most: limits.text };
-            run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
+            run.interpreter.report(Diagnostic::new(message, Span::new(0, 0)));
             run.finish();
             return run;
         }
         run.recognised = Recognised::of(&shown, &dialect);
         if let Some(foreign) = run.recognised.foreign {
-            run.interpreter.tell(Diagnostic::new(foreign.target.message(), foreign.evidence));
+            run.interpreter.report(Diagnostic::new(foreign.target.message(), foreign.evidence));
             run.finish();
             return run;
         }
-        for told in run.notes.diagnostics(faults, &run.text) {
-            run.interpreter.tell_of_setup(told);
+        for diagnostic in run.notes.diagnostics(faults, &run.text) {
+            run.interpreter.report_of_setup(diagnostic);
         }
         if let Some((system, evidence)) = run.recognised.system {
             run.interpreter.set_system(system);
-            run.interpreter.tell(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
+            run.interpreter
+                .report(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
         }
         run.of_setup = run.interpreter.diagnostics().len();
         if let Some(number) = chosen {
@@ -251,7 +253,7 @@ impl Run {
                 Some(head) => run.begin_at(head),
                 None => {
                     let message = Message::ProgramNotFound { word: format!("O{number:04}") };
-                    run.interpreter.tell(Diagnostic::new(message, Span::new(0, 0)));
+                    run.interpreter.report(Diagnostic::new(message, Span::new(0, 0)));
                     run.ended = true;
                 }
             }
@@ -377,7 +379,7 @@ impl Run {
     pub fn stop(&mut self, seconds: f64) {
         if !self.finished {
             let at = self.at.byte as usize;
-            self.interpreter.tell_always(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.interpreter.report_always(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
             self.stopped = true;
             self.finish();
         }
@@ -472,8 +474,8 @@ impl Run {
         if traced {
             self.interpreter.keep_trace();
         }
-        for told in kept {
-            self.interpreter.tell_of_setup(told);
+        for diagnostic in kept {
+            self.interpreter.report_of_setup(diagnostic);
         }
         self.begun = false;
         self.checkpoints.clear();
@@ -491,7 +493,7 @@ impl Run {
             return flow;
         }
         if self.ended {
-            self.interpreter.tell_faults(&self.block);
+            self.interpreter.report_faults(&self.block);
             return Flow::Next;
         }
         self.begun |= !self.block.words.is_empty();
@@ -501,14 +503,14 @@ impl Run {
     /// An O number: the head of the main program, of one that is called, or of one that stands after them.
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
-            self.interpreter.tell(Diagnostic::new(Message::ProgramNumberZero, span));
+            self.interpreter.report(Diagnostic::new(Message::ProgramNumberZero, span));
         } else if *self.programs.entry(number).or_insert(span.start) != span.start {
-            self.interpreter.tell(Diagnostic::new(Message::DuplicateProgram { number }, span));
+            self.interpreter.report(Diagnostic::new(Message::DuplicateProgram { number }, span));
         } else if self.ended
             && !self.interpreter.was_run(here.at)
             && !self.interpreter.is_called(text, number)
         {
-            self.interpreter.tell(Diagnostic::new(Message::NotRun { number }, span));
+            self.interpreter.report(Diagnostic::new(Message::NotRun { number }, span));
         }
         if self.ended {
             return None;
@@ -525,7 +527,7 @@ impl Run {
         if let Some(back) = self.interpreter.run_out(span) {
             return Flow::Jump(back);
         }
-        self.interpreter.tell(no_end(text, span));
+        self.interpreter.report(no_end(text, span));
         if self.interpreter.has_wandered() {
             return Flow::End;
         }
@@ -545,7 +547,7 @@ impl Run {
             return Flow::Jump(back);
         }
         self.interpreter.finish();
-        self.interpreter.tell(no_end(text, span));
+        self.interpreter.report(no_end(text, span));
         if self.interpreter.has_wandered() { Flow::End } else { Flow::Next }
     }
 
@@ -553,26 +555,26 @@ impl Run {
         let end = self.text.len();
         self.interpreter.finish();
         if !self.begun && self.diagnostics().is_empty() {
-            self.interpreter.tell(Diagnostic::new(Message::EmptyProgram, Span::new(0, 0)));
+            self.interpreter.report(Diagnostic::new(Message::EmptyProgram, Span::new(0, 0)));
         }
         let hidden = self.interpreter.hidden();
         if hidden > 0 {
             self.interpreter
-                .tell_always(Diagnostic::new(Message::MoreMessages { hidden }, Span::new(end, end)));
+                .report_always(Diagnostic::new(Message::MoreMessages { hidden }, Span::new(end, end)));
         }
         self.finish();
     }
 
     /// Reports what numbers without a point count, where that was concluded or looks wrong.
-    fn tell_decimal_rule(&mut self) {
-        let Some(told) = self.decimal_message() else { return };
-        let is_known = self.sorted.iter().any(|old| old.is_about(told.span));
+    fn report_decimal_rule(&mut self) {
+        let Some(diagnostic) = self.decimal_message() else { return };
+        let is_known = self.sorted.iter().any(|old| old.is_about(diagnostic.span));
         // Where the rule is wrong, what it leads to may have been reported for the same word.
         if is_known && self.decimal_rule() == DecimalRule::Calculator {
             return;
         }
         let room = self.sorted.len() < self.interpreter.setup().limits.messages;
-        self.sorted.extend(self.interpreter.setup().rules.graded(told).filter(|_| room));
+        self.sorted.extend(self.interpreter.setup().rules.graded(diagnostic).filter(|_| room));
     }
 
     fn finish(&mut self) {
@@ -584,14 +586,14 @@ impl Run {
         if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off {
             // Nothing was run, or not all of it; or nobody wants to know.
         } else if self.blocks > most || motions.len() > 10 * most {
-            let told = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
-            self.sorted.extend(setup.rules.graded(told));
+            let diagnostic = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
+            self.sorted.extend(setup.rules.graded(diagnostic));
         } else {
             let reading = self.interpreter.reading();
             lint::plausible::compare(&self.text, motions, reading, setup, &mut self.sorted);
         }
         if self.begun {
-            self.tell_decimal_rule();
+            self.report_decimal_rule();
         }
         sort_by_place(&mut self.sorted);
         self.finished = true;

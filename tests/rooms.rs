@@ -66,6 +66,20 @@ fn no_files_of_a_room_import_each_other_in_a_circle() {
     assert!(circles.is_empty(), "{circles:#?}");
 }
 
+/// Whoever reads a file sees where its names come from; only tests take all of their parent.
+#[test]
+fn files_name_what_they_import() {
+    let found: Vec<_> = sources()
+        .into_iter()
+        .filter(|(module, text)| {
+            let is_test = module.iter().any(|name| name == "tests");
+            !is_test && text.lines().any(|line| line.starts_with("use super::*"))
+        })
+        .map(|(module, _)| module.join("/"))
+        .collect();
+    assert!(found.is_empty(), "`use super::*` in {found:?}");
+}
+
 /// A small house: module and text of each file.
 fn house(files: &[(&str, &str)], rooms: &[&str]) -> House {
     let split = |path: &str| path.split('/').filter(|name| !name.is_empty()).map(str::to_owned).collect();

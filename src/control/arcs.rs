@@ -23,7 +23,7 @@ pub enum CenterWords {
 
 /// Why there is no such arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
+pub enum ArcError {
     /// R does not reach from start to end, which are so far apart, mm.
     RadiusTooSmall {
         /// From start to end.
@@ -39,7 +39,7 @@ pub enum Fault {
 }
 
 /// The centre of an arc, or `None` when R leads nowhere (start and end are one place).
-pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Result<Option<Point>, Fault> {
+pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Result<Option<Point>, ArcError> {
     match words {
         CenterWords::Radius(_) if start.is_same(end) => Ok(None),
         CenterWords::Radius(radius) => by_radius(start, end, turn, radius).map(Some),
@@ -47,7 +47,7 @@ pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Resul
             let center = Point::new(start.x + i, start.z + k);
             let (start_radius, end_radius) = (start.distance(center), end.distance(center));
             if (start_radius - end_radius).abs() > RADIUS_TOLERANCE || start_radius <= SAME {
-                return Err(Fault::EndOffCircle { start_radius, end_radius });
+                return Err(ArcError::EndOffCircle { start_radius, end_radius });
             }
             Ok(Some(center))
         }
@@ -56,11 +56,11 @@ pub fn center(start: Point, end: Point, turn: Turn, words: CenterWords) -> Resul
 
 /// The centre lies on the perpendicular through the middle of the chord: for a short arc to the right of the
 /// way with G02, to the left with G03; on the other side when R is negative.
-fn by_radius(start: Point, end: Point, turn: Turn, radius: f64) -> Result<Point, Fault> {
+fn by_radius(start: Point, end: Point, turn: Turn, radius: f64) -> Result<Point, ArcError> {
     let chord = start.distance(end);
     let half = chord / 2.0;
     if half - radius.abs() > RADIUS_TOLERANCE {
-        return Err(Fault::RadiusTooSmall { distance: chord });
+        return Err(ArcError::RadiusTooSmall { distance: chord });
     }
     let height = (radius * radius - half * half).max(0.0).sqrt();
     let left = match turn {
@@ -99,6 +99,6 @@ mod tests {
         let offset = CenterWords::Offset { i: 0.0, k: -5.0 };
         let end = Point::new(10.0, -10.5);
         let wrong = center(Point::new(10.0, 0.0), end, Turn::Clockwise, offset);
-        assert!(matches!(wrong, Err(Fault::EndOffCircle { .. })));
+        assert!(matches!(wrong, Err(ArcError::EndOffCircle { .. })));
     }
 }

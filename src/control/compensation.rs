@@ -52,7 +52,7 @@ pub enum Origin {
 
 /// Why an element cannot be compensated; it is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fault {
+pub struct CompensationError {
     /// The element that is left out.
     pub id: u32,
     /// What is wrong with it.
@@ -91,7 +91,7 @@ pub enum Reason {
 }
 
 /// What becomes of an element.
-pub type Outcome = Result<Compensated, Fault>;
+pub type Outcome = Result<Compensated, CompensationError>;
 
 /// Compensation in force: from G41 or G42 until G40.
 #[derive(Clone, Debug, PartialEq)]
@@ -185,7 +185,7 @@ impl Compensator {
             return;
         }
         if let Err(reason) = self.acceptable(&element) {
-            out(Err(Fault { id: element.id, reason }));
+            out(Err(CompensationError { id: element.id, reason }));
             return;
         }
         if self.end().is_some_and(|end| !end.is_same(element.from)) {
@@ -207,7 +207,7 @@ impl Compensator {
                     .and_then(|corner| Ok((corner, self.clear_of(&waiting, &corner, &element)?)));
                 match found {
                     Err(reason) => {
-                        out(Err(Fault { id: element.id, reason }));
+                        out(Err(CompensationError { id: element.id, reason }));
                         self.stage = Stage::Waiting(waiting);
                     }
                     Ok((corner, cut)) if self.finish(&waiting, corner.end, out) => {
@@ -256,7 +256,7 @@ impl Compensator {
         self.flush(out);
         let Some(element) = element else { return };
         match element.shape {
-            Shape::Arc { .. } => out(Err(Fault { id: element.id, reason: Reason::ArcAtSwitch })),
+            Shape::Arc { .. } => out(Err(CompensationError { id: element.id, reason: Reason::ArcAtSwitch })),
             Shape::Line if self.tip == element.to => {}
             Shape::Line => {
                 let beside = self.nose.offset();
@@ -365,7 +365,7 @@ impl Compensator {
         let length = Track::new(element, waiting.side).length_between(begin, end);
         if length < -SAME {
             let reason = Reason::Overcut { backwards: -length };
-            out(Err(Fault { id: element.id, reason }));
+            out(Err(CompensationError { id: element.id, reason }));
             return false;
         }
         let contour = self.behind.iter().flatten().map(|cut| cut.element);
@@ -373,7 +373,7 @@ impl Compensator {
         let way = self.way_along(waiting, end).filter(|_| cuts);
         let depths = contour.filter_map(|before| way?.cuts_into(&before, self.nose.radius));
         if let Some(depth) = depths.reduce(f64::max) {
-            out(Err(Fault { id: element.id, reason: Reason::CutsIn { depth } }));
+            out(Err(CompensationError { id: element.id, reason: Reason::CutsIn { depth } }));
             return false;
         }
         let shape = match element.shape {
@@ -423,7 +423,7 @@ pub fn compensate_path(
     nose: Nose,
     from: Point,
     path: &[Element],
-) -> Result<Vec<Compensated>, Fault> {
+) -> Result<Vec<Compensated>, CompensationError> {
     let mut compensator = Compensator::start(side, nose, from);
     let mut moves = Vec::with_capacity(path.len());
     let mut fault = None;

@@ -104,7 +104,7 @@ impl CycleParameters {
 
 /// A motion and the block that made it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Routed {
+pub struct PathMove {
     /// The motion.
     pub motion: Motion,
     /// Its block.
@@ -170,7 +170,7 @@ pub enum Follower {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pending {
     /// The move, up to the virtual corner.
-    pub routed: Routed,
+    pub path_move: PathMove,
     /// What joins it to the next move.
     pub joint: Option<Joint>,
     /// Its angle, while its end point is open.
@@ -178,7 +178,7 @@ pub struct Pending {
     /// The move before, which waits with its corner for the end of this open angle.
     pub before: Option<Box<Pending>>,
     /// Dwells at its end.
-    pub dwells: Vec<Routed>,
+    pub dwells: Vec<PathMove>,
 }
 
 /// Nose radius compensation under way, with the moves it holds back.
@@ -187,16 +187,16 @@ pub struct Compensating {
     /// The geometry.
     pub compensator: Compensator,
     /// The moves it may still give out, by their number.
-    pub waiting: Vec<(u32, Routed)>,
+    pub waiting: Vec<(u32, PathMove)>,
     /// Dwells after the move of a number.
-    pub dwells: Vec<(u32, Routed)>,
+    pub dwells: Vec<(u32, PathMove)>,
     /// No move but the first was taken in so far.
     pub is_new: bool,
     /// Blocks without a move since the last one.
     pub idle_blocks: u32,
 }
 
-impl Routed {
+impl PathMove {
     fn shift(&mut self, shift: &Shift) {
         self.line = shift.line(self.line, self.span.start);
         self.span = shift.span(self.span);
@@ -208,11 +208,11 @@ impl Pending {
     /// The first byte of the blocks it comes from.
     fn first(&self) -> u32 {
         let before = self.before.as_ref().map_or(u32::MAX, |before| before.first());
-        before.min(self.routed.span.start)
+        before.min(self.path_move.span.start)
     }
 
     fn shift(&mut self, shift: &Shift) {
-        self.routed.shift(shift);
+        self.path_move.shift(shift);
         let spans = self.joint.as_mut().map(|joint| &mut joint.span).into_iter();
         for span in spans.chain(self.angle.as_mut().map(|angle| &mut angle.span)) {
             *span = shift.span(*span);
@@ -228,12 +228,12 @@ impl Compensating {
     /// The first byte of the blocks whose moves it holds back.
     fn first(&self) -> u32 {
         let held = self.waiting.iter().chain(&self.dwells);
-        held.map(|(_, routed)| routed.span.start).min().unwrap_or(u32::MAX)
+        held.map(|(_, path_move)| path_move.span.start).min().unwrap_or(u32::MAX)
     }
 
     fn shift(&mut self, shift: &Shift) {
-        for (_, routed) in self.waiting.iter_mut().chain(&mut self.dwells) {
-            routed.shift(shift);
+        for (_, path_move) in self.waiting.iter_mut().chain(&mut self.dwells) {
+            path_move.shift(shift);
         }
     }
 
@@ -241,8 +241,8 @@ impl Compensating {
     fn goes_on_like(&self, other: &Self) -> bool {
         let counted = |state: &Self| {
             let first = state.waiting.first().map_or(0, |(id, _)| *id);
-            let from_first = |held: &Vec<(u32, Routed)>| {
-                held.iter().map(|&(id, routed)| (id.wrapping_sub(first), routed)).collect()
+            let from_first = |held: &Vec<(u32, PathMove)>| {
+                held.iter().map(|&(id, path_move)| (id.wrapping_sub(first), path_move)).collect()
             };
             Self {
                 compensator: state.compensator.clone().counted_from(first),

@@ -171,30 +171,30 @@ mod tests {
         Sink::new(Levels::default(), limits, Chunk::new(0, 0, Point::new(0.0, 0.0)))
     }
 
-    fn told(start: usize) -> Diagnostic {
+    fn diagnostic(start: usize) -> Diagnostic {
         Diagnostic::new(Message::ArcNowhere, Span::new(start, start + 3))
     }
 
     #[test]
     fn a_message_is_kept_once_for_a_place() {
         let mut sink = sink(10);
-        sink.report(told(4), false);
-        sink.report(told(4), false);
-        sink.report(told(9), false);
+        sink.report(diagnostic(4), false);
+        sink.report(diagnostic(4), false);
+        sink.report(diagnostic(9), false);
         assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 0));
-        assert!(!sink.may_offer(&told(4)) && sink.may_offer(&told(5)));
+        assert!(!sink.may_offer(&diagnostic(4)) && sink.may_offer(&diagnostic(5)));
     }
 
     #[test]
     fn beyond_the_limit_messages_are_counted_but_for_why_the_run_ends() {
         let mut sink = sink(1);
-        sink.report(told(0), false);
-        sink.report(told(5), false);
-        sink.report(told(5), true);
+        sink.report(diagnostic(0), false);
+        sink.report(diagnostic(5), false);
+        sink.report(diagnostic(5), true);
         sink.end(Message::TooManyMotions { most: 3 }, Span::new(7, 8));
         sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
         assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 1));
-        assert!(sink.is_full() && !sink.may_offer(&told(20)));
+        assert!(sink.is_full() && !sink.may_offer(&diagnostic(20)));
     }
 
     #[test]
@@ -205,19 +205,19 @@ mod tests {
         assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(4, 6))));
         assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(7, 9))));
         sink.muted = true;
-        assert!(sink.is_silent_about(&told(7)));
+        assert!(sink.is_silent_about(&diagnostic(7)));
     }
 
     #[test]
     fn going_back_lets_later_messages_be_reported_again() {
         let mut sink = sink(10);
-        sink.report(told(0), false);
+        sink.report(diagnostic(0), false);
         sink.begin_chunk(Chunk::new(5, 1, Point::new(0.0, 0.0)));
         let chunks = sink.motions.chunks().len();
-        sink.report(told(8), false);
+        sink.report(diagnostic(8), false);
         sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
         sink.back_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
         assert!(sink.diagnostics.len() == 1 && !sink.is_full());
-        assert!(sink.may_offer(&told(8)) && !sink.may_offer(&told(0)));
+        assert!(sink.may_offer(&diagnostic(8)) && !sink.may_offer(&diagnostic(0)));
     }
 }

@@ -143,10 +143,10 @@ impl Compensations {
         let is_on = cycle != Multiple::Finishing && at.state.compensation != Compensation::Off;
         if at.contour.is_none() && is_on && self.reported.no_effect.first() {
             let code = cycle.cycle().code();
-            let told = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
+            let diagnostic = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
             // Newer controls rough with compensation that was on before (alarm PS0328).
             let rough = matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
-            reports.push(if rough { told.graded(Severity::Info) } else { told });
+            reports.push(if rough { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
     }
 
@@ -158,9 +158,9 @@ impl Compensations {
             && at.nose_radius() == 0.0
             && self.reported.no_effect.first()
         {
-            let told = Diagnostic::new(Message::CompensationIdle { code }, pass.block.words_span());
+            let diagnostic = Diagnostic::new(Message::CompensationIdle { code }, pass.block.words_span());
             // The radius may stand in the control's own table.
-            reports.push(told.graded(Severity::Info));
+            reports.push(diagnostic.graded(Severity::Info));
         }
     }
 

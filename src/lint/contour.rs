@@ -45,14 +45,14 @@ impl Contours {
     pub fn ignored(&mut self, address: u8, words: &Words, at: &Moment) {
         if self.for_finishing.len() < at.setup.limits.messages {
             let word = words.quote(at.text, address);
-            let told = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
-            self.for_finishing.push((self.named, told));
+            let diagnostic = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
+            self.for_finishing.push((self.named, diagnostic));
         }
     }
 
     /// The run ends: words of a contour that neither roughing nor a G70 has used.
     pub fn run_ends(&mut self, reports: &mut Vec<Diagnostic>) {
-        reports.extend(std::mem::take(&mut self.for_finishing).into_iter().map(|(_, told)| told));
+        reports.extend(std::mem::take(&mut self.for_finishing).into_iter().map(|(_, diagnostic)| diagnostic));
     }
 
     /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
@@ -138,8 +138,8 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagn
         reports.push(allowance_sign(call.words, address, at));
     }
     let turned = |stock| turned_before(call.contour, stock, at.sink.all_motions());
-    let told = pattern_remarks(call.contour, call.how.relief.x, at.setup.stock, turned);
-    reports.extend(told.map(|message| Diagnostic::new(message, call.block.words_span())));
+    let diagnostic = pattern_remarks(call.contour, call.how.relief.x, at.setup.stock, turned);
+    reports.extend(diagnostic.map(|message| Diagnostic::new(message, call.block.words_span())));
 }
 
 /// An allowance that points into the part.
@@ -158,20 +158,20 @@ fn remarks(
     stock: Option<Stock>,
 ) -> Vec<Message> {
     let (start, first, last) = (contour.start, contour.first, contour.last());
-    let mut told = Vec::new();
+    let mut found = Vec::new();
     let (axis, own, other) =
         if turning { ('Z', start.z, first.z) } else { ('X', 2.0 * start.x, 2.0 * first.x) };
     if both && (own - other).abs() > NEAR {
-        told.push(Message::ContourStartMoved { code, axis, start: own, first: other });
+        found.push(Message::ContourStartMoved { code, axis, start: own, first: other });
     }
     if let Some(stock) = stock.filter(|_| turning) {
         let outside = first.x < start.x;
         let end = 2.0 * last.x;
         if outside && start.x * 2.0 >= stock.diameter - NEAR && end < stock.diameter - NEAR {
-            told.push(Message::ContourNotClosed { x: end, diameter: stock.diameter });
+            found.push(Message::ContourNotClosed { x: end, diameter: stock.diameter });
         }
     }
-    told
+    found
 }
 
 /// Addresses of the allowances of G73 (radius and length, mm) that point into the part.
@@ -179,14 +179,14 @@ fn allowance_into_part(contour: &Contour, allowance: Point) -> Vec<u8> {
     let way = |from: f64, to: f64| if (to - from).abs() <= NEAR { 0.0 } else { (to - from).signum() };
     // From the start point into the part: across to where the contour begins, along to where it ends.
     let inward = Point::new(way(contour.start.x, contour.first.x), way(contour.start.z, contour.last().z));
-    let mut told = Vec::new();
+    let mut found = Vec::new();
     if allowance.x * inward.x > NEAR {
-        told.push(b'U');
+        found.push(b'U');
     }
     if allowance.z * inward.z > NEAR {
-        told.push(b'W');
+        found.push(b'W');
     }
-    told
+    found
 }
 
 /// The radius that cuts before have left of the bar all along a contour, mm; `None` where none has.

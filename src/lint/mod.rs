@@ -49,7 +49,7 @@ impl Observer for Lints {
                 }
             }
             Event::CutWithoutFeed { block } => self.spindle.cut(block, self.feed.mode_named, at, reports),
-            Event::Rapid => self.spindle.tell_still_move(reports),
+            Event::Rapid => self.spindle.report_still_move(reports),
             _ => self.hear_others(event, at, reports),
         }
     }
@@ -130,7 +130,7 @@ impl Lints {
             }
             Event::Home => {
                 self.tool_changes.home(at);
-                self.spindle.tell_still_move(reports);
+                self.spindle.report_still_move(reports);
             }
             Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
             Event::Compensation => self.compensations.switched(),
@@ -201,24 +201,24 @@ impl Lints {
             Event::SettingsUnknown => self.spindle.is_unknown(),
             Event::ProgramEnds { end } => {
                 self.feed.look_at_lone_word(at, reports);
-                self.spindle.tell_still_move(reports);
+                self.spindle.report_still_move(reports);
                 if let Some(end) = end {
                     self.compensations.left_on(end.span, at, reports);
                 }
             }
             Event::RunEnds => {
-                self.spindle.tell_still_move(reports);
-                self.spindle.tell_speed_clamp(reports);
+                self.spindle.report_still_move(reports);
+                self.spindle.report_speed_clamp(reports);
                 self.contours.run_ends(reports);
             }
         }
     }
 
     fn mills(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
-        if let Some(told) = self.rotary.mills(block, self.spindle.unknown_m, at) {
+        if let Some(diagnostic) = self.rotary.mills(block, self.spindle.unknown_m, at) {
             // It is reported for the live tool, not for the spindle as well.
             self.spindle.stopped.leave_out();
-            reports.push(told);
+            reports.push(diagnostic);
         }
     }
 }

@@ -12,8 +12,8 @@ mod signs;
 use std::collections::BTreeMap;
 
 use crate::control::words::Reading;
-use crate::message::{Diagnostic, Fix, Message};
-use crate::motion::{Motion, MotionKind, Motions, SpindleTurn, Step};
+use crate::message::{Diagnostic, Message};
+use crate::motion::{Motion, Motions};
 use crate::setup::Setup;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
@@ -95,31 +95,32 @@ pub fn compare(
     reported: &mut Vec<Diagnostic>,
 ) {
     let sound = !reported.iter().any(Diagnostic::is_error);
-    let told = remarks(text, motions, reading, sound, setup.limits.compared_blocks);
-    let told = told.into_iter().map(|told| told.in_unit(reading.unit));
+    let diagnostics = remarks(text, motions, reading, sound, setup.limits.compared_blocks);
+    let diagnostics = diagnostics.into_iter().map(|diagnostic| diagnostic.in_unit(reading.unit));
     // One fault, one message.
     let known = |new: &Diagnostic| reported.iter().any(|old| old.is_about(new.span));
-    let mut told: Vec<_> = told.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
-    if told.iter().any(turns_contour) {
+    let mut diagnostics: Vec<_> =
+        diagnostics.filter(|new| !known(new)).filter_map(|new| setup.rules.graded(new)).collect();
+    if diagnostics.iter().any(turns_contour) {
         // The allowance is right, and what the contour does is a consequence.
         let gravest = reported.iter().filter(|old| follows(old)).map(|old| old.severity).max();
         reported.retain(|old| !follows(old));
-        for one in told.iter_mut().filter(|one| turns_contour(one)) {
+        for one in diagnostics.iter_mut().filter(|one| turns_contour(one)) {
             one.severity = gravest.map_or(one.severity, |gravest| gravest.max(one.severity));
         }
     }
     let room = setup.limits.messages.saturating_sub(reported.len());
-    reported.extend(told.into_iter().take(room));
+    reported.extend(diagnostics.into_iter().take(room));
 }
 
 /// Whether a number that is wrong makes a contour turn back.
-fn turns_contour(told: &Diagnostic) -> bool {
-    matches!(told.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
+fn turns_contour(diagnostic: &Diagnostic) -> bool {
+    matches!(diagnostic.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
 }
 
 /// Whether a message is a consequence of a contour that turns back.
-fn follows(told: &Diagnostic) -> bool {
-    matches!(told.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
+fn follows(diagnostic: &Diagnostic) -> bool {
+    matches!(diagnostic.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
 }
 
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
@@ -127,28 +128,28 @@ fn follows(told: &Diagnostic) -> bool {
 /// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
 fn remarks(text: &[u8], motions: &Motions, reading: Reading, sound: bool, blocks: usize) -> Vec<Diagnostic> {
     let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
-    let mut told = program.leading_zeros();
+    let mut diagnostics = program.leading_zeros();
     if program.has_both_units() {
         // Numbers of inches and of millimetres are not to be compared.
-        return told;
+        return diagnostics;
     }
-    told.extend(program.missing_points());
-    told.extend(program.lost_minus_in_row());
-    told.extend(program.increments_in_row());
+    diagnostics.extend(program.missing_points());
+    diagnostics.extend(program.lost_minus_in_row());
+    diagnostics.extend(program.increments_in_row());
     if sound {
-        told.extend(program.far_off());
-        told.extend(program.lost_minus());
-        told.extend(program.increments());
+        diagnostics.extend(program.far_off());
+        diagnostics.extend(program.lost_minus());
+        diagnostics.extend(program.increments());
     }
-    told.truncate(MOST);
+    diagnostics.truncate(MOST);
     // One fault, one message: what was reported first of a word stays.
     let mut seen = Vec::new();
-    told.retain(|one| {
+    diagnostics.retain(|one| {
         let new = !seen.contains(&one.span);
         seen.push(one.span);
         new
     });
-    told
+    diagnostics
 }
 
 /// Letters of lengths.

@@ -36,14 +36,14 @@ impl Rotary {
     /// C moves though nothing has connected it: which M code does depends on the machine. `unknown_m`: one appeared that
     /// may have.
     pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
-        let is_told = !at.state.c_axis && !unknown_m && self.c_axis.first();
-        is_told.then(|| Diagnostic::new(Message::CAxisNotConnected, span))
+        let is_new = !at.state.c_axis && !unknown_m && self.c_axis.first();
+        is_new.then(|| Diagnostic::new(Message::CAxisNotConnected, span))
     }
 
     /// A live tool should turn where the spindle only positions; which M code starts it depends on the machine.
     pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
-        let is_told = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
-        is_told.then(|| Diagnostic::new(Message::LiveToolStopped, block.words_span()))
+        let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
+        is_new.then(|| Diagnostic::new(Message::LiveToolStopped, block.words_span()))
     }
 
     /// A move in the plane of polar interpolation. True: the unit of F is reported to be wrong.
@@ -58,8 +58,8 @@ impl Rotary {
         if plane.surface != Surface::Face {
             return false;
         }
-        let feed_told = at.state.feed_mode == FeedMode::PerTurn && self.feed.first();
-        if feed_told {
+        let feed_is_wrong = at.state.feed_mode == FeedMode::PerTurn && self.feed.first();
+        if feed_is_wrong {
             reports.push(Diagnostic::new(Message::PolarFeedPerTurn, block.words_span()));
         }
         if at.state.compensation != Compensation::Off && at.nose_radius() == 0.0 && self.radius.first() {
@@ -82,12 +82,12 @@ impl Rotary {
                 reports.push(Diagnostic::new(message, word.span));
             }
         }
-        feed_told
+        feed_is_wrong
     }
 
     /// The path passes this near the centre of the face, mm.
     pub fn passes_center(&mut self, distance: f64, words: Span) -> Option<Diagnostic> {
-        let is_told = distance < CENTER && self.center.first();
-        is_told.then(|| Diagnostic::new(Message::PolarCenter { distance }, words))
+        let is_new = distance < CENTER && self.center.first();
+        is_new.then(|| Diagnostic::new(Message::PolarCenter { distance }, words))
     }
 }

@@ -119,10 +119,10 @@ impl SingleCycles {
         let way = if cycle == Single::Facing { end.z - start.z } else { end.x - start.x };
         // That it begins beyond the start point is reported already.
         if !single::begins_beyond_start(way, taper)
-            && let Some(told) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
+            && let Some(diagnostic) = taper::not_extended(cycle, start, end, taper, pass.taper_span, at)
             && self.reported.taper_not_extended.first()
         {
-            reports.push(told);
+            reports.push(diagnostic);
         }
     }
 

@@ -63,7 +63,7 @@ impl Spindle {
             self.look_at_checklist(block, feed_mode_named, at, reports);
         }
         if self.unclamped.is_some() {
-            self.tell_speed_clamp(reports);
+            self.report_speed_clamp(reports);
         }
         let spindle = &at.state.spindle;
         if spindle.turn == SpindleTurn::Stopped || spindle.still {
@@ -120,7 +120,7 @@ impl Spindle {
 
     /// A motion under G96 without a highest speed: once in a program.
     #[inline(never)]
-    pub fn tell_speed_clamp(&mut self, reports: &mut Vec<Diagnostic>) {
+    pub fn report_speed_clamp(&mut self, reports: &mut Vec<Diagnostic>) {
         if let Some(Unclamped { span, before }) = self.unclamped.take()
             && self.no_clamp.first()
         {
@@ -131,7 +131,7 @@ impl Spindle {
 
     /// A move at feed with the spindle stopped was no work of a bar puller.
     #[inline]
-    pub fn tell_still_move(&mut self, reports: &mut Vec<Diagnostic>) {
+    pub fn report_still_move(&mut self, reports: &mut Vec<Diagnostic>) {
         if let Some(still) = self.still_move.take() {
             reports.push(still.message());
         }
@@ -159,7 +159,7 @@ impl Spindle {
         match number {
             // A bar is pulled, or fed against a stop, with the spindle stopped and the chuck open.
             CLAMP_ON | CLAMP_OFF | CHUCK_CLOSE | CHUCK_OPEN => self.chuck_moves(number, at),
-            3 | 4 | 13 | 14 => self.tell_still_move(reports),
+            3 | 4 | 13 | 14 => self.report_still_move(reports),
             7 | 8 => self.coolant = true,
             9 => self.coolant = false,
             _ => {}
@@ -233,7 +233,7 @@ impl Spindle {
     /// Another tool is called.
     pub fn tool_changes(&mut self, reports: &mut Vec<Diagnostic>) {
         self.checklist.forget();
-        self.tell_still_move(reports);
+        self.report_still_move(reports);
     }
 
     /// A block was left out: it may have given the speed. One fault, one message.

@@ -38,18 +38,18 @@ pub fn not_extended(
     at: &Moment,
 ) -> Option<Diagnostic> {
     let (message, reading) = taper_not_extended(cycle, start, end, taper, at.setup.stock?)?;
-    let told = Diagnostic::new(message, span);
+    let diagnostic = Diagnostic::new(message, span);
     if reading == Reading::OrForStartPoint {
-        return Some(told.graded(Severity::Info));
+        return Some(diagnostic.graded(Severity::Info));
     }
-    Some(match told.message {
+    Some(match diagnostic.message {
         Message::TaperNotExtended { needed, .. }
             if at.state.unit == Unit::Millimetre && span.len() < LONGEST_WORD =>
         {
             let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
-            told.with(Fix::write(span, format!("R{needed}")))
+            diagnostic.with(Fix::write(span, format!("R{needed}")))
         }
-        _ => told,
+        _ => diagnostic,
     })
 }
 
@@ -98,8 +98,8 @@ fn taper_not_extended(
     };
     let other = is_hundredth(crossing) || is_usual_cone((height / length).abs());
     let reading = if other { Reading::OrForStartPoint } else { Reading::HeightOnDrawing };
-    let told = Message::TaperNotExtended { taper, needed: taper / part, crossing, wanted, axis };
-    (coarse && !at_zero.is_some_and(is_round) || fine).then_some((told, reading))
+    let diagnostic = Message::TaperNotExtended { taper, needed: taper / part, crossing, wanted, axis };
+    (coarse && !at_zero.is_some_and(is_round) || fine).then_some((diagnostic, reading))
 }
 
 /// Whether a drawing may give a cone by its slope (radius over length): a usual 1:n in the diameter (ISO 1119), or a half or whole degree to the
@@ -196,7 +196,7 @@ mod tests {
         let Some((Message::TaperNotExtended { needed, crossing, wanted, .. }, Reading::HeightOnDrawing)) =
             taper_not_extended(Single::Facing, start, end, -20.0, STOCK)
         else {
-            panic!("R-20 from X54 must be told")
+            panic!("R-20 from X54 must be diagnostic")
         };
         assert!((needed + 24.0).abs() < 1e-9 && (crossing + 16.6667).abs() < 1e-3 && wanted == -20.0);
         assert_eq!(taper_not_extended(Single::Facing, start, end, -24.0, STOCK), None);
@@ -207,7 +207,7 @@ mod tests {
         // 1:5 over 23 mm, worked out for the start point: X46 at the face.
         let reading = |taper: f64, from: f64| {
             let (start, end) = (Point::new(30.0, from), Point::new(25.0, -20.0));
-            taper_not_extended(Single::Turning, start, end, taper, STOCK).map(|told| told.1)
+            taper_not_extended(Single::Turning, start, end, taper, STOCK).map(|diagnostic| diagnostic.1)
         };
         assert_eq!(reading(-2.3, 3.0), None);
         // 1:5 over 25 mm, round at both ends only for the start point.

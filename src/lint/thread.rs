@@ -68,12 +68,12 @@ impl Threads {
             self.surface_speed.leave_out();
         }
         if self.surface_speed.first() {
-            let told = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
+            let diagnostic = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
             // The speed that G96 has here, to the next ten below.
             let speed = at.spindle_speed(at.state.position.x).filter(|&speed| speed >= 10.0);
             let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
             let fix = speed.map(|speed| Fix::insert(block.span.start, block_before(speed)));
-            reports.push(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            reports.push(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
         }
     }
 
@@ -201,8 +201,8 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
         true => Message::ThreadStartAtCrest { start },
         false => Message::ThreadStartInside { start, crest },
     };
-    let told = Diagnostic::new(message, block.words_span());
-    Some(if at_crest { told.graded(Severity::Info) } else { told })
+    let diagnostic = Diagnostic::new(message, block.words_span());
+    Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
 }
 
 /// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle at which it starts.
@@ -216,34 +216,34 @@ fn remarks(
     span: Span,
 ) -> Vec<Diagnostic> {
     let pitch = own.lead / starts;
-    let mut told = Vec::new();
+    let mut diagnostics = Vec::new();
     let before = before.filter(|before| is_same_thread(own, before));
     if before.is_none() {
         let limit = SPEED_OF_PITCH / pitch - SPEED_MARGIN;
         if PITCHES.contains(&pitch) && own.speed > limit {
             let speed = own.speed;
             let message = Message::ThreadTooFast { speed, pitch, limit: limit.floor() };
-            let told_of = Diagnostic::new(message, span);
+            let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
             let is_fast = speed * own.lead > FAST_SLIDE;
-            told.push(if is_fast { told_of.graded(Severity::Warning) } else { told_of });
+            diagnostics.push(if is_fast { diagnostic.graded(Severity::Warning) } else { diagnostic });
         } else if let Some(run_in) = run_in(own, face) {
-            told.push(Diagnostic::new(run_in, span));
+            diagnostics.push(Diagnostic::new(run_in, span));
         }
-        return told;
+        return diagnostics;
     }
-    let Some(before) = before else { return told };
+    let Some(before) = before else { return diagnostics };
     if (own.speed - before.speed).abs() > NEAR && own.speed > 0.0 && before.speed > 0.0 {
         let message = Message::ThreadSpeedChanged { before: before.speed, now: own.speed };
-        told.push(Diagnostic::new(message, span));
+        diagnostics.push(Diagnostic::new(message, span));
     }
     let moved = own.start.z - before.start.z;
     let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
     if !angle && !is_start_of_lead(moved, own.lead) && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
-        told.push(Diagnostic::new(Message::ThreadStartMoved { before, now, lead: own.lead }, span));
+        diagnostics.push(Diagnostic::new(Message::ThreadStartMoved { before, now, lead: own.lead }, span));
     }
-    told
+    diagnostics
 }
 
 /// Whether a pass begins as far to the side as infeed along a flank leads it, which is up to 30° off the square.

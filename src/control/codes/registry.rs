@@ -4,7 +4,12 @@
 //! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code without
 //! a row is not recognised.
 
-use super::*;
+use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
+use crate::cycles::single::Single;
+use crate::geometry::Turn;
+use crate::motion::{SpindleTurn, StopKind};
+use crate::setup::dialect::{CodeList, FeedMode};
+use crate::units::Unit;
 
 /// Defines the functions under their headings, in the order of the table.
 macro_rules! functions {

@@ -50,7 +50,7 @@ fn moves(outcomes: &[Outcome]) -> Vec<Compensated> {
     outcomes.iter().map(|outcome| outcome.expect("no fault")).collect()
 }
 
-fn faults(outcomes: &[Outcome]) -> Vec<Fault> {
+fn faults(outcomes: &[Outcome]) -> Vec<CompensationError> {
     outcomes.iter().filter_map(|outcome| outcome.err()).collect()
 }
 
@@ -276,7 +276,7 @@ fn a_full_circle_stays_full() {
     }
     // Back along the tangent the nose would change over to the inside.
     let found = faults(&run(Side::Right, nose(5.0, 0), &path(below, below, line), None));
-    assert!(matches!(found[..], [Fault { id: 3, reason: Reason::CutsIn { .. } }]), "{found:?}");
+    assert!(matches!(found[..], [CompensationError { id: 3, reason: Reason::CutsIn { .. } }]), "{found:?}");
     // From outside the corner takes the same off both ends.
     let outside = Point::new(0.0, 40.0);
     let path =
@@ -444,7 +444,7 @@ fn a_path_is_compensated_as_a_whole() {
     let whole = compensate_path(Side::Right, nose(0.4, 3), path[0].from, &path).unwrap();
     assert_eq!(whole, moves(&run(Side::Right, nose(0.4, 3), &path, None)));
     let narrow = compensate_path(Side::Right, nose(1.5, 8), at(40.0, 5.0), &groove(2.0));
-    assert!(matches!(narrow, Err(Fault { id: 3, reason: Reason::Overcut { .. } })));
+    assert!(matches!(narrow, Err(CompensationError { id: 3, reason: Reason::Overcut { .. } })));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! `A30` and `A210` are the same, since the end point gives the direction. (Programs write `X-21.75,A30` and
 //! `X109.83 A-30` for tapers that run towards -Z.)
 
-use super::{ANGLE_ALLOWANCE, Fault};
+use super::{ANGLE_ALLOWANCE, CornerError};
 use crate::geometry::Point;
 
 /// The end of a move given by an angle and X (radius, mm) or Z: `Z = Z0 + (r - r0) / tan A`, or
@@ -12,13 +12,13 @@ use crate::geometry::Point;
 ///
 /// With both, the end point is as given, provided that its direction is within [`ANGLE_ALLOWANCE`] of the angle.
 /// With neither, the end follows from the next block ([`after_angle`]); here it is not found.
-pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, Fault> {
+pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
     match (x, z) {
         (Some(x), Some(z)) => {
             let end = Point::new(x, z);
             let actual = (end.x - from.x).atan2(end.z - from.z);
             if !end.is_same(from) && between(angle, actual) > ANGLE_ALLOWANCE {
-                return Err(Fault::AngleDisagrees { actual });
+                return Err(CornerError::AngleDisagrees { actual });
             }
             Ok(end)
         }
@@ -30,13 +30,13 @@ pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> 
             cross_safely(angle, std::f64::consts::FRAC_PI_2)?;
             Ok(Point::new(from.x + (z - from.z) * angle.tan(), z))
         }
-        (None, None) => Err(Fault::NoEndPoint),
+        (None, None) => Err(CornerError::NoEndPoint),
     }
 }
 
 /// Where the line from `from` at the first angle meets the line through `to` at the second: the end of a block
 /// that has only an angle.
-pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, Fault> {
+pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, CornerError> {
     cross_safely(first_angle, second_angle)?;
     let (dx, dz) = (to.x - from.x, to.z - from.z);
     let along = (dz * second_angle.sin() - dx * second_angle.cos()) / (second_angle - first_angle).sin();
@@ -46,27 +46,27 @@ pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Resu
 /// The end of an angle-only block by what the next block has: X (radius, mm), Z and an angle, [`meet`].
 ///
 /// X and Z of the next block count from the program zero: increments would count from the point looked for.
-/// One of X and Z with an angle leaves a whole line of solutions: [`Fault::NoEndPoint`]. Without an angle, or
-/// with nothing but an angle, [`Fault::NextIncomplete`].
+/// One of X and Z with an angle leaves a whole line of solutions: [`CornerError::NoEndPoint`]. Without an angle, or
+/// with nothing but an angle, [`CornerError::NextIncomplete`].
 pub fn after_angle(
     from: Point,
     first_angle: f64,
     x: Option<f64>,
     z: Option<f64>,
     second_angle: Option<f64>,
-) -> Result<Point, Fault> {
+) -> Result<Point, CornerError> {
     match (x, z, second_angle) {
         (Some(x), Some(z), Some(second_angle)) => meet(from, first_angle, Point::new(x, z), second_angle),
-        (Some(_), None, Some(_)) | (None, Some(_), Some(_)) => Err(Fault::NoEndPoint),
-        (None, None, Some(_)) | (_, _, None) => Err(Fault::NextIncomplete),
+        (Some(_), None, Some(_)) | (None, Some(_), Some(_)) => Err(CornerError::NoEndPoint),
+        (None, None, Some(_)) | (_, _, None) => Err(CornerError::NextIncomplete),
     }
 }
 
 /// Two lines at these angles meet in a point that is not too far away.
-fn cross_safely(first: f64, second: f64) -> Result<(), Fault> {
+fn cross_safely(first: f64, second: f64) -> Result<(), CornerError> {
     let between = between(first, second);
     // Written so that an angle that is no number has no solution either.
-    if between > ANGLE_ALLOWANCE { Ok(()) } else { Err(Fault::NoSolution { between }) }
+    if between > ANGLE_ALLOWANCE { Ok(()) } else { Err(CornerError::NoSolution { between }) }
 }
 
 /// The smaller angle between two lines, radians, 0 to π/2.

@@ -3,7 +3,7 @@
 //! Both moves are looked at from the corner, as two arms that lead away from it: the first one backwards.
 //! Distances are then measured outwards on both, and one rule serves for both.
 
-use super::{ANGLE_ALLOWANCE, Corner, Fault, Joined, Side};
+use super::{ANGLE_ALLOWANCE, Corner, CornerError, Joined, Side};
 use crate::cycles::Piece;
 use crate::geometry::{Arc, Point, SAME, Turn};
 
@@ -15,12 +15,12 @@ const USED_UP: f64 = 2.0 * SAME;
 ///
 /// Between lines the arc begins and ends `r · tan(φ/2)` from the corner, φ being the turn. On an arc a
 /// chamfer's distance is the chord from the corner (NCT 2000M, p. 119).
-pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Fault> {
+pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, CornerError> {
     let value = match corner {
         Corner::Chamfer(value) | Corner::Round(value) => value,
     };
     if value < -SAME {
-        return Err(Fault::Negative { value });
+        return Err(CornerError::Negative { value });
     }
     let untouched = Joined { first: *first, inserted: None, second: *second };
     if value.is_nan() || value <= SAME {
@@ -29,13 +29,13 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Fau
     let arms = [Arm::new(first, Side::First), Arm::new(second, Side::Second)];
     for arm in &arms {
         if arm.length <= SAME {
-            return Err(Fault::TooLong { side: arm.side, needed: value, available: 0.0 });
+            return Err(CornerError::TooLong { side: arm.side, needed: value, available: 0.0 });
         }
     }
     let (before, after) = (arms[0].departure().scaled(-1.0), arms[1].departure());
     let turn = before.cross(after).atan2(before.dot(after));
     if turn.abs() < ANGLE_ALLOWANCE || turn.abs() > std::f64::consts::PI - ANGLE_ALLOWANCE {
-        return Err(Fault::NoCorner { turn });
+        return Err(CornerError::NoCorner { turn });
     }
     let (cuts, arc) = match corner {
         Corner::Chamfer(distance) => ([arms[0].chamfer(distance)?, arms[1].chamfer(distance)?], None),
@@ -43,7 +43,7 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Fau
             let (center, cuts) = round(&arms, radius, turn)?;
             for (arm, needed) in arms.iter().zip(cuts) {
                 if needed > arm.length + SAME {
-                    return Err(Fault::TooLong { side: arm.side, needed, available: arm.length });
+                    return Err(CornerError::TooLong { side: arm.side, needed, available: arm.length });
                 }
             }
             let way = if turn > 0.0 { Turn::Counterclockwise } else { Turn::Clockwise };
@@ -65,18 +65,18 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Fau
 ///
 /// The centre is `radius` to the inside of both. Of several, the one nearest to the corner: it is the one that
 /// shrinks into the corner with its radius.
-fn round(arms: &[Arm; 2], radius: f64, turn: f64) -> Result<(Point, [f64; 2]), Fault> {
+fn round(arms: &[Arm; 2], radius: f64, turn: f64) -> Result<(Point, [f64; 2]), CornerError> {
     let left = radius.copysign(turn);
     // The first arm leads backwards: its left is the other side.
     let lines = arms[0].beside(-left).zip(arms[1].beside(left));
-    let (one, other) = lines.ok_or(Fault::NoFit { radius })?;
+    let (one, other) = lines.ok_or(CornerError::NoFit { radius })?;
     crossings(&one, &other)
         .into_iter()
         .flatten()
         .map(|center| (center, [arms[0].touch(center), arms[1].touch(center)]))
         .filter(|(_, cuts)| cuts.iter().all(|cut| *cut >= 0.0))
         .min_by(|(_, a), (_, b)| (a[0] + a[1]).total_cmp(&(b[0] + b[1])))
-        .ok_or(Fault::NoFit { radius })
+        .ok_or(CornerError::NoFit { radius })
 }
 
 /// What is left of a move, `length` mm long.
@@ -154,13 +154,13 @@ impl Arm {
     }
 
     /// The distance along it at which it is `straight` away from the corner.
-    fn chamfer(&self, straight: f64) -> Result<f64, Fault> {
+    fn chamfer(&self, straight: f64) -> Result<f64, CornerError> {
         let available = match self.form {
             Form::Line { .. } => self.length,
             Form::Circle { radius, .. } => chord(radius, self.length),
         };
         if straight > available + SAME {
-            return Err(Fault::TooLong { side: self.side, needed: straight, available });
+            return Err(CornerError::TooLong { side: self.side, needed: straight, available });
         }
         Ok(match self.form {
             Form::Line { .. } => straight.min(self.length),

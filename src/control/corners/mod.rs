@@ -1,7 +1,7 @@
 //! Chamfers, rounded corners and angle words: the geometry between two blocks.
 //!
 //! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the moves
-//! shortened, the piece inserted between them, or end points; else the [`Fault`]. Knows nothing of letters, but
+//! shortened, the piece inserted between them, or end points; else the [`CornerError`]. Knows nothing of letters, but
 //! in [`check_signed`], nor of which control reads which form (GSK980TDi p. 96, NCT 2000M p. 120).
 
 mod angles;
@@ -66,7 +66,7 @@ pub enum Letter {
 
 /// Why there is no corner or no end point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
+pub enum CornerError {
     /// A move is shorter than the chamfer or rounding takes from it.
     TooLong {
         /// The move that is too short.
@@ -116,7 +116,7 @@ pub enum Fault {
     },
 }
 
-impl Fault {
+impl CornerError {
     /// The alarm of a FANUC control; `None` where none is known.
     ///
     /// PS0056 is titled "no end point & angle", and raised when one is missing; some tables say "were
@@ -142,24 +142,24 @@ impl Fault {
 /// the letter that of the axis, the sign that of the direction of the next move (§3.2.1).
 ///
 /// A value of 0 has no sign to be wrong. The corner itself is then `join` with the amount of the value.
-pub fn check_signed(first: &Piece, second: &Piece, letter: Letter, value: f64) -> Result<(), Fault> {
-    let first_axis = axis(first).ok_or(Fault::FirstNotAlongAxis)?;
+pub fn check_signed(first: &Piece, second: &Piece, letter: Letter, value: f64) -> Result<(), CornerError> {
+    let first_axis = axis(first).ok_or(CornerError::FirstNotAlongAxis)?;
     if second.is_empty() {
-        return Err(Fault::TooLong { side: Side::Second, needed: value.abs(), available: 0.0 });
+        return Err(CornerError::TooLong { side: Side::Second, needed: value.abs(), available: 0.0 });
     }
-    let second_axis = axis(second).ok_or(Fault::SecondNotPerpendicular)?;
+    let second_axis = axis(second).ok_or(CornerError::SecondNotPerpendicular)?;
     if first_axis == second_axis {
-        return Err(Fault::SecondNotPerpendicular);
+        return Err(CornerError::SecondNotPerpendicular);
     }
     let direction = match second_axis {
         Axis::X => second.to.x - second.from.x,
         Axis::Z => second.to.z - second.from.z,
     };
     match (letter, second_axis) {
-        (Letter::I, Axis::Z) | (Letter::K, Axis::X) => Err(Fault::WrongLetter),
+        (Letter::I, Axis::Z) | (Letter::K, Axis::X) => Err(CornerError::WrongLetter),
         (Letter::I, Axis::X) | (Letter::K, Axis::Z) | (Letter::C | Letter::R, _) => {
             if value.abs() > SAME && sign(value) != sign(direction) {
-                return Err(Fault::WrongSign);
+                return Err(CornerError::WrongSign);
             }
             Ok(())
         }

@@ -54,7 +54,7 @@ fn check(first: Piece, second: Piece, corner: Corner, inserted: Piece) {
 }
 
 #[track_caller]
-fn check_fault(first: Piece, second: Piece, corner: Corner, alarm: Option<&str>) -> Fault {
+fn check_fault(first: Piece, second: Piece, corner: Corner, alarm: Option<&str>) -> CornerError {
     let fault = join(&first, &second, corner).unwrap_err();
     assert_eq!(fault.alarm(), alarm, "{fault:?}");
     fault
@@ -138,7 +138,7 @@ fn nothing_is_inserted_for_zero_and_a_negative_value_is_told() {
         assert_eq!(join(&along_z(), &up_x(), corner).unwrap(), untouched);
     }
     let fault = check_fault(along_z(), up_x(), Corner::Chamfer(-2.0), None);
-    assert_eq!(fault, Fault::Negative { value: -2.0 });
+    assert_eq!(fault, CornerError::Negative { value: -2.0 });
     assert!(join(&along_z(), &up_x(), Corner::Chamfer(f64::INFINITY)).is_err());
     assert!(join(&along_z(), &hollow(), Corner::Round(f64::INFINITY)).is_err());
 }
@@ -148,7 +148,7 @@ fn a_move_may_be_used_up_but_not_more() {
     let joined = join(&along_z(), &up_x(), Corner::Round(10.0)).unwrap();
     assert_eq!(joined.second, line(at(20.0, -20.0), at(20.0, -20.0)));
     let fault = check_fault(along_z(), up_x(), Corner::Round(10.001), Some("PS0051"));
-    let Fault::TooLong { side: Side::Second, needed, available } = fault else { panic!("{fault:?}") };
+    let CornerError::TooLong { side: Side::Second, needed, available } = fault else { panic!("{fault:?}") };
     assert!((needed - 10.001).abs() < 1e-9 && (available - 10.0).abs() < 1e-9);
     let short = straight((10.0, -18.0), (10.0, -20.0));
     assert!(join(&short, &up_x(), Corner::Chamfer(2.0)).is_ok());
@@ -168,7 +168,7 @@ fn a_used_up_arc_is_not_read_as_a_full_circle() {
     let joined = join(&along_z(), &hollow(), Corner::Chamfer(reach - 0.5 * SAME)).unwrap();
     assert_eq!(joined.second, line(at(0.0, -10.0), at(0.0, -10.0)));
     let fault = check_fault(along_z(), hollow(), Corner::Round(5.001), Some("PS0055"));
-    assert_eq!(fault, Fault::NoFit { radius: 5.001 });
+    assert_eq!(fault, CornerError::NoFit { radius: 5.001 });
     // Larger than the arc itself.
     check_fault(along_z(), hollow(), Corner::Round(11.0), Some("PS0055"));
 }
@@ -217,39 +217,39 @@ fn without_comma_letter_and_sign_follow_the_next_move() {
         (along_z(), up_x(), C, 2.0, None),
         (along_z(), up_x(), R, 2.0, None),
         (along_z(), up_x(), R, 0.0, None),
-        (along_z(), up_x(), I, -2.0, Some(Fault::WrongSign)),
-        (along_z(), up_x(), K, 2.0, Some(Fault::WrongLetter)),
+        (along_z(), up_x(), I, -2.0, Some(CornerError::WrongSign)),
+        (along_z(), up_x(), K, 2.0, Some(CornerError::WrongLetter)),
         (along_z(), down_x, C, -2.0, None),
-        (along_z(), down_x, C, 2.0, Some(Fault::WrongSign)),
+        (along_z(), down_x, C, 2.0, Some(CornerError::WrongSign)),
         (from_x, on, K, -2.0, None),
         (from_x, on, R, -2.0, None),
-        (from_x, on, K, 2.0, Some(Fault::WrongSign)),
-        (from_x, on, I, -2.0, Some(Fault::WrongLetter)),
-        (along_z(), on, C, 2.0, Some(Fault::SecondNotPerpendicular)),
-        (along_z(), taper, C, 2.0, Some(Fault::SecondNotPerpendicular)),
-        (along_z(), hollow(), R, -2.0, Some(Fault::SecondNotPerpendicular)),
-        (straight((0.0, -10.0), (10.0, -20.0)), on, C, 2.0, Some(Fault::FirstNotAlongAxis)),
-        (nothing, up_x(), C, 2.0, Some(Fault::FirstNotAlongAxis)),
+        (from_x, on, K, 2.0, Some(CornerError::WrongSign)),
+        (from_x, on, I, -2.0, Some(CornerError::WrongLetter)),
+        (along_z(), on, C, 2.0, Some(CornerError::SecondNotPerpendicular)),
+        (along_z(), taper, C, 2.0, Some(CornerError::SecondNotPerpendicular)),
+        (along_z(), hollow(), R, -2.0, Some(CornerError::SecondNotPerpendicular)),
+        (straight((0.0, -10.0), (10.0, -20.0)), on, C, 2.0, Some(CornerError::FirstNotAlongAxis)),
+        (nothing, up_x(), C, 2.0, Some(CornerError::FirstNotAlongAxis)),
         (
             along_z(),
             nothing,
             C,
             2.0,
-            Some(Fault::TooLong { side: Side::Second, needed: 2.0, available: 0.0 }),
+            Some(CornerError::TooLong { side: Side::Second, needed: 2.0, available: 0.0 }),
         ),
     ];
     for (first, second, letter, value, fault) in cases {
         let found = check_signed(&first, &second, letter, value).err();
         assert_eq!(found, fault, "{letter:?}{value} {first:?} {second:?}");
     }
-    assert_eq!(Fault::WrongLetter.alarm(), Some("PS0306"));
-    assert_eq!(Fault::WrongSign.alarm(), Some("PS0051"));
-    assert_eq!(Fault::SecondNotPerpendicular.alarm(), Some("PS0052"));
-    assert_eq!(Fault::FirstNotAlongAxis.alarm(), Some("PS0054"));
+    assert_eq!(CornerError::WrongLetter.alarm(), Some("PS0306"));
+    assert_eq!(CornerError::WrongSign.alarm(), Some("PS0051"));
+    assert_eq!(CornerError::SecondNotPerpendicular.alarm(), Some("PS0052"));
+    assert_eq!(CornerError::FirstNotAlongAxis.alarm(), Some("PS0054"));
 }
 
 #[track_caller]
-fn check_point(found: Result<Point, Fault>, x: f64, z: f64) {
+fn check_point(found: Result<Point, CornerError>, x: f64, z: f64) {
     let found = found.unwrap();
     assert!(found.distance(at(x, z)) < BY_HAND, "{found:?}");
 }
@@ -288,8 +288,8 @@ fn an_end_point_beside_an_angle_must_agree_with_it() {
     check_point(end(135.0), 20.0, -10.0);
     check_point(end(-44.1), 20.0, -10.0);
     let actual = 135_f64.to_radians();
-    assert_eq!(end(-43.9), Err(Fault::AngleDisagrees { actual }));
-    assert_eq!(Fault::AngleDisagrees { actual }.alarm(), None);
+    assert_eq!(end(-43.9), Err(CornerError::AngleDisagrees { actual }));
+    assert_eq!(CornerError::AngleDisagrees { actual }.alarm(), None);
     assert_eq!(end_by_angle(at(10.0, 0.0), 1.0, None, None).unwrap_err().alarm(), Some("PS0058"));
 }
 
@@ -430,7 +430,7 @@ mod properties {
                     let cut = length(&first) - length(&joined.first);
                     prop_assert!(cut < 200.0 * radius, "cut {cut}");
                 }
-                Err(fault) => prop_assert!(matches!(fault, Fault::NoCorner { .. }), "{fault:?}"),
+                Err(fault) => prop_assert!(matches!(fault, CornerError::NoCorner { .. }), "{fault:?}"),
             }
         }
 

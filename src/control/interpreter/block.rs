@@ -2,8 +2,18 @@
 //!
 //! In: a block. Out: its [`Request`] carried out.
 
-use super::*;
+use super::calls::Here;
+use super::request::{OneShot, Request};
+use super::rotary::TURNS;
+use super::{AXES, Flow, Interpreter};
+use crate::control::codes::{Compensation, MotionMode};
 use crate::control::doubt::Doubt;
+use crate::control::events::Event;
+use crate::control::modal::{CycleMemory, Once};
+use crate::control::words::{Words, letters, plain, quote};
+use crate::message::{Diagnostic, Message, Severity};
+use crate::motion::{MotionKind, SpindleTurn};
+use crate::text::block::{Block, BlockKind, Word};
 
 impl Interpreter {
     /// Carries out one block.
@@ -16,7 +26,7 @@ impl Interpreter {
 
     fn carry_out(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if block.delete.is_some_and(|level| self.setup.block_skip.contains(&level)) {
-            self.tell_faults(block);
+            self.report_faults(block);
             return Flow::Next;
         }
         if block.optional.is_some_and(|(_, level)| self.setup.block_skip.contains(&level)) {
@@ -24,7 +34,7 @@ impl Interpreter {
         }
         self.sink.fault = None;
         let broken = !block.faults.is_empty() && {
-            self.tell_faults(block);
+            self.report_faults(block);
             block.is_broken()
         };
         if self.trace.is_some() {
@@ -48,7 +58,7 @@ impl Interpreter {
         if block.words.is_empty() {
             // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
             if broken && block.faults.iter().any(|fault| !is_prose(fault)) {
-                self.lose(doubts::faults_of(text, block));
+                self.lose(super::doubts::faults_of(text, block));
             }
             return Flow::Next;
         }
@@ -79,9 +89,9 @@ impl Interpreter {
         let mut request = Request { drop: broken, ..Request::default() };
         let mut words = Words::new(block);
         for (index, word) in block.words.iter().enumerate() {
-            self.take(text, block, &mut request, &mut words, index, word);
+            self.read_word(text, block, &mut request, &mut words, index, word);
         }
-        self.technology(text, block, &request, &words);
+        self.set_feed_speed_tool(text, block, &request, &words);
         self.state.spindle.by_maker |= request.maker_m && words.has_any(letters(b"SP"));
         if self.trace.is_some() {
             self.trace_process();
@@ -100,7 +110,7 @@ impl Interpreter {
                 self.doubt_block(&request, &words);
             }
             let before = self.state.doubts;
-            self.act(text, block, &mut request, &words);
+            self.make_motions(text, block, &mut request, &words);
             if request.drop {
                 self.refuse(text, block, &request, &words);
             } else if !self.state.doubts.is_empty() {
@@ -125,12 +135,12 @@ impl Interpreter {
             self.state.spindle.live_tool = false;
             self.state.spindle.by_maker = false;
         }
-        match (self.program.jump.take(), request.passage) {
+        match (self.program.jump.take(), request.call_code) {
             _ if request.end || self.sink.is_full() => Flow::End,
             (Some(at), _) => Flow::Jump(at),
             // A call in a contour was reported already.
             (None, _) if self.contours.recorded.is_some() => Flow::Next,
-            (None, Some(passage)) => self.pass(text, block, &words, passage, here),
+            (None, Some(call_code)) => self.pass(text, block, &words, call_code, here),
             (None, None) => match request.macro_call {
                 Some(call) => self.macro_call(text, block, here, call),
                 None if request.moved && self.state.call_stack.modal.is_some() => {
@@ -152,7 +162,7 @@ impl Interpreter {
     }
 
     /// Coordinate systems, motion, cycles.
-    fn act(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+    fn make_motions(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         if let Some(mode) = request.motion {
             self.enter(text, mode, block, words);
         }
@@ -190,7 +200,7 @@ impl Interpreter {
                 self.settle_angle();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
-                    self.tell(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
+                    self.report(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
                     request.drop = true;
                     return;
                 }
@@ -244,11 +254,11 @@ impl Interpreter {
                 true => Message::ToolWithHighestSpeed { word: word_text },
                 false => Message::ToolWithSetting { word: word_text },
             };
-            let told = Diagnostic::new(message, word.span);
-            self.tell(match (taken, only_speed) {
-                (true, true) => told.graded(Severity::Info),
-                (true, false) => told.graded(Severity::Warning),
-                (false, _) => told,
+            let diagnostic = Diagnostic::new(message, word.span);
+            self.report(match (taken, only_speed) {
+                (true, true) => diagnostic.graded(Severity::Info),
+                (true, false) => diagnostic.graded(Severity::Warning),
+                (false, _) => diagnostic,
             });
             if !taken {
                 request.drop = true;

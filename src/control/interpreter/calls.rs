@@ -2,9 +2,14 @@
 //!
 //! In: the words of a block and where it stands. Out: the place of the next block.
 
-use super::*;
-use crate::control::program::program_and_repeats;
-use crate::control::program::{Call, CallKind};
+use super::{Flow, Interpreter};
+use crate::control::modal::State;
+use crate::control::program::{Call, CallKind, program_and_repeats};
+use crate::control::words::{Words, plain};
+use crate::message::{Diagnostic, Message};
+use crate::source::Span;
+use crate::text::block::Block;
+use crate::text::parser::Resume;
 
 /// Where a block stands in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +22,7 @@ pub struct Here {
 
 /// What M97, M98 or M99 asks for, once everything else of its block is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passage {
+pub(super) enum CallCode {
     /// M98.
     Call,
     /// M97.
@@ -83,16 +88,16 @@ impl Interpreter {
         text: &[u8],
         block: &Block,
         words: &Words,
-        passage: Passage,
+        call_code: CallCode,
         here: Here,
     ) -> Flow {
-        match passage {
-            Passage::Return => self.go_back(text, block, words),
-            Passage::Call | Passage::LocalCall => {
+        match call_code {
+            CallCode::Return => self.go_back(text, block, words),
+            CallCode::Call | CallCode::LocalCall => {
                 let named = words.get(b'P').and_then(plain).filter(|&number| number >= 1.0);
                 let Some(named) = named.map(|number| number as u64) else {
-                    let code = if passage == Passage::Call { "M98" } else { "M97" };
-                    self.tell(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+                    let code = if call_code == CallCode::Call { "M98" } else { "M97" };
+                    self.report(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
                     self.lose_program();
                     return Flow::Next;
                 };
@@ -104,7 +109,7 @@ impl Interpreter {
                     return Flow::Next;
                 }
                 let repeats = words.get(b'L').and_then(plain).map(|repeats| repeats as u32);
-                let (head, packed) = if passage == Passage::LocalCall {
+                let (head, packed) = if call_code == CallCode::LocalCall {
                     let Some(head) = self.sequence(text, block, named as u32) else {
                         self.sequence_not_found(named as u32, words.span(b'P'));
                         return Flow::Next;
@@ -113,7 +118,7 @@ impl Interpreter {
                 } else {
                     let (Some(head), packed) = self.subprogram(text, named) else {
                         let word = words.quote(text, b'P');
-                        self.tell(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
+                        self.report(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
                         self.lose_program();
                         return Flow::Next;
                     };
@@ -222,7 +227,7 @@ impl Interpreter {
     /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
     pub fn run_out(&mut self, span: Span) -> Option<Resume> {
         let back = self.state.call_stack.calls.last()?.back;
-        self.tell(Diagnostic::new(Message::NoReturn, span));
+        self.report(Diagnostic::new(Message::NoReturn, span));
         self.leave_call();
         Some(back)
     }
@@ -242,7 +247,7 @@ impl Interpreter {
     }
 
     fn sequence_not_found(&mut self, sequence: u32, span: Span) {
-        self.tell(Diagnostic::new(Message::SequenceNotFound { sequence }, span));
+        self.report(Diagnostic::new(Message::SequenceNotFound { sequence }, span));
         self.lose_program();
     }
 
@@ -267,7 +272,7 @@ impl Interpreter {
             let last = self.state.last_round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
-                self.tell_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
+                self.report_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
                 return Flow::End;
             }
             self.state.last_round = Some(Box::new(self.state.clone()));

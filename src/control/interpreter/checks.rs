@@ -2,7 +2,15 @@
 //!
 //! In: a block and its words. Out: whether it can be carried out; where not, that was reported.
 
-use super::*;
+use super::Interpreter;
+use super::request::Request;
+use crate::control::contour::Purpose;
+use crate::control::events::Event;
+use crate::control::modal::Once;
+use crate::control::words::{Words, letters, quote};
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::setup::dialect::Control;
+use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
     /// Checks before a cut at feed whether there is a feed rate.
@@ -27,7 +35,7 @@ impl Interpreter {
             }
             Some(_) => {
                 if self.state.reported.first(Once::FeedZero) {
-                    self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                    self.report(Diagnostic::new(Message::FeedMissing, block.words_span()));
                 }
                 request.drop = true;
                 false
@@ -43,7 +51,7 @@ impl Interpreter {
         let strict = self.dialect.strict;
         if strict || self.state.reported.first(Once::NoFeed) {
             let severity = if strict { Severity::Error } else { Severity::Warning };
-            self.tell(Diagnostic::new(Message::FeedMissing, block.words_span()).graded(severity));
+            self.report(Diagnostic::new(Message::FeedMissing, block.words_span()).graded(severity));
             request.drop = true;
         } else {
             self.observe(text, Event::CutWithoutFeed { block });
@@ -61,9 +69,10 @@ impl Interpreter {
     pub(super) fn is_whole(&mut self, text: &[u8], word: &Word) -> bool {
         let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
         if !whole {
-            let told = Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+            let diagnostic =
+                Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
             let fix = without_point(text, word);
-            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
         }
         whole
     }

@@ -3,18 +3,28 @@
 //! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the motion
 //! list, so that everything a block can say about a path can be said in a contour too.
 
-use super::*;
-use crate::control::contour::FirstBlock;
-use crate::control::events::ContourCall;
+use super::calls::Here;
+use super::request::Request;
+use super::{Flow, Interpreter, shortened};
+use crate::control::codes::{Compensation, MotionMode, Plane};
+use crate::control::contour::{FirstBlock, Landmarks, Purpose};
+use crate::control::events::{ContourCall, Event, Observer};
+use crate::control::modal::{PathMove, State};
+use crate::control::words::{Words, plain, quote};
 use crate::cycles::{Approach, Contour, Piece};
+use crate::geometry::Point;
 use crate::limits::BYTES_PER_STEP;
-use crate::text::parser::Parser;
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::MotionKind;
+use crate::source::Span;
+use crate::text::block::{Block, BlockKind, Value};
+use crate::text::parser::{Parser, Resume};
 
 /// What is known of the contours of a run.
 #[derive(Default)]
 pub(super) struct Contours {
     /// While a contour is read, motions are kept here instead of being stored.
-    pub recorded: Option<Vec<Routed>>,
+    pub recorded: Option<Vec<PathMove>>,
     /// What for, if a contour is being read.
     pub purpose: Option<Purpose>,
     /// Places of the contour cycles, for the picture.
@@ -36,7 +46,7 @@ struct Roughed {
 /// Blocks ns to nf as they run.
 pub(super) struct Shape {
     /// Their moves.
-    pub moves: Vec<Routed>,
+    pub moves: Vec<PathMove>,
     /// What the first block names.
     pub first: FirstBlock,
     /// The first block's place in the text.
@@ -52,9 +62,9 @@ pub(super) struct Shape {
 }
 
 /// Why a shape could not be read.
-enum Unread {
+enum ShapeError {
     /// The error was reported; nf ends there.
-    Told(Resume),
+    Reported(Resume),
     /// It was reported that another operation lies in between.
     OtherOperation,
     /// nf was not found.
@@ -62,12 +72,12 @@ enum Unread {
 }
 
 /// Whether a block may stand in a contour.
-enum Stands {
-    Well,
+enum InContour {
+    Allowed,
     /// It was reported that it is ignored.
-    Skipped,
+    Ignored,
     /// It was reported that it may not.
-    Not,
+    Forbidden,
     /// It begins another cycle, by this word.
     OtherOperation(String),
 }
@@ -91,7 +101,7 @@ impl Interpreter {
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
             let message = Message::CycleWord { code, word: words.quote(text, address) };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            self.tell(Diagnostic::new(message, words.span(address)).graded(severity));
+            self.report(Diagnostic::new(message, words.span(address)).graded(severity));
             if severity == Severity::Error {
                 return None;
             }
@@ -99,12 +109,12 @@ impl Interpreter {
         if self.state.plane != Plane::Zx {
             let message = Message::CyclePlane { code, alarm: "PS0327" };
             let span = block.words_span();
-            self.tell(Diagnostic::new(message, span).with(Fix::insert(span.start, "G18 ".to_owned())));
+            self.report(Diagnostic::new(message, span).with(Fix::insert(span.start, "G18 ".to_owned())));
             return None;
         }
         let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
         let (Some(first), Some(last)) = (named(b'P'), named(b'Q')) else {
-            self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+            self.report(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
             return None;
         };
         self.observe(text, Event::ContourNamed { purpose, named: (first, last) });
@@ -115,13 +125,13 @@ impl Interpreter {
         };
         let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
-            let told = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
+            let diagnostic = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
             let fix = self
                 .sink
-                .may_offer(&told)
+                .may_offer(&diagnostic)
                 .then(|| number_missing(text, block.span.end, first, false))
                 .flatten();
-            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
         };
         if !self.program.labels(text).is_at_or_behind(last, begins.byte) {
@@ -131,10 +141,10 @@ impl Interpreter {
                 None => Message::ContourNotFound { word },
             };
             let is_missing = matches!(message, Message::ContourNotFound { .. });
-            let told = Diagnostic::new(message, words.span(b'Q'));
-            let may_offer = is_missing && self.sink.may_offer(&told);
+            let diagnostic = Diagnostic::new(message, words.span(b'Q'));
+            let may_offer = is_missing && self.sink.may_offer(&diagnostic);
             let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
-            self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+            self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             return None;
         }
         // A number that is searched for and appears twice within its contour.
@@ -149,7 +159,7 @@ impl Interpreter {
             };
             if let Some(other) = other.filter(|_| purpose == Purpose::Roughing) {
                 let message = Message::DuplicateSequence { sequence: number, line: other.line + 1 };
-                self.tell(Diagnostic::new(message, words.span(address)));
+                self.report(Diagnostic::new(message, words.span(address)));
             }
         }
         let before = self.state.clone();
@@ -181,7 +191,7 @@ impl Interpreter {
                 None
             }
             Ok((.., ends)) if moves.len() > most => {
-                self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, block.words_span()));
+                self.report(Diagnostic::new(Message::TooManyPasses { code, most }, block.words_span()));
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
@@ -215,15 +225,15 @@ impl Interpreter {
                 }
                 Some(shape)
             }
-            Err(Unread::Told(ends)) => {
+            Err(ShapeError::Reported(ends)) => {
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
             // What is in between is no contour: it runs as it is written.
-            Err(Unread::OtherOperation) => None,
-            Err(Unread::NotFound) => {
+            Err(ShapeError::OtherOperation) => None,
+            Err(ShapeError::NotFound) => {
                 let word = words.quote(text, b'Q');
-                self.tell(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
+                self.report(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
                 None
             }
         }
@@ -246,7 +256,7 @@ impl Interpreter {
         last: u32,
         code: &'static str,
         purpose: Purpose,
-    ) -> Result<(FirstBlock, Span, Resume), Unread> {
+    ) -> Result<(FirstBlock, Span, Resume), ShapeError> {
         if purpose == Purpose::Roughing {
             self.state.compensation = Compensation::Off;
             self.state.tip = None;
@@ -266,23 +276,23 @@ impl Interpreter {
             }
             let is_first = first.is_none();
             let (named, span) = *first.get_or_insert_with(|| (self.first_block(&block), block.span));
-            self.tell_faults(&block);
-            match self.may_stand_in_contour(text, &block) {
-                Stands::Well => sound &= !block.is_broken(),
-                Stands::Skipped => {
+            self.report_faults(&block);
+            match self.allowed_in_contour(text, &block) {
+                InContour::Allowed => sound &= !block.is_broken(),
+                InContour::Ignored => {
                     if block.sequence == Some(last) {
                         sound &= self.end_shape();
                         let ends = parser.position();
-                        return if sound { Ok((named, span, ends)) } else { Err(Unread::Told(ends)) };
+                        return if sound { Ok((named, span, ends)) } else { Err(ShapeError::Reported(ends)) };
                     }
                     continue;
                 }
-                Stands::Not => sound = false,
-                Stands::OtherOperation(word) => {
+                InContour::Forbidden => sound = false,
+                InContour::OtherOperation(word) => {
                     let line = block.line + 1;
                     let message = Message::ContourReachesOver { code, word, line };
-                    self.tell(Diagnostic::new(message, cycle.words_span()));
-                    return Err(Unread::OtherOperation);
+                    self.report(Diagnostic::new(message, cycle.words_span()));
+                    return Err(ShapeError::OtherOperation);
                 }
             }
             let moves = self.contours.recorded.as_ref().map_or(0, Vec::len);
@@ -291,7 +301,7 @@ impl Interpreter {
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
                 let word = shortened(&span.quote(text));
-                self.tell(Diagnostic::new(Message::ContourIllegal { word }, span));
+                self.report(Diagnostic::new(Message::ContourIllegal { word }, span));
                 sound = false;
             }
             sound &= !self.refused;
@@ -301,20 +311,20 @@ impl Interpreter {
                 let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
                 // One fault, one message.
                 if sound && (!straight || (!moved && !named.x && !named.z)) {
-                    self.tell(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
+                    self.report(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
                     sound = false;
                 }
             }
             if block.sequence == Some(last) {
                 sound &= self.end_shape();
                 let ends = parser.position();
-                return if sound { Ok((named, span, ends)) } else { Err(Unread::Told(ends)) };
+                return if sound { Ok((named, span, ends)) } else { Err(ShapeError::Reported(ends)) };
             }
             if block.program.is_some() && !is_first {
                 break;
             }
         }
-        Err(Unread::NotFound)
+        Err(ShapeError::NotFound)
     }
 
     /// The last block is read: nothing may wait for a further move. False: reported.
@@ -327,7 +337,7 @@ impl Interpreter {
         self.state.tip = None;
         match waits {
             Some((word, span, alarm)) => {
-                self.tell(Diagnostic::new(Message::ContourOpenEnd { word, alarm }, span));
+                self.report(Diagnostic::new(Message::ContourOpenEnd { word, alarm }, span));
                 false
             }
             None => true,
@@ -365,7 +375,7 @@ impl Interpreter {
 
     /// Only moves may stand in a contour (alarm PS0325). A retract or setting in between is
     /// ignored unless the control is strict: many programs name the block after the contour as its last.
-    fn may_stand_in_contour(&mut self, text: &[u8], block: &Block) -> Stands {
+    fn allowed_in_contour(&mut self, text: &[u8], block: &Block) -> InContour {
         let skips = !self.dialect.strict;
         for word in &block.words {
             let Value::Number { number, .. } = word.value else { continue };
@@ -380,18 +390,18 @@ impl Interpreter {
                 // G70 repeats blocks: some use it to drill a hole again.
                 (b'G', _, 80..=89) if skips && self.contours.purpose == Some(Purpose::Finishing) => {
                     let message = Message::ContourIllegal { word: quoted() };
-                    self.tell(Diagnostic::new(message, word.span).graded(Severity::Warning));
+                    self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
                     continue;
                 }
-                (b'G', _, 70..=76 | 81..=90 | 92 | 94) => return Stands::OtherOperation(quoted()),
+                (b'G', _, 70..=76 | 81..=90 | 92 | 94) => return InContour::OtherOperation(quoted()),
                 (b'G', ..) if skips => (Message::ContourIllegal { word: quoted() }, Severity::Warning),
                 (b'G', ..) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
                 _ => continue,
             };
-            self.tell(Diagnostic::new(message, word.span).graded(severity));
-            return if severity == Severity::Error { Stands::Not } else { Stands::Skipped };
+            self.report(Diagnostic::new(message, word.span).graded(severity));
+            return if severity == Severity::Error { InContour::Forbidden } else { InContour::Ignored };
         }
-        Stands::Well
+        InContour::Allowed
     }
 }
 
@@ -411,42 +421,49 @@ impl Shape {
 
     /// The contour for a roughing cycle that starts at A: rapids inside are cut at feed.
     pub(super) fn contour(&self, start: Point) -> Contour {
-        let own = self.moves.first().filter(|routed| routed.span == self.first_span);
+        let own = self.moves.first().filter(|path_move| path_move.span == self.first_span);
         let (first, approach) = match own {
-            Some(routed) if routed.motion.kind == MotionKind::Rapid => (routed.motion.to, Approach::Rapid),
-            Some(routed) => (routed.motion.to, Approach::Feed),
+            Some(path_move) if path_move.motion.kind == MotionKind::Rapid => {
+                (path_move.motion.to, Approach::Rapid)
+            }
+            Some(path_move) => (path_move.motion.to, Approach::Feed),
             None => (start, Approach::Rapid),
         };
         let rest = &self.moves[usize::from(own.is_some())..];
-        let pieces = rest.iter().filter(|routed| routed.motion.kind != MotionKind::Dwell).map(|routed| {
-            let motion = routed.motion;
-            let turn = motion.arc().map(|arc| (arc.center, arc.turn));
-            Piece { from: motion.from, to: motion.to, arc: turn }
-        });
+        let pieces =
+            rest.iter().filter(|path_move| path_move.motion.kind != MotionKind::Dwell).map(|path_move| {
+                let motion = path_move.motion;
+                let turn = motion.arc().map(|arc| (arc.center, arc.turn));
+                Piece { from: motion.from, to: motion.to, arc: turn }
+            });
         Contour { start, first, approach, pieces: pieces.filter(|piece| !piece.is_empty()).collect() }
     }
 
     /// The contour without the rapids at its end, if there are any: many programs leave the contour there and go
     /// back, which is no part of the shape to be roughed.
     pub(super) fn without_retreat(&self, contour: &Contour) -> Option<Contour> {
-        let rapids =
-            self.moves.iter().rev().take_while(|routed| routed.motion.kind == MotionKind::Rapid).count();
+        let rapids = self
+            .moves
+            .iter()
+            .rev()
+            .take_while(|path_move| path_move.motion.kind == MotionKind::Rapid)
+            .count();
         let left = contour.pieces.len().checked_sub(rapids).filter(|&left| rapids > 0 && left > 0)?;
         Some(Contour { pieces: contour.pieces[..left].to_vec(), ..contour.clone() })
     }
 
     /// Line (from 1) of the block that made piece `piece` of the contour.
     pub(super) fn line_of(&self, piece: usize) -> u32 {
-        self.move_of(piece).map_or(0, |routed| routed.line + 1)
+        self.move_of(piece).map_or(0, |path_move| path_move.line + 1)
     }
 
     /// The block that made piece `piece` of the contour.
     pub(super) fn span_of(&self, piece: usize) -> Option<Span> {
-        self.move_of(piece).map(|routed| routed.span)
+        self.move_of(piece).map(|path_move| path_move.span)
     }
 
-    fn move_of(&self, piece: usize) -> Option<&Routed> {
-        let own = usize::from(self.moves.first().is_some_and(|routed| routed.span == self.first_span));
+    fn move_of(&self, piece: usize) -> Option<&PathMove> {
+        let own = usize::from(self.moves.first().is_some_and(|path_move| path_move.span == self.first_span));
         self.moves.get(piece + own).or(self.moves.last())
     }
 }

@@ -3,10 +3,17 @@
 //! In: blocks that were refused, calls that lead nowhere. Out: [`Doubts`] of the state. A motion is uncertain that begins, ends
 //! or goes on where something is in doubt; the next absolute place of an axis makes that axis certain again.
 
-use super::*;
+use super::request::{OneShot, Request};
+use super::{AXES, Interpreter};
+use crate::control::codes::{MotionMode, Multiple, Switch};
 use crate::control::doubt::{Doubt, Doubts};
+use crate::control::events::Event;
+use crate::control::modal::Once;
+use crate::control::words::{Words, letters, plain};
 use crate::limits::BYTES_PER_STEP;
-use crate::text::parser::Parser;
+use crate::setup::dialect::XuConflict;
+use crate::text::block::{Block, Value};
+use crate::text::parser::{Parser, Resume};
 
 /// Where the tip is.
 const PLACE: Doubts = Doubts::of(&[Doubt::X, Doubt::Z]);
@@ -32,8 +39,8 @@ impl Interpreter {
             && let Some(compensating) = &mut self.state.compensating
         {
             // They end where the next move begins.
-            for (_, routed) in &mut compensating.waiting {
-                routed.motion.process.uncertain = true;
+            for (_, path_move) in &mut compensating.waiting {
+                path_move.motion.process.uncertain = true;
             }
         }
     }
@@ -131,7 +138,7 @@ impl Interpreter {
         while parser.next_block(&mut block) && self.spend(1 + block.span.len() / BYTES_PER_STEP, cycle) {
             faults.append(&mut block.faults.clone());
             if block.sequence == Some(last) {
-                faults.into_iter().for_each(|fault| self.tell(fault));
+                faults.into_iter().for_each(|fault| self.report(fault));
                 self.program.jump = Some(parser.position());
                 return;
             }

@@ -3,11 +3,21 @@
 //! In: the words of a block. Out: the moves of a hole at each place the block names. The geometry is in
 //! `cycles::drilling`; here are the words, their memory and their alarms.
 
-use super::*;
+use super::request::{OneShot, Request};
+use super::rotary::TURNS;
+use super::{AXES, Interpreter};
 use crate::control::codes::{Hole, HoleReturn};
-use crate::control::modal::HoleMemory;
+use crate::control::events::Event;
+use crate::control::modal::{HoleMemory, Once, Target};
+use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::drilling::{self, Exit};
 use crate::cycles::units;
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::{CycleStep, Feed, Motion, MotionKind, SpindleTurn, Step};
+use crate::setup::dialect::{Control, FeedMode, GSystem};
+use crate::source::Span;
+use crate::text::block::Block;
 
 /// How far above the last depth a peck begins, mm (parameter 5114).
 const CLEARANCE: f64 = 1.0;
@@ -21,7 +31,7 @@ impl Interpreter {
     pub(super) fn enter_hole(&mut self, kind: Hole, span: Span) {
         if matches!(kind, Hole::G81 | Hole::G82 | Hole::G86) && self.dialect.g_system == GSystem::A {
             let code = kind.code();
-            self.tell(Diagnostic::new(Message::HoleOfOthers { code }, span));
+            self.report(Diagnostic::new(Message::HoleOfOthers { code }, span));
         }
         if self.state.hole.is_none() {
             self.state.reported.forget(Once::HoleInForce);
@@ -58,8 +68,8 @@ impl Interpreter {
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());
-        let told = Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity);
-        self.tell(told.with(Fix::insert(block.span.start, "G80\n".to_owned())));
+        let diagnostic = Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity);
+        self.report(diagnostic.with(Fix::insert(block.span.start, "G80\n".to_owned())));
         lenient
     }
 
@@ -105,7 +115,7 @@ impl Interpreter {
             Target::Incremental(way) => r_level + way,
             Target::Stay => {
                 let code = kind.code();
-                self.tell(Diagnostic::new(Message::HoleNoDepth { code }, block.words_span()));
+                self.report(Diagnostic::new(Message::HoleNoDepth { code }, block.words_span()));
                 request.drop = true;
                 return;
             }
@@ -121,7 +131,7 @@ impl Interpreter {
             memory.peck = q.map(f64::abs).filter(|&q| q > 0.0);
             if memory.peck.is_none() && kind.is_drill() {
                 let message = Message::PeckZero { word: words.quote(text, b'Q') };
-                self.tell(Diagnostic::new(message, words.span(b'Q')));
+                self.report(Diagnostic::new(message, words.span(b'Q')));
                 request.drop = true;
                 return;
             }

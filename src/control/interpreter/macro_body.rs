@@ -3,11 +3,15 @@
 //! In: vacant variables that are read. Out: which variables have a value that nobody knows, and statements that depend on
 //! them. One message says so; a value that is not known raises no alarm, and what comes of it is uncertain.
 
+use super::calls::Here;
 use super::macros::{Mark, loop_mark};
 use super::store::Store;
-use super::*;
+use super::{Flow, Interpreter};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::macros::{self, Knowledge};
+use crate::control::words::plain;
+use crate::message::{Diagnostic, Message};
+use crate::text::block::Block;
 use crate::text::parser::Parser;
 
 impl Interpreter {
@@ -19,7 +23,7 @@ impl Interpreter {
             return;
         }
         self.state.variables.lack_arguments();
-        self.tell(Diagnostic::new(Message::ArgumentsUnknown { variable }, block.words_span()));
+        self.report(Diagnostic::new(Message::ArgumentsUnknown { variable }, block.words_span()));
         self.lose(Doubts::of(&[Doubt::Values]));
     }
 

@@ -3,21 +3,29 @@
 //! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
 //! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
+use super::calls::Here;
 use super::store::Store;
-use super::*;
+use super::{Flow, Interpreter, shortened};
+use crate::control::codes::{self, MacroCall};
 use crate::control::doubt::Doubt;
-use crate::control::macros::{self, Action, Fault, FaultKind, Knowledge, Locals};
+use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroErrorKind};
 use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
+use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
+use crate::message::{Diagnostic, Fix, Message};
+use crate::setup::dialect::Control;
+use crate::source::Span;
+use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::lexer::Number;
-use crate::text::parser::Parser;
+use crate::text::parser::{Parser, Resume};
+use crate::units::Unit;
 
 impl Interpreter {
     /// Carries out a macro statement.
     #[cold]
     pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if let Some(word) = block.words.first() {
-            self.tell_macro(FaultKind::WordsBehind, word.span.to(block.span));
+            self.report_macro(MacroErrorKind::WordsBehind, word.span.to(block.span));
             self.lose_statement(block.span.of(text));
             return Flow::Next;
         }
@@ -64,7 +72,7 @@ impl Interpreter {
                 let (words, span) = (shortened(&words.quote(text)), Span { end: end.min(span.end), ..span });
                 // What a control shows.
                 let number = number.saturating_add(3000);
-                self.tell_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
+                self.report_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
                 Flow::End
             }
             Action::While { number, enter: true } | Action::Do { number } => {
@@ -89,12 +97,12 @@ impl Interpreter {
                 let mut own = Block::default();
                 parser.next_block(&mut own);
                 if own.kind != BlockKind::Words || parser.position().byte < words.end {
-                    self.tell_macro(FaultKind::Format, words);
+                    self.report_macro(MacroErrorKind::Format, words);
                     self.lose_program();
                     return Flow::Next;
                 }
                 own.span = block.span;
-                self.tell_faults(&own);
+                self.report_faults(&own);
                 match own.is_broken() {
                     true => self.trace_fault(),
                     false if self.trace.is_some() => self.trace_values(&own),
@@ -106,7 +114,7 @@ impl Interpreter {
     }
 
     /// A statement that is wrong. A loop that it begins is run once, so that its END needs no message of its own.
-    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &Fault) {
+    fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &MacroError) {
         let mark = loop_mark(text, block);
         if matches!(mark, Some((Mark::End, _)))
             && let Some(open) = self.loop_that_ends(here)
@@ -115,7 +123,7 @@ impl Interpreter {
             self.state.call_stack.loops().truncate(open);
             return;
         }
-        self.tell_fault(text, fault, statement_span(block));
+        self.report_fault(text, fault, statement_span(block));
         if let Some((Mark::Do, number)) = mark {
             self.end_of_loop(text, block, number, here);
             self.run_once(number, here);
@@ -137,20 +145,20 @@ impl Interpreter {
         self.state.call_stack.loops().iter().rposition(is_own)
     }
 
-    fn tell_fault(&mut self, text: &[u8], fault: &Fault, within: Span) {
+    fn report_fault(&mut self, text: &[u8], fault: &MacroError, within: Span) {
         let at = |place: usize| within.start + place as u32;
         let span = Span { start: at(fault.at.start), end: at(fault.at.end) };
-        self.tell_macro_with(fault.kind, span, repair(text, fault.kind, within, span));
+        self.report_macro_with(fault.kind, span, repair(text, fault.kind, within, span));
     }
 
-    fn tell_macro(&mut self, kind: FaultKind, span: Span) {
-        self.tell_macro_with(kind, span, None);
+    fn report_macro(&mut self, kind: MacroErrorKind, span: Span) {
+        self.report_macro_with(kind, span, None);
     }
 
-    fn tell_macro_with(&mut self, kind: FaultKind, span: Span, fix: Option<Fix>) {
+    fn report_macro_with(&mut self, kind: MacroErrorKind, span: Span, fix: Option<Fix>) {
         self.trace_fault();
-        let told = Diagnostic::new(kind.message(), span);
-        self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+        let diagnostic = Diagnostic::new(kind.message(), span);
+        self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
         self.left_out();
     }
 
@@ -169,7 +177,7 @@ impl Interpreter {
             let outer = loops[old].head.byte;
             let end = self.program.loop_ends.get(&outer).copied().flatten();
             if end.is_some_and(|end| outer < head.byte && head.byte < end.byte) {
-                self.tell_macro(FaultKind::LoopNumber, block.words_span());
+                self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
                 self.lose_program();
             } else {
                 // A jump out of a loop left it open.
@@ -200,7 +208,7 @@ impl Interpreter {
         let Some(old) = self.loop_that_ends(here) else {
             // The END of a DO that was reported to be missing: its number is wrong.
             if !self.program.lacks_end {
-                self.tell_macro(FaultKind::LoopNumber, block.words_span());
+                self.report_macro(MacroErrorKind::LoopNumber, block.words_span());
                 self.lose_program();
             }
             return Flow::Next;
@@ -226,7 +234,7 @@ impl Interpreter {
     ) -> Option<Resume> {
         let found = self.end_of_loop(text, block, number, here);
         if found.is_none() && !self.sink.is_full() {
-            self.tell_macro(FaultKind::EndMissing, block.words_span());
+            self.report_macro(MacroErrorKind::EndMissing, block.words_span());
             self.lose_program();
         }
         found
@@ -326,7 +334,7 @@ impl Interpreter {
             }
             if matches!(word.address, b'N' | b'O') && !handed_over {
                 let message = Message::NumberFromVariable { word: quote(text, word.span) };
-                self.tell(Diagnostic::new(message, word.span));
+                self.report(Diagnostic::new(message, word.span));
                 return None;
             }
             // Arguments of a macro keep all their digits.
@@ -370,13 +378,13 @@ impl Interpreter {
                 Some(number) => Some((Some(number), value < 0.0)),
                 None => {
                     let (word, word_span) = (quote(text, word.span), word.span);
-                    self.tell(Diagnostic::new(Message::TooManyDigits { word }, word_span));
+                    self.report(Diagnostic::new(Message::TooManyDigits { word }, word_span));
                     None
                 }
             },
             Err(fault) => {
                 let start = word.span.start + letter as u32;
-                self.tell_fault(text, &fault, Span { start, end: word.span.end });
+                self.report_fault(text, &fault, Span { start, end: word.span.end });
                 None
             }
         }
@@ -402,7 +410,7 @@ impl Interpreter {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
-            self.tell(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
+            self.report(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
             self.lose_program();
             return Flow::Next;
         };
@@ -417,7 +425,7 @@ impl Interpreter {
             Ok(arguments) => arguments,
             Err(fault) => {
                 let span = handed.get(fault.index).map_or(block.words_span(), |word| word.span);
-                self.tell_macro(fault.kind, span);
+                self.report_macro(fault.kind, span);
                 self.lose_program();
                 return Flow::Next;
             }
@@ -427,7 +435,7 @@ impl Interpreter {
         let Some(head) = head else {
             let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
             let span = find(b'P').map_or(block.words_span(), |word| word.span);
-            self.tell(Diagnostic::new(Message::ProgramNotFound { word }, span));
+            self.report(Diagnostic::new(Message::ProgramNotFound { word }, span));
             self.lose_program();
             return Flow::Next;
         };
@@ -501,16 +509,16 @@ pub(super) fn loop_mark(text: &[u8], block: &Block) -> Option<(Mark, u32)> {
 
 /// What a statement or expression with a fault at `span` was likely meant to be: a jump to a literal number,
 /// a comparison by its letters, square brackets in place of round ones.
-fn repair(text: &[u8], kind: FaultKind, within: Span, span: Span) -> Option<Fix> {
+fn repair(text: &[u8], kind: MacroErrorKind, within: Span, span: Span) -> Option<Fix> {
     const SIGNS: [(&str, &str); 7] =
         [("<>", "NE"), ("<=", "LE"), (">=", "GE"), ("==", "EQ"), ("=", "EQ"), (">", "GT"), ("<", "LT")];
-    if kind == FaultKind::JumpTarget {
+    if kind == MacroErrorKind::JumpTarget {
         let written = span.quote(text);
         let digits = written.strip_prefix(['N', 'n', '#'])?.trim();
         let is_number = (1..=8).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit());
         return is_number.then(|| Fix::write(span, digits.to_owned()));
     }
-    if !matches!(kind, FaultKind::Expression | FaultKind::Format) {
+    if !matches!(kind, MacroErrorKind::Expression | MacroErrorKind::Format) {
         return None;
     }
     let rest = &text[span.start as usize..within.end as usize];

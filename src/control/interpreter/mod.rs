@@ -20,47 +20,39 @@ mod multiples;
 mod output;
 mod path;
 mod pecks;
+mod read_words;
 mod reference;
+mod request;
 mod rotary;
 mod settings;
 mod singles;
 mod snapshot;
 mod store;
 mod system;
-mod take;
 mod threads;
 mod trace;
 
-use super::arcs::{self, CenterWords};
-use super::codes::{self, Compensation, G, M, MacroCall, MotionMode, Multiple, Plane, Switch};
-use super::contour::{Landmarks, Purpose};
+#[cfg(test)]
+mod tests;
+
+use super::contour::Landmarks;
 use super::events::{Event, Moment, Observer};
-use super::modal::{CycleMemory, Once, Routed, State, Target};
+use super::modal::State;
 use super::program::Program;
 use super::sink::Sink;
-use super::words::{self, Reading, Words, letters, plain, quote};
-use crate::cycles::single::{self, PullOut, Single};
-use crate::cycles::{Contour, Move};
-use crate::geometry::{Point, Turn};
-use crate::message::{Diagnostic, Fix, Message, Severity};
-use crate::motion::{
-    Chunk, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleTurn, Step, Stop, StopKind,
-};
+use super::words::{Reading, letters, quote};
+use crate::message::{Diagnostic, Message};
+use crate::motion::{Chunk, Motions};
 use crate::setup::Setup;
-use crate::setup::dialect::{
-    CodeList, Control, DecimalRule, Dialect, FeedMode, G71Retract, G73Intervals, G76Clamp, GSystem, IInG92,
-    NegativeArcR, PqUnit, XuConflict,
-};
+use crate::setup::dialect::{CodeList, Dialect, GSystem};
 use crate::source::Span;
-use crate::text::block::{Block, BlockKind, Value, Word};
+use crate::text::block::Block;
 use crate::text::parser::Resume;
-use crate::units::Unit;
-use calls::Passage;
 use contours::Contours;
-use rotary::TURNS;
 
 pub use calls::Here;
 pub use snapshot::{Remainder, Snapshot};
+pub use trace::Executed;
 
 /// Words that move X or Z.
 const AXES: u32 = letters(b"XZUW");
@@ -76,102 +68,6 @@ pub enum Flow {
     Restart(Resume),
     /// It has ended.
     End,
-}
-
-/// A block that was carried out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Executed {
-    /// Where it stands.
-    pub at: Resume,
-    /// Motions kept before it.
-    pub first: usize,
-    /// Its words with values in place of expressions.
-    pub values: Option<String>,
-    /// It only steers the program: a macro statement, a call, a return.
-    pub steers: bool,
-    /// Feed, spindle and tool before it.
-    pub before: Process,
-    /// The same once its own words for them count, before it moves.
-    pub ready: Process,
-}
-
-/// One-shot codes: they use up the words of their block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum OneShot {
-    Dwell,
-    Home,
-    OtherHome,
-    CheckHome,
-    FromHome,
-    Machine,
-    Data,
-    Setting,
-    LocalFrame,
-    /// G12.1, G13.1.
-    Polar(Switch),
-    /// G07.1.
-    Cylinder,
-    /// G70 to G76.
-    Multiple(Multiple),
-    NotSupported,
-}
-
-/// Groups of codes of which a block can have one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Exclusive {
-    Motion,
-    Surface,
-    Feed,
-    Compensation,
-    /// M03, M04, M05.
-    Spindle,
-}
-
-/// What the codes of one block ask for.
-#[derive(Default)]
-struct Request {
-    one_shot: Option<OneShot>,
-    /// Ten times the number of a G code that is not done here.
-    unsupported: Option<u64>,
-    /// A code of group 01 stands in the block.
-    motion: Option<MotionMode>,
-    /// G96 (true) or G97.
-    surface: Option<bool>,
-    /// M05.
-    stop_spindle: bool,
-    /// M00, M01.
-    stop: Option<StopKind>,
-    /// M02, M30.
-    end: bool,
-    /// An M code that only the machine knows.
-    maker_m: bool,
-    /// M97, M98, M99.
-    passage: Option<Passage>,
-    /// G65 or G66: the words after it are arguments.
-    macro_call: Option<MacroCall>,
-    /// A hole cycle stands in the block.
-    hole: Option<codes::Hole>,
-    /// G43: H names a length offset.
-    length_offset: bool,
-    /// G54.1, whose P names the frame.
-    extended_frame: Option<Span>,
-    /// The motion of the block is not carried out.
-    drop: bool,
-    /// The words met so far of the groups that are looked at (`Exclusive`), and their numbers.
-    group_words: [Option<(u64, Span)>; 5],
-    /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
-    comma: [Option<usize>; 3],
-    /// The block made a move of the path.
-    moved: bool,
-    /// G40, G41 or G42 changes compensation.
-    switches_compensation: bool,
-}
-
-impl Request {
-    /// Whether a move of the block is of the kind that an earlier block names.
-    fn goes_by_last_code(&self) -> bool {
-        self.motion.is_none() && self.one_shot.is_none() && self.hole.is_none()
-    }
 }
 
 /// Runs blocks and keeps what comes of them.
@@ -259,14 +155,14 @@ impl Interpreter {
         let at = Moment { text, state, setup, dialect, sink, contour: contours.purpose };
         observer.hear(event, &at, reports);
         if !self.reports.is_empty() {
-            self.tell_reports();
+            self.report_heard();
         }
     }
 
     #[cold]
-    fn tell_reports(&mut self) {
+    fn report_heard(&mut self) {
         for report in std::mem::take(&mut self.reports) {
-            self.tell(report);
+            self.report(report);
         }
     }
 
@@ -327,7 +223,7 @@ impl Interpreter {
     }
 
     /// Reports something to the user, unless it was reported for the same place before.
-    pub fn tell(&mut self, diagnostic: Diagnostic) {
+    pub fn report(&mut self, diagnostic: Diagnostic) {
         if !self.sink.is_silent_about(&diagnostic) {
             // Which of them were reported before is not kept any more once the limit is reached.
             self.sink.report(diagnostic.in_unit(self.state.unit), self.program.has_jumped());
@@ -335,12 +231,12 @@ impl Interpreter {
     }
 
     /// What is reported for the setup: many faults of one kind have no other place than the beginning of the text.
-    pub fn tell_of_setup(&mut self, diagnostic: Diagnostic) {
+    pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
         self.sink.report_of_setup(diagnostic);
     }
 
     /// Reports, even when no more messages are kept: why the run ends.
-    pub fn tell_always(&mut self, diagnostic: Diagnostic) {
+    pub fn report_always(&mut self, diagnostic: Diagnostic) {
         self.sink.report_always(diagnostic);
     }
 
@@ -352,7 +248,7 @@ impl Interpreter {
     /// Reports that a word is recognised and not carried out here.
     fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
-        self.tell(Diagnostic::new(Message::NotSupported { what }, span));
+        self.report(Diagnostic::new(Message::NotSupported { what }, span));
     }
 
     /// The switches of the control.
@@ -410,10 +306,10 @@ impl Interpreter {
     }
 
     /// Reports what is wrong with the writing of a block that is not run.
-    pub fn tell_faults(&mut self, block: &Block) {
+    pub fn report_faults(&mut self, block: &Block) {
         self.sink.fault = None;
         for fault in &block.faults {
-            self.tell(fault.clone());
+            self.report(fault.clone());
         }
         self.sink.fault = block.faults.first().map(|fault| fault.span);
     }

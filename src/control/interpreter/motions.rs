@@ -2,13 +2,22 @@
 //!
 //! In: the words of a block. Out: motions. Corner words and angles are answered here too.
 
-use super::*;
+use super::request::Request;
+use super::{AXES, Interpreter};
+use crate::control::arcs::{self, CenterWords};
+use crate::control::codes::{Compensation, MotionMode, Plane};
 use crate::control::corners::{self, Corner, Letter};
 use crate::control::doubt::{Doubt, Doubts};
-use crate::control::events::ThreadPass;
-use crate::control::modal::{Angle, Follower, Joint};
-use crate::geometry::SAME;
+use crate::control::events::{Event, ThreadPass};
+use crate::control::modal::{Angle, Follower, Joint, Once, Target};
+use crate::control::words::{self, Words, letters, plain, quote};
+use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
+use crate::geometry::{Point, SAME, Turn};
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::{Motion, MotionKind};
+use crate::setup::dialect::{Control, DecimalRule, IInG92, NegativeArcR, XuConflict};
+use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
     /// The end point that X, U, Z and W name.
@@ -58,8 +67,9 @@ impl Interpreter {
         if !absolute_counts {
             fixes.reverse();
         }
-        let told = Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span);
-        self.tell(Diagnostic { fixes: fixes.into(), ..told });
+        let diagnostic =
+            Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span);
+        self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
 
@@ -90,7 +100,7 @@ impl Interpreter {
         }
         if self.state.reported.first(Once::AxisNotHere) {
             let message = Message::AxisNotHere { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span));
+            self.report(Diagnostic::new(message, word.span));
         }
         self.lose(Doubts::of(&[Doubt::Y]));
     }
@@ -129,7 +139,7 @@ impl Interpreter {
             angle.as_ref().filter(|_| self.state.plane != Plane::Zx || self.state.virtual_plane.is_some())
         {
             let message = Message::CyclePlane { code: ",A", alarm: "PS0212" };
-            self.tell(Diagnostic::new(message, angle.span));
+            self.report(Diagnostic::new(message, angle.span));
             request.drop = true;
             return;
         }
@@ -149,7 +159,7 @@ impl Interpreter {
                     Err(fault) => {
                         let alarm = fault.alarm().unwrap_or("PS0057");
                         let message = Message::AngleNoPoint { word: angle.word, alarm };
-                        self.tell(Diagnostic::new(message, angle.span));
+                        self.report(Diagnostic::new(message, angle.span));
                         request.drop = true;
                         return;
                     }
@@ -215,11 +225,11 @@ impl Interpreter {
         let quoted = quote(text, word.span);
         if let Some((other, ..)) = found.next() {
             let message = Message::CornerTwice { word: quoted, other: quote(text, other.span) };
-            self.tell(Diagnostic::new(message, word.span));
+            self.report(Diagnostic::new(message, word.span));
             return Err(());
         }
         if request.switches_compensation {
-            self.tell(Diagnostic::new(Message::CornerWithCompensation { word: quoted }, word.span));
+            self.report(Diagnostic::new(Message::CornerWithCompensation { word: quoted }, word.span));
             return Err(());
         }
         let Some(value) = self.reading().length(word).filter(|&value| value != 0.0) else { return Ok(None) };
@@ -238,7 +248,7 @@ impl Interpreter {
         let plain_word = [b'C', b'R'].into_iter().find_map(|address| words.get(address));
         let Some(word) = comma.or(plain_word.filter(|_| !self.state.c_axis)) else { return true };
         let message = Message::CornerInThread { word: quote(text, word.span) };
-        self.tell(Diagnostic::new(message, word.span).with(Fix::delete(text, word.span)));
+        self.report(Diagnostic::new(message, word.span).with(Fix::delete(text, word.span)));
         false
     }
 
@@ -254,7 +264,7 @@ impl Interpreter {
         if self.state.plane != Plane::Zx && surface.is_none() {
             if self.state.reported.first(Once::PlaneNotHere) {
                 let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
-                self.tell(Diagnostic::new(Message::PlaneNotHere { word }, block.words_span()));
+                self.report(Diagnostic::new(Message::PlaneNotHere { word }, block.words_span()));
             }
             request.drop = true;
             return;
@@ -270,7 +280,7 @@ impl Interpreter {
                 if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.get(word).is_some())
                 {
                     let word = words.quote(text, address);
-                    self.tell(Diagnostic::new(Message::CylinderForbidden { word }, words.span(address)));
+                    self.report(Diagnostic::new(Message::CylinderForbidden { word }, words.span(address)));
                     request.drop = true;
                     return;
                 }
@@ -286,7 +296,7 @@ impl Interpreter {
             (None, None, None) => {
                 let alarm = self.dialect.strict || self.dialect.control == Control::Gsk;
                 let severity = if alarm { Severity::Error } else { Severity::Warning };
-                self.tell(
+                self.report(
                     Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()).graded(severity),
                 );
                 if alarm {
@@ -305,7 +315,7 @@ impl Interpreter {
         {
             let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
             let fix = Fix::write(span, words::with_other_sign(&word));
-            self.tell(Diagnostic::new(Message::ArcRadiusNegative { word }, span).with(fix));
+            self.report(Diagnostic::new(Message::ArcRadiusNegative { word }, span).with(fix));
             request.drop = true;
             return;
         }
@@ -317,7 +327,7 @@ impl Interpreter {
             let span = words.span(b'R');
             let fix =
                 Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
-            self.tell(Diagnostic::new(Message::ArcOverHalf { word }, span).with(fix));
+            self.report(Diagnostic::new(Message::ArcOverHalf { word }, span).with(fix));
         }
         let (up, right) = self.plane_targets(text, words);
         let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
@@ -344,19 +354,19 @@ impl Interpreter {
             }
             // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) => {}
-            Ok(None) => self.tell(Diagnostic::new(Message::ArcNowhere, block.words_span())),
+            Ok(None) => self.report(Diagnostic::new(Message::ArcNowhere, block.words_span())),
             Err(fault) => {
                 let message = match fault {
-                    arcs::Fault::RadiusTooSmall { distance } => {
+                    arcs::ArcError::RadiusTooSmall { distance } => {
                         let word = words.quote(text, b'R');
                         Message::ArcRadiusTooSmall { word, distance, least: distance / 2.0 }
                     }
-                    arcs::Fault::EndOffCircle { start_radius: 0.0, .. } => Message::ArcNoRadius,
-                    arcs::Fault::EndOffCircle { start_radius, end_radius } => {
+                    arcs::ArcError::EndOffCircle { start_radius: 0.0, .. } => Message::ArcNoRadius,
+                    arcs::ArcError::EndOffCircle { start_radius, end_radius } => {
                         Message::ArcEndOffCircle { start_radius, end_radius }
                     }
                 };
-                self.tell(Diagnostic::new(message, block.words_span()));
+                self.report(Diagnostic::new(message, block.words_span()));
                 request.drop = true;
             }
         }
@@ -397,7 +407,7 @@ impl Interpreter {
                     // As people measure it.
                     let reached = (100.0 * reached).round() / 100.0;
                     let message = Message::LeadRunsOut { word: words.quote(text, b'K'), reached, length };
-                    self.tell(Diagnostic::new(message, words.span(b'K')));
+                    self.report(Diagnostic::new(message, words.span(b'K')));
                     request.drop = true;
                     return;
                 }
@@ -433,7 +443,7 @@ impl Interpreter {
         let by_inch = self.state.threads_per_inch.map(|threads| 25.4 / threads);
         let lead = by_e.or(by_inch).or(self.state.feed).filter(|&lead| lead > 0.0);
         match lead {
-            None => self.tell(Diagnostic::new(Message::LeadMissing { code }, block.words_span())),
+            None => self.report(Diagnostic::new(Message::LeadMissing { code }, block.words_span())),
             Some(feed) if by_e.is_none() && by_inch.is_none() => {
                 self.observe(text, Event::LeadOfFeed { block, code, feed });
             }

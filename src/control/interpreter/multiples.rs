@@ -4,13 +4,24 @@
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
 //! their units and their alarms. A cycle that cannot run makes no motion at all.
 
+use super::Interpreter;
 use super::contours::Shape;
-use super::*;
+use super::request::Request;
+use crate::control::codes::Multiple;
+use crate::control::contour::Purpose;
 use crate::control::doubt::Doubt;
-use crate::control::events::FinishingCall;
+use crate::control::events::{Event, FinishingCall};
+use crate::control::modal::State;
+use crate::control::words::{self, Words, letters, plain};
 use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
-use crate::motion::Cycle;
+use crate::cycles::{Contour, Move};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Step};
+use crate::setup::dialect::{Control, G71Retract, G73Intervals};
+use crate::text::block::{Block, Value, Word};
+use crate::units::Unit;
 
 /// The least input increment, mm: D of the one-block forms counts it when written without a point.
 pub(super) const INCREMENT: f64 = 0.001;
@@ -45,21 +56,21 @@ impl Interpreter {
     /// G70: the contour as it is written, then home.
     fn finishing(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let shape = self.shape(text, block, words, "G70", Purpose::Finishing)?;
-        let ends: Vec<_> = shape.moves.iter().map(|routed| routed.motion.to).collect();
+        let ends: Vec<_> = shape.moves.iter().map(|path_move| path_move.motion.to).collect();
         let leaves_at_rapid =
-            shape.moves.last().is_some_and(|routed| routed.motion.kind == MotionKind::Rapid);
+            shape.moves.last().is_some_and(|path_move| path_move.motion.kind == MotionKind::Rapid);
         let landmarks = std::mem::take(&mut self.contours.landmarks);
         let call = FinishingCall { block, landmarks: &landmarks, ends: &ends, leaves_at_rapid };
         self.observe(text, Event::Finishing(call));
         self.contours.landmarks = landmarks;
         let start = self.state.position;
-        for routed in &shape.moves {
-            let step = match routed.motion.kind {
+        for path_move in &shape.moves {
+            let step = match path_move.motion.kind {
                 MotionKind::Rapid => Step::Approach,
                 _ => Step::Contour,
             };
             let tag = CycleStep { cycle: Cycle::Finishing, pass: 0, step };
-            self.push(block, Motion { cycle: Some(tag), ..routed.motion });
+            self.push(block, Motion { cycle: Some(tag), ..path_move.motion });
         }
         // The blocks change the modal state as they would on their own; the tool goes home.
         let (position, reported, doubts) = (self.state.position, self.state.reported, self.state.doubts);
@@ -87,23 +98,23 @@ impl Interpreter {
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
                 let message = Message::CycleWord { code, word };
-                self.tell(Diagnostic::new(message, words.span(address)).with(fix));
+                self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 self.state.parameters.depth = Some(0.0);
                 return None;
             }
             if !words.has_any(letters(b"UWR")) {
-                self.tell(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+                self.report(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
                 return None;
             }
             if let Some(depth) = length(depth_word) {
                 self.state.parameters.depth = Some(depth);
                 if depth <= 0.0 {
                     let message = Message::DepthNotPositive { code, depth };
-                    let told = Diagnostic::new(message, words.span(depth_word));
+                    let diagnostic = Diagnostic::new(message, words.span(depth_word));
                     let word = words.quote(text, depth_word);
                     let fix = (depth < 0.0)
                         .then(|| Fix::write(words.span(depth_word), words::with_other_sign(&word)));
-                    self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+                    self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
                     return None;
                 }
             }
@@ -116,7 +127,7 @@ impl Interpreter {
                     format!("{}{}", depth_word as char, words::behind_letter(&word)),
                 );
                 let message = Message::DepthMissing { code };
-                self.tell(Diagnostic::new(message, words.span(other_word)).with(fix));
+                self.report(Diagnostic::new(message, words.span(other_word)).with(fix));
                 self.state.parameters.depth = Some(0.0);
                 return None;
             }
@@ -125,7 +136,7 @@ impl Interpreter {
                 let depth = self.state.parameters.depth.unwrap_or(f64::INFINITY);
                 if escape.abs() > depth {
                     let message = Message::EscapeTooLarge { word: words.quote(text, b'R'), depth };
-                    self.tell(Diagnostic::new(message, words.span(b'R')));
+                    self.report(Diagnostic::new(message, words.span(b'R')));
                 }
             }
             return Some(());
@@ -143,9 +154,9 @@ impl Interpreter {
                 let message = depth.map_or(Message::DepthMissing { code }, |depth| {
                     Message::DepthNotPositive { code, depth }
                 });
-                self.tell(Diagnostic::new(message, word.span));
+                self.report(Diagnostic::new(message, word.span));
             } else if depth.is_none() {
-                self.tell(Diagnostic::new(Message::DepthMissing { code }, block.words_span()));
+                self.report(Diagnostic::new(Message::DepthMissing { code }, block.words_span()));
             }
             return None;
         };
@@ -216,7 +227,7 @@ impl Interpreter {
             moves = roughing::rough(contour, &how, most);
         }
         if how.shape == roughing::Shape::Pockets && !self.dialect.type_ii {
-            self.tell(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
+            self.report(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
             return None;
         }
         let fault = match moves {
@@ -247,12 +258,12 @@ impl Interpreter {
         let place = place.filter(|_| !start_is_wrong);
         let message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
         if self.dialect.strict {
-            self.tell(message);
+            self.report(message);
             return None;
         }
         // Many such programs run: some controls leave the check out, others allow a tolerance.
         let found = self.forgiving(block, contour, shape, &how, most);
-        self.tell(if found.is_some() { message.graded(Severity::Warning) } else { message });
+        self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
         found
     }
 
@@ -267,7 +278,7 @@ impl Interpreter {
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
                 let message = Message::CycleWord { code: "G73", word };
-                self.tell(Diagnostic::new(message, words.span(address)).with(fix));
+                self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 return None;
             }
             let old = parameters.relief.unwrap_or_default();
@@ -288,8 +299,8 @@ impl Interpreter {
         }
         let shape = self.shape(text, block, words, "G73", Purpose::Roughing)?;
         self.go_on_behind(block, shape.begins, shape.ends);
-        let told = self.state.parameters.pattern_passes.is_some_and(|passes| passes < 1.0);
-        if told && words.get(b'D').is_none() {
+        let diagnostic = self.state.parameters.pattern_passes.is_some_and(|passes| passes < 1.0);
+        if diagnostic && words.get(b'D').is_none() {
             return None;
         }
         let passes = self.pattern_passes(words, b'D')?;
@@ -322,7 +333,7 @@ impl Interpreter {
             _ => {
                 let message =
                     passes.map_or(Message::PatternNoPasses, |passes| Message::PatternPasses { passes });
-                self.tell(Diagnostic::new(message, words.span(address)));
+                self.report(Diagnostic::new(message, words.span(address)));
                 None
             }
         }
@@ -358,7 +369,7 @@ impl Interpreter {
         if most < self.setup.limits.moves_per_cycle {
             self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, span);
         } else {
-            self.tell(Diagnostic::new(Message::TooManyPasses { code, most }, span));
+            self.report(Diagnostic::new(Message::TooManyPasses { code, most }, span));
         }
     }
 

@@ -2,7 +2,12 @@
 //!
 //! In: motions. Out: those that have a length, in the coordinates of the machine.
 
-use super::*;
+use super::Interpreter;
+use crate::control::modal::PathMove;
+use crate::geometry::Point;
+use crate::message::Message;
+use crate::motion::{Motion, MotionKind, Stop, StopKind};
+use crate::text::block::Block;
 
 impl Interpreter {
     /// A motion from where the tip stands.
@@ -25,7 +30,7 @@ impl Interpreter {
     /// Keeps a motion unless it has no length, and puts the tip at its end.
     #[inline]
     pub(super) fn push(&mut self, block: &Block, motion: Motion) {
-        self.emit(self.routed(block, motion));
+        self.emit(self.path_move(block, motion));
         self.state.position = motion.to;
     }
 
@@ -35,15 +40,15 @@ impl Interpreter {
         // A contour is read for its shape alone.
         if self.contours.recorded.is_none() {
             let here = self.motion(MotionKind::Dwell, self.state.position);
-            self.wait_here(Routed { stop: Some(kind), ..self.routed(block, here) });
+            self.wait_here(PathMove { stop: Some(kind), ..self.path_move(block, here) });
         }
     }
 
     /// Keeps a motion unless it has no length.
     #[inline]
-    pub(super) fn emit(&mut self, mut routed: Routed) {
-        if let Some(kind) = routed.stop {
-            let stop = Stop { kind, span: routed.span, line: routed.line };
+    pub(super) fn emit(&mut self, mut path_move: PathMove) {
+        if let Some(kind) = path_move.stop {
+            let stop = Stop { kind, span: path_move.span, line: path_move.line };
             // Of several stops at one place the one that cannot be skipped counts.
             let own = &mut self.state.stop;
             if own.is_none_or(|before| before.kind == StopKind::Optional) {
@@ -52,43 +57,43 @@ impl Interpreter {
             return;
         }
         if let Some(tip) = self.state.tip.take() {
-            routed.motion.from = tip;
+            path_move.motion.from = tip;
         }
-        let motion = &routed.motion;
+        let motion = &path_move.motion;
         let still = motion.from.is_same(motion.to)
             && motion.center.is_none()
             && motion.seconds.is_none()
             && motion.rotary.is_none()
-            && routed.third.is_none_or(|(from, to)| from == to);
+            && path_move.third.is_none_or(|(from, to)| from == to);
         if still || self.sink.is_full() {
             return;
         }
-        if let Some(third) = routed.third {
-            routed = self.on_machine(routed, third);
+        if let Some(third) = path_move.third {
+            path_move = self.on_machine(path_move, third);
         }
         match &mut self.contours.recorded {
             // One more than a cycle may have, so that it is refused rather than cut short.
-            Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(routed),
+            Some(recorded) if recorded.len() <= self.setup.limits.moves_per_cycle => recorded.push(path_move),
             Some(_) => {}
-            None => self.store(routed),
+            None => self.store(path_move),
         }
     }
 
     /// Keeps a motion for good.
     #[inline]
-    fn store(&mut self, mut routed: Routed) {
+    fn store(&mut self, mut path_move: PathMove) {
         if !self.sink.has_room() {
-            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, routed.span);
+            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, path_move.span);
             return;
         }
         // A block after that of a motion that waited may have failed.
-        routed.motion.process.incomplete |= self.state.incomplete;
+        path_move.motion.process.incomplete |= self.state.incomplete;
         if let Some(stop) = self.state.stop.take() {
             self.sink.chunk.stop(&stop);
         }
-        if routed.motion.kind.cuts() {
+        if path_move.motion.kind.cuts() {
             self.state.frames.cut();
         }
-        self.sink.chunk.push(&routed.motion, routed.span, routed.line);
+        self.sink.chunk.push(&path_move.motion, path_move.span, path_move.line);
     }
 }

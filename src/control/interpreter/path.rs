@@ -4,14 +4,19 @@
 //! angle waits for the next one; under compensation every move does. Whatever is no part of the path (cycles,
 //! threads, G28, changes of the frame) first settles what waits.
 
-use super::*;
+use super::Interpreter;
+use crate::control::codes::Compensation;
 use crate::control::compensation::{Compensator, Element, Origin, Outcome, Reason, Shape, Side, Travel};
-use crate::control::corners::{self, ANGLE_ALLOWANCE, Fault, Joined};
-use crate::control::events::CompensatedMove;
-use crate::control::modal::{Angle, Compensating, Follower, Joint, Pending};
+use crate::control::corners::{self, ANGLE_ALLOWANCE, CornerError, Joined};
+use crate::control::events::{CompensatedMove, Event};
+use crate::control::modal::{Angle, Compensating, Follower, Joint, PathMove, Pending};
 use crate::control::tool_offset;
 use crate::cycles::Piece;
-use crate::motion::Programmed;
+use crate::geometry::{Point, Turn};
+use crate::message::{Diagnostic, Message};
+use crate::motion::{Motion, MotionKind, Programmed};
+use crate::setup::dialect::Dialect;
+use crate::text::block::Block;
 
 /// Blocks without a move after which a control no longer sees the next move.
 const IDLE_BLOCKS: u32 = 2;
@@ -20,26 +25,26 @@ impl Interpreter {
     /// A move of the programmed path.
     #[inline(never)]
     pub(super) fn travel(&mut self, block: &Block, motion: Motion, joint: Option<Joint>) {
-        let mut routed = self.routed(block, motion);
+        let mut path_move = self.path_move(block, motion);
         let still = motion.from.is_same(motion.to) && motion.center.is_none();
-        if still && (motion.rotary.is_some() || routed.third.is_some_and(|(from, to)| from != to)) {
+        if still && (motion.rotary.is_some() || path_move.third.is_some_and(|(from, to)| from != to)) {
             // Nothing moves in the plane of the path: no corner, nothing to compensate.
-            return self.wait_here(routed);
+            return self.wait_here(path_move);
         }
         if self.state.pending.is_some()
             && let Some(pending) = self.state.pending.take()
-            && !self.join(pending, &mut routed)
+            && !self.join(pending, &mut path_move)
         {
             self.left_out();
-            routed.motion.process.uncertain = true;
+            path_move.motion.process.uncertain = true;
         }
-        self.state.position = routed.motion.to;
+        self.state.position = path_move.motion.to;
         match joint {
             Some(_) => {
                 self.state.pending =
-                    Some(Pending { routed, joint, angle: None, before: None, dwells: Vec::new() })
+                    Some(Pending { path_move, joint, angle: None, before: None, dwells: Vec::new() })
             }
-            None => self.offset(routed),
+            None => self.offset(path_move),
         }
     }
 
@@ -82,18 +87,19 @@ impl Interpreter {
     #[inline(never)]
     pub(super) fn travel_at_angle(&mut self, block: &Block, angle: Angle, joint: Option<Joint>) {
         let motion = self.motion(MotionKind::Feed, self.state.position);
-        let mut routed = self.routed(block, motion);
+        let mut path_move = self.path_move(block, motion);
         let mut before = None;
         if let Some(pending) = self.state.pending.take() {
             if pending.angle.is_none() && pending.joint.is_some() {
                 // The corner waits until the end of this open angle is known.
                 before = Some(Box::new(pending));
-            } else if !self.join(pending, &mut routed) {
+            } else if !self.join(pending, &mut path_move) {
                 self.left_out();
-                routed.motion.process.uncertain = true;
+                path_move.motion.process.uncertain = true;
             }
         }
-        self.state.pending = Some(Pending { routed, joint, angle: Some(angle), before, dwells: Vec::new() });
+        self.state.pending =
+            Some(Pending { path_move, joint, angle: Some(angle), before, dwells: Vec::new() });
     }
 
     /// Closes an open angle with the end point and angle of the next block. False: reported.
@@ -101,19 +107,19 @@ impl Interpreter {
     pub(super) fn close_angle(&mut self, x: Option<f64>, z: Option<f64>, angle: Option<f64>) -> bool {
         let Some(pending) = &mut self.state.pending else { return true };
         let Some(open) = &pending.angle else { return true };
-        match corners::after_angle(pending.routed.motion.from, open.radians, x, z, angle) {
+        match corners::after_angle(pending.path_move.motion.from, open.radians, x, z, angle) {
             Ok(end) => {
-                pending.routed.motion.to = end;
+                pending.path_move.motion.to = end;
                 pending.angle = None;
                 self.state.position = end;
                 if let Some(before) = pending.before.take() {
-                    let mut routed = pending.routed;
-                    if !self.join(*before, &mut routed) {
+                    let mut path_move = pending.path_move;
+                    if !self.join(*before, &mut path_move) {
                         self.left_out();
-                        routed.motion.process.uncertain = true;
+                        path_move.motion.process.uncertain = true;
                     }
                     if let Some(pending) = &mut self.state.pending {
-                        pending.routed = routed;
+                        pending.path_move = path_move;
                     }
                 }
                 true
@@ -124,7 +130,7 @@ impl Interpreter {
                 let diagnostic = Diagnostic::new(message, open.span);
                 self.state.pending = None;
                 self.lose_place();
-                self.tell(diagnostic);
+                self.report(diagnostic);
                 false
             }
         }
@@ -132,18 +138,20 @@ impl Interpreter {
 
     /// Joins a waiting move to the next one, which it may shorten at its start. False: reported; the waiting move is
     /// dropped.
-    fn join(&mut self, pending: Pending, next: &mut Routed) -> bool {
-        let first = piece(&pending.routed.motion);
+    fn join(&mut self, pending: Pending, next: &mut PathMove) -> bool {
+        let first = piece(&pending.path_move.motion);
         let Some(joint) = &pending.joint else {
-            self.offset(pending.routed);
+            self.offset(pending.path_move);
             self.wait_all(&pending.dwells, next.motion.from);
             return true;
         };
         let second = piece(&next.motion);
         let fault = match next.motion.kind {
-            MotionKind::Rapid | MotionKind::Thread | MotionKind::Dwell => Some(Fault::SecondNotPerpendicular),
+            MotionKind::Rapid | MotionKind::Thread | MotionKind::Dwell => {
+                Some(CornerError::SecondNotPerpendicular)
+            }
             MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise if joint.before == Follower::Line => {
-                Some(Fault::SecondNotPerpendicular)
+                Some(CornerError::SecondNotPerpendicular)
             }
             _ => joint.signed.and_then(|signed| signed_fault(&first, &second, signed, &self.dialect)),
         };
@@ -153,19 +161,22 @@ impl Interpreter {
         };
         let joined = match joined {
             // The control puts nothing in between, and goes on.
-            Err(Fault::NoCorner { turn }) if turn.abs() < ANGLE_ALLOWANCE => {
-                self.tell(Diagnostic::new(Message::CornerStraight { word: joint.word.clone() }, joint.span));
+            Err(CornerError::NoCorner { turn }) if turn.abs() < ANGLE_ALLOWANCE => {
+                self.report(Diagnostic::new(
+                    Message::CornerStraight { word: joint.word.clone() },
+                    joint.span,
+                ));
                 Ok(Joined { first, inserted: None, second })
             }
             joined => joined,
         };
         match joined {
             Ok(joined) => {
-                let shortened = |routed: Routed, piece: Piece| Routed {
-                    motion: Motion { from: piece.from, to: piece.to, ..routed.motion },
-                    ..routed
+                let shortened = |path_move: PathMove, piece: Piece| PathMove {
+                    motion: Motion { from: piece.from, to: piece.to, ..path_move.motion },
+                    ..path_move
                 };
-                self.offset(shortened(pending.routed, joined.first));
+                self.offset(shortened(pending.path_move, joined.first));
                 if let Some(piece) = joined.inserted {
                     let (kind, center) = match piece.arc {
                         None => (MotionKind::Feed, None),
@@ -174,18 +185,18 @@ impl Interpreter {
                             (MotionKind::ArcCounterclockwise, Some(center))
                         }
                     };
-                    let motion = Motion { kind, center, ..pending.routed.motion };
-                    self.offset(shortened(Routed { motion, ..pending.routed }, piece));
+                    let motion = Motion { kind, center, ..pending.path_move.motion };
+                    self.offset(shortened(PathMove { motion, ..pending.path_move }, piece));
                 }
                 next.motion.from = joined.second.from;
                 self.wait_all(&pending.dwells, joined.second.from);
                 true
             }
             Err(fault) => {
-                self.tell_corner(joint, fault);
+                self.report_corner(joint, fault);
                 // An arc begins on its circle.
                 if next.motion.center.is_none() {
-                    next.motion.from = pending.routed.motion.from;
+                    next.motion.from = pending.path_move.motion.from;
                 }
                 false
             }
@@ -193,38 +204,38 @@ impl Interpreter {
     }
 
     /// A dwell: it comes after the move that waits, if there is one.
-    pub(super) fn wait_here(&mut self, routed: Routed) {
+    pub(super) fn wait_here(&mut self, path_move: PathMove) {
         if let Some(pending) = &mut self.state.pending {
-            pending.dwells.push(routed);
+            pending.dwells.push(path_move);
             return;
         }
         match &mut self.state.compensating {
             Some(Compensating { waiting, dwells, .. }) if !waiting.is_empty() => {
                 let last = waiting.last().map_or(0, |(id, _)| *id);
-                dwells.push((last, routed));
+                dwells.push((last, path_move));
             }
-            _ => self.emit(routed),
+            _ => self.emit(path_move),
         }
     }
 
-    fn wait_all(&mut self, dwells: &[Routed], at: Point) {
-        for routed in dwells {
-            let motion = Motion { from: at, to: at, ..routed.motion };
-            self.wait_here(Routed { motion, ..*routed });
+    fn wait_all(&mut self, dwells: &[PathMove], at: Point) {
+        for path_move in dwells {
+            let motion = Motion { from: at, to: at, ..path_move.motion };
+            self.wait_here(PathMove { motion, ..*path_move });
         }
     }
 
     /// Compensation: gives the move on at once where there is none.
-    fn offset(&mut self, routed: Routed) {
+    fn offset(&mut self, path_move: PathMove) {
         if self.state.compensation == Compensation::Off && self.state.compensating.is_none() {
-            return self.emit(routed);
+            return self.emit(path_move);
         }
-        self.compensate(routed);
+        self.compensate(path_move);
     }
 
-    fn compensate(&mut self, routed: Routed) {
+    fn compensate(&mut self, path_move: PathMove) {
         let (nose, side) = (tool_offset::nose(&self.state, &self.setup), self.side());
-        let motion = routed.motion;
+        let motion = path_move.motion;
         if motion.from.is_same(motion.to) && motion.center.is_none() {
             return;
         }
@@ -245,7 +256,7 @@ impl Interpreter {
                 is_new: true,
                 idle_blocks: 0,
             },
-            (None, _) => return self.emit(routed),
+            (None, _) => return self.emit(path_move),
         };
         let starts = compensating.is_new && compensating.waiting.len() == 1;
         let before = compensating.waiting.last().map(|(_, before)| before.motion);
@@ -254,12 +265,12 @@ impl Interpreter {
             before: before.as_ref().filter(|_| !starts && side.is_some()),
             motion: &motion,
             begins_or_ends: (compensating.is_new && compensating.waiting.is_empty()) || side.is_none(),
-            words: routed.words,
-            span: routed.span,
+            words: path_move.words,
+            span: path_move.span,
         };
         self.observe(&[], Event::Compensated(own));
         let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
-        compensating.waiting.push((id, routed));
+        compensating.waiting.push((id, path_move));
         compensating.idle_blocks = 0;
         let element = Element {
             id,
@@ -290,7 +301,8 @@ impl Interpreter {
         let mut last = None;
         for outcome in outcomes {
             let id = outcome.map_or_else(|fault| fault.id, |moved| moved.id);
-            let Some(&(_, routed)) = compensating.waiting.iter().find(|(waiting, _)| *waiting == id) else {
+            let Some(&(_, path_move)) = compensating.waiting.iter().find(|(waiting, _)| *waiting == id)
+            else {
                 continue;
             };
             match outcome {
@@ -305,15 +317,21 @@ impl Interpreter {
                             (MotionKind::ArcCounterclockwise, Some(center))
                         }
                     };
-                    let Motion { from, to, center: own, .. } = routed.motion;
+                    let Motion { from, to, center: own, .. } = path_move.motion;
                     let programmed = matches!(moved.origin, Origin::Programmed).then_some(Programmed {
                         from,
                         to,
                         center: own,
                     });
-                    let motion =
-                        Motion { kind, center, from: moved.from, to: moved.to, programmed, ..routed.motion };
-                    self.emit(Routed { motion, ..routed });
+                    let motion = Motion {
+                        kind,
+                        center,
+                        from: moved.from,
+                        to: moved.to,
+                        programmed,
+                        ..path_move.motion
+                    };
+                    self.emit(PathMove { motion, ..path_move });
                 }
                 Err(fault) => {
                     let radius = compensating.compensator.nose().radius;
@@ -326,7 +344,7 @@ impl Interpreter {
                         }
                         Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
                     };
-                    self.tell(Diagnostic::new(message, routed.words));
+                    self.report(Diagnostic::new(message, path_move.words));
                     self.left_out();
                     // The next move begins elsewhere.
                     match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
@@ -340,10 +358,10 @@ impl Interpreter {
                 let at = outcome.map_or(at, |moved| moved.to);
                 let (now, later) = compensating.dwells.drain(..).partition(|(after, _)| *after == id);
                 compensating.dwells = later;
-                let now: Vec<(u32, Routed)> = now;
+                let now: Vec<(u32, PathMove)> = now;
                 for (_, dwell) in now {
                     let motion = Motion { from: at, to: at, ..dwell.motion };
-                    self.emit(Routed { motion, ..dwell });
+                    self.emit(PathMove { motion, ..dwell });
                 }
             }
             last = Some(id);
@@ -360,18 +378,20 @@ impl Interpreter {
             match (&pending.joint, &pending.angle) {
                 (_, Some(angle)) => {
                     let message = Message::AngleNoPoint { word: angle.word.clone(), alarm: "PS0058" };
-                    self.tell(Diagnostic::new(message, angle.span));
+                    self.report(Diagnostic::new(message, angle.span));
                 }
                 (Some(joint), None) => {
                     let message = Message::CornerNoMove { word: joint.word.clone() };
-                    self.tell(Diagnostic::new(message, joint.span));
+                    self.report(Diagnostic::new(message, joint.span));
                 }
                 (None, None) => {}
             }
-            let from =
-                pending.before.as_ref().map_or(pending.routed.motion.from, |first| first.routed.motion.from);
+            let from = pending
+                .before
+                .as_ref()
+                .map_or(pending.path_move.motion.from, |first| first.path_move.motion.from);
             if pending.angle.is_none() && pending.joint.is_none() {
-                self.offset(pending.routed);
+                self.offset(pending.path_move);
             } else {
                 self.state.position = from;
                 self.lose_place();
@@ -387,10 +407,12 @@ impl Interpreter {
     pub(super) fn forget_next_move(&mut self) {
         let Some(pending) = &mut self.state.pending else { return };
         pending.joint = None;
-        pending.routed.motion.process.uncertain = true;
+        pending.path_move.motion.process.uncertain = true;
         if pending.angle.is_some() {
-            self.state.position =
-                pending.before.as_ref().map_or(pending.routed.motion.from, |first| first.routed.motion.from);
+            self.state.position = pending
+                .before
+                .as_ref()
+                .map_or(pending.path_move.motion.from, |first| first.path_move.motion.from);
             self.state.pending = None;
             self.lose_place();
         }
@@ -436,22 +458,22 @@ impl Interpreter {
         }
     }
 
-    fn tell_corner(&mut self, joint: &Joint, fault: Fault) {
+    fn report_corner(&mut self, joint: &Joint, fault: CornerError) {
         let word = joint.word.clone();
         let alarm = fault.alarm().unwrap_or("PS0051");
         let message = match fault {
-            Fault::TooLong { .. } | Fault::NoFit { .. } => Message::CornerTooLarge { word },
-            Fault::NoCorner { .. } | Fault::Negative { .. } => Message::CornerNone { word },
-            Fault::SecondNotPerpendicular => Message::CornerNoMove { word },
-            Fault::FirstNotAlongAxis | Fault::WrongLetter | Fault::WrongSign => {
+            CornerError::TooLong { .. } | CornerError::NoFit { .. } => Message::CornerTooLarge { word },
+            CornerError::NoCorner { .. } | CornerError::Negative { .. } => Message::CornerNone { word },
+            CornerError::SecondNotPerpendicular => Message::CornerNoMove { word },
+            CornerError::FirstNotAlongAxis | CornerError::WrongLetter | CornerError::WrongSign => {
                 Message::CornerAxis { word, alarm }
             }
-            Fault::NoSolution { .. }
-            | Fault::NoEndPoint
-            | Fault::NextIncomplete
-            | Fault::AngleDisagrees { .. } => Message::AngleNoPoint { word, alarm },
+            CornerError::NoSolution { .. }
+            | CornerError::NoEndPoint
+            | CornerError::NextIncomplete
+            | CornerError::AngleDisagrees { .. } => Message::AngleNoPoint { word, alarm },
         };
-        self.tell(Diagnostic::new(message, joint.span));
+        self.report(Diagnostic::new(message, joint.span));
     }
 
     /// The side of the path the nose is on: a negative radius changes it.
@@ -473,8 +495,8 @@ impl Interpreter {
             && self.state.compensating.as_ref().is_some_and(only_approach)
             && let Some(compensating) = self.state.compensating.take()
         {
-            for (_, routed) in compensating.waiting.into_iter().chain(compensating.dwells) {
-                self.emit(routed);
+            for (_, path_move) in compensating.waiting.into_iter().chain(compensating.dwells) {
+                self.emit(path_move);
             }
         }
         self.leave_compensation();
@@ -494,7 +516,7 @@ fn signed_fault(
     second: &Piece,
     (letter, value): (corners::Letter, f64),
     dialect: &Dialect,
-) -> Option<Fault> {
+) -> Option<CornerError> {
     let held = dialect.strict || matches!(letter, corners::Letter::I | corners::Letter::K) || value < 0.0;
     corners::check_signed(first, second, letter, value).err().filter(|_| held)
 }

@@ -4,10 +4,16 @@
 //! guess of the unit in `cycles::units`.
 
 use super::multiples::{INCREMENT, NEAR};
-use super::*;
+use super::request::Request;
+use super::{AXES, Interpreter};
+use crate::control::codes::Multiple;
+use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
-use crate::message::{Edit, Repair};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity};
+use crate::setup::dialect::PqUnit;
+use crate::text::block::{Block, Value};
+use crate::units::Unit;
 
 impl Interpreter {
     /// G74 and G75.
@@ -24,7 +30,7 @@ impl Interpreter {
             if let Some(retract) = length(b'R') {
                 if retract < 0.0 {
                     let message = Message::ReliefNegative { word: words.quote(text, b'R') };
-                    self.tell(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
+                    self.report(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
                 }
                 self.state.parameters.retract = retract.abs();
             }
@@ -55,7 +61,7 @@ impl Interpreter {
         if peck.unwrap_or(0.0) == 0.0 {
             let message = Message::PeckMissing { code, address: address as char };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            self.tell(Diagnostic::new(message, block.words_span()).graded(severity));
+            self.report(Diagnostic::new(message, block.words_span()).graded(severity));
             if self.dialect.strict {
                 return None;
             }
@@ -68,7 +74,7 @@ impl Interpreter {
             && (width - NEAR..=1.5 * width).contains(&step)
         {
             let message = Message::GrooveStep { word: words.quote(text, other), step, width };
-            self.tell(Diagnostic::new(message, words.span(other)));
+            self.report(Diagnostic::new(message, words.span(other)));
         }
         let how = Pecking {
             end,
@@ -104,7 +110,7 @@ impl Interpreter {
                 return None;
             }
         };
-        self.tell(Diagnostic::new(message, span));
+        self.report(Diagnostic::new(message, span));
         None
     }
 
@@ -127,7 +133,7 @@ impl Interpreter {
             PqUnit::Mm => units::Reading::Millimetres(units::Because::Point),
             PqUnit::Um => units::Reading::Micrometres,
         };
-        if !self.tell_amounts(text, words, reading) {
+        if !self.report_amounts(text, words, reading) {
             return None;
         }
         Some((
@@ -158,7 +164,7 @@ impl Interpreter {
     }
 
     /// Says that P and Q were read as millimetres, or that a control takes no point there. False: it does not.
-    pub(super) fn tell_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
+    pub(super) fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
         let pointed = [b'P', b'Q'].into_iter().find(|&address| {
             self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)
         });
@@ -170,16 +176,16 @@ impl Interpreter {
         if let Some(address) = pointed.filter(|_| forbidden) {
             let word = words.quote(text, address);
             let fixes = self.in_micrometres(text, words);
-            let told = Diagnostic::new(Message::PointNotAllowed { word }, words.span(address));
-            self.tell(Diagnostic { fixes, ..told });
+            let diagnostic = Diagnostic::new(Message::PointNotAllowed { word }, words.span(address));
+            self.report(Diagnostic { fixes, ..diagnostic });
             return false;
         }
         if let (PqUnit::Auto, units::Reading::Millimetres(_)) = (self.dialect.pq_unit, reading) {
             let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
             let word = words.quote(text, address);
             let fixes = self.in_micrometres(text, words);
-            let told = Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address));
-            self.tell(Diagnostic { fixes, ..told });
+            let diagnostic = Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address));
+            self.report(Diagnostic { fixes, ..diagnostic });
         }
         true
     }

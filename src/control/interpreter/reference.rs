@@ -2,9 +2,18 @@
 //!
 //! In: the words of a block. Out: rapids, and changed tables.
 
-use super::*;
+use super::request::{OneShot, Request};
+use super::rotary::TURNS;
+use super::{AXES, Interpreter};
 use crate::control::doubt::Doubt;
+use crate::control::events::Event;
+use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
+use crate::control::words::{Words, letters, plain, quote};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Message};
+use crate::motion::MotionKind;
+use crate::text::block::Block;
 
 impl Interpreter {
     /// A reference point in the work frame.
@@ -29,7 +38,7 @@ impl Interpreter {
             && !matches!(plain(word), Some(2.0 | 3.0 | 4.0))
         {
             let message = Message::ReferenceNumber { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span));
+            self.report(Diagnostic::new(message, word.span));
             request.drop = true;
             return;
         }
@@ -39,7 +48,7 @@ impl Interpreter {
         if !words.has_any(AXES) && !turns {
             if !words.has_any(letters(b"YV")) && self.state.reported.first(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
-                self.tell(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
+                self.report(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
             }
             return;
         }
@@ -77,14 +86,14 @@ impl Interpreter {
         let off = |named: u32, a: f64, b: f64| words.has_any(named) && (a - b).abs() > 0.001;
         if off(letters(b"XU"), to.x, home.x) || off(letters(b"ZW"), to.z, home.z) {
             let message = Message::NotAtReference { x: 2.0 * home.x, z: home.z };
-            self.tell(Diagnostic::new(message, block.words_span()));
+            self.report(Diagnostic::new(message, block.words_span()));
         }
     }
 
     /// G29: over the intermediate point of G28 to the end.
     pub(super) fn leave_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(middle) = self.state.intermediate else {
-            self.tell(Diagnostic::new(Message::NoIntermediate, block.words_span()));
+            self.report(Diagnostic::new(Message::NoIntermediate, block.words_span()));
             request.drop = true;
             return;
         };
@@ -124,7 +133,7 @@ impl Interpreter {
         };
         if from_reference && !self.dialect.ref_point_given && self.state.reported.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
-            self.tell(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
+            self.report(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
         }
         let to = Point::new(x.map_or(from.x, |x| zero.x + x), z.map_or(from.z, |z| zero.z + z));
         self.push(block, self.motion(MotionKind::Rapid, to));
@@ -141,7 +150,7 @@ impl Interpreter {
         }
         if let Some(word) = words.get(b'Q').filter(|word| !matches!(plain(word), Some(0.0..=9.0))) {
             let message = Message::TipNumber { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span));
+            self.report(Diagnostic::new(message, word.span));
             request.drop = true;
             return;
         }
@@ -181,7 +190,7 @@ impl Interpreter {
             // Tool life, parameters and other tables: no motion depends on them.
             (Some(_), _) => {
                 self.state.data_input = true;
-                self.tell(Diagnostic::new(Message::DataPassedOver, words.span(b'L')));
+                self.report(Diagnostic::new(Message::DataPassedOver, words.span(b'L')));
             }
             (None, None) => self.bad_data(text, request, words, b'P'),
         }
@@ -189,7 +198,7 @@ impl Interpreter {
 
     fn bad_data(&mut self, text: &[u8], request: &mut Request, words: &Words, address: u8) {
         let word = words.get(address).map_or("G10".to_owned(), |word| quote(text, word.span));
-        self.tell(Diagnostic::new(Message::OffsetNumber { word }, words.span(address)));
+        self.report(Diagnostic::new(Message::OffsetNumber { word }, words.span(address)));
         request.drop = true;
     }
 

@@ -4,12 +4,19 @@
 //! In: the words of a block. Out: moves of the path, in the plane while one is in force, and what the machine makes
 //! of them.
 
-use super::*;
-use crate::control::modal::VirtualPlane;
-use crate::geometry::Arc;
+use super::Interpreter;
+use super::request::Request;
+use crate::control::codes::{Compensation, G, MotionMode, Plane, Switch};
+use crate::control::events::Event;
+use crate::control::modal::{Once, PathMove, Target, VirtualPlane};
+use crate::control::words::{Words, letters, quote};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
-use crate::motion::Rotary;
+use crate::geometry::{Arc, Turn};
+use crate::message::{Diagnostic, Message};
+use crate::motion::{Motion, MotionKind, Rotary};
 use crate::setup::dialect::PolarX;
+use crate::source::Span;
+use crate::text::block::{Block, Value, Word};
 
 /// Words that name the C axis.
 pub(super) const TURNS: u32 = letters(b"CH");
@@ -31,7 +38,7 @@ impl Interpreter {
         }
         let word_text = quote(text, word.span);
         let frame = matches!(code, G::Setting | G::LocalFrame | G::Machine | G::Frame(_) | G::ExtendedFrame);
-        self.tell(Diagnostic::new(
+        self.report(Diagnostic::new(
             match plane.surface {
                 Surface::Face if frame => Message::PolarFrame { word: word_text },
                 Surface::Face => Message::PolarForbidden { word: word_text },
@@ -47,7 +54,7 @@ impl Interpreter {
         let Some(plane) = self.state.virtual_plane else { return };
         let (code, face) = (quote(text, span), plane.surface == Surface::Face);
         let off = if face { "G13.1" } else { "G07.1 C0" };
-        self.tell(Diagnostic::new(Message::PlaneLeftOn { code, off }, span));
+        self.report(Diagnostic::new(Message::PlaneLeftOn { code, off }, span));
     }
 
     /// G12.1 and G13.1.
@@ -55,7 +62,7 @@ impl Interpreter {
         let code = if switch == Switch::On { "G12.1" } else { "G13.1" };
         if let Some(other) = block.words.iter().find(|word| word.address != b'G' || !is_polar(word)) {
             let other_text = quote(text, other.span);
-            self.tell(Diagnostic::new(Message::PolarNotAlone { code, other: other_text }, other.span));
+            self.report(Diagnostic::new(Message::PolarNotAlone { code, other: other_text }, other.span));
             request.drop = true;
             self.leave_plane_refused(switch);
             return;
@@ -82,7 +89,7 @@ impl Interpreter {
     fn compensates_at(&mut self, block: &Block, code: &'static str) -> bool {
         let compensates = self.state.compensation != Compensation::Off;
         if compensates {
-            self.tell(Diagnostic::new(Message::PlaneCompensation { code }, block.words_span()));
+            self.report(Diagnostic::new(Message::PlaneCompensation { code }, block.words_span()));
         }
         compensates
     }
@@ -92,7 +99,7 @@ impl Interpreter {
         let reading = self.reading();
         let radius = words.get(b'C').and_then(|word| reading.length(word));
         let Some(radius) = radius.filter(|&radius| radius >= 0.0 && block.words.len() == 2) else {
-            self.tell(Diagnostic::new(Message::CylinderFormat, block.words_span()));
+            self.report(Diagnostic::new(Message::CylinderFormat, block.words_span()));
             request.drop = true;
             if radius == Some(0.0) {
                 self.leave_plane_refused(Switch::Off);
@@ -113,13 +120,13 @@ impl Interpreter {
             return;
         }
         if self.state.virtual_plane.is_some() {
-            self.tell(Diagnostic::new(Message::CylinderFormat, block.words_span()));
+            self.report(Diagnostic::new(Message::CylinderFormat, block.words_span()));
             request.drop = true;
             return;
         }
         if self.state.motion == MotionMode::Rapid {
             let word = "G00".to_owned();
-            self.tell(Diagnostic::new(Message::CylinderForbidden { word }, block.words_span()));
+            self.report(Diagnostic::new(Message::CylinderForbidden { word }, block.words_span()));
             request.drop = true;
             return;
         }
@@ -169,7 +176,7 @@ impl Interpreter {
                 Surface::Cylinder { .. } => Message::CylinderForbidden { word },
             };
             if self.state.reported.first(Once::PlaneRapid) {
-                self.tell(Diagnostic::new(message, block.words_span()));
+                self.report(Diagnostic::new(message, block.words_span()));
             }
             return false;
         }
@@ -246,16 +253,16 @@ impl Interpreter {
 
     /// A motion of a block, on its way through the pipeline.
     #[inline]
-    pub(super) fn routed(&self, block: &Block, motion: Motion) -> Routed {
+    pub(super) fn path_move(&self, block: &Block, motion: Motion) -> PathMove {
         let third = self.state.virtual_plane.map(|plane| plane.third);
-        Routed { motion, span: block.span, words: block.words_span(), line: block.line, third, stop: None }
+        PathMove { motion, span: block.span, words: block.words_span(), line: block.line, third, stop: None }
     }
 
     /// What the machine does for a motion of a virtual plane.
     #[cold]
-    pub(super) fn on_machine(&mut self, mut routed: Routed, third: (f64, f64)) -> Routed {
-        let Some(plane) = &mut self.state.virtual_plane else { return routed };
-        let motion = &mut routed.motion;
+    pub(super) fn on_machine(&mut self, mut path_move: PathMove, third: (f64, f64)) -> PathMove {
+        let Some(plane) = &mut self.state.virtual_plane else { return path_move };
+        let motion = &mut path_move.motion;
         let turn = match motion.kind {
             MotionKind::ArcClockwise => Some(Turn::Clockwise),
             MotionKind::ArcCounterclockwise => Some(Turn::Counterclockwise),
@@ -272,9 +279,9 @@ impl Interpreter {
         (motion.from, motion.to, motion.center) = (own.at(0.0), own.at(1.0), None);
         let distance = way.distance_from_center();
         if plane.surface == Surface::Face {
-            self.observe(&[], Event::NearCenter { distance, words: routed.words });
+            self.observe(&[], Event::NearCenter { distance, words: path_move.words });
         }
-        routed
+        path_move
     }
 }
 

@@ -1,15 +1,32 @@
 //! What a block sets without moving the tool: F, S, T, coordinate systems, speed limits; and the one-shot codes
 //! G04 and G28, which use the words of their block in their own way.
 
-use super::*;
+use super::Interpreter;
+use super::request::{OneShot, Request};
+use crate::control::contour::Purpose;
+use crate::control::events::Event;
+use crate::control::modal::Once;
 use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::control::words::{Words, letters, plain, quote};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Message, Severity};
+use crate::motion::{Motion, MotionKind, SpindleTurn};
+use crate::setup::dialect::Control;
+use crate::source::Span;
+use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
     /// S, F and T, with what G96, G97 and G50 make of S.
     #[inline]
-    pub(super) fn technology(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
-        const TECHNOLOGY: u32 = letters(b"FST");
-        if request.surface.is_none() && !words.has_any(TECHNOLOGY) {
+    pub(super) fn set_feed_speed_tool(
+        &mut self,
+        text: &[u8],
+        block: &Block,
+        request: &Request,
+        words: &Words,
+    ) {
+        const FEED_SPEED_TOOL: u32 = letters(b"FST");
+        if request.surface.is_none() && !words.has_any(FEED_SPEED_TOOL) {
             return;
         }
         let reading = self.reading();
@@ -82,8 +99,8 @@ impl Interpreter {
         if digits <= 2 && value > 0 && !adds_offset {
             let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u32 };
             // M06 beside it: a turret that takes two digits, or a changer.
-            let told = Diagnostic::new(message, word.span);
-            self.tell(if self.state.m_code == 6 { told.graded(Severity::Info) } else { told });
+            let diagnostic = Diagnostic::new(message, word.span);
+            self.report(if self.state.m_code == 6 { diagnostic.graded(Severity::Info) } else { diagnostic });
         }
         // Six digits are three and three: `T010101` would be offset 101; some machines have that many.
         let beyond = station > 999 || digits > 6;
@@ -95,8 +112,8 @@ impl Interpreter {
                 true => Message::ToolNumberOfMachine { word: word_text },
                 false => Message::ToolNumber { word: word_text },
             };
-            let told = Diagnostic::new(message, word.span);
-            self.tell(if of_machine { told.graded(Severity::Info) } else { told });
+            let diagnostic = Diagnostic::new(message, word.span);
+            self.report(if of_machine { diagnostic.graded(Severity::Info) } else { diagnostic });
             if beyond {
                 return;
             }
@@ -117,7 +134,7 @@ impl Interpreter {
             // Haas reads seconds where there is a point.
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
             let message = Message::DwellWithPoint { word: quote(text, word.span) };
-            self.tell(Diagnostic::new(message, word.span).graded(severity));
+            self.report(Diagnostic::new(message, word.span).graded(severity));
             if severity == Severity::Error {
                 request.drop = true;
                 return;
@@ -129,15 +146,15 @@ impl Interpreter {
             Some(seconds) if seconds > 0.0 => {
                 let motion = self.motion(MotionKind::Dwell, self.state.position);
                 let motion = Motion { seconds: Some(seconds), ..motion };
-                self.wait_here(self.routed(block, motion));
+                self.wait_here(self.path_move(block, motion));
             }
             _ => {
-                let told = Diagnostic::new(Message::DwellNoTime, block.words_span());
+                let diagnostic = Diagnostic::new(Message::DwellNoTime, block.words_span());
                 // Many controls take a lone G04 as an exact stop; with the spindle stopped no groove waits for a turn.
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
                     && !self.state.spindle.still
                     && !words.has_any(letters(b"XUPF"));
-                self.tell(if only_stops { told.graded(Severity::Info) } else { told });
+                self.report(if only_stops { diagnostic.graded(Severity::Info) } else { diagnostic });
             }
         }
     }
@@ -169,7 +186,7 @@ impl Interpreter {
         if let (Some(lowest), Some(highest), Some(limit)) = (spindle.lowest, spindle.highest, limit)
             && lowest > highest
         {
-            self.tell(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(limit)));
+            self.report(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(limit)));
         }
     }
 
@@ -194,7 +211,7 @@ impl Interpreter {
             }
             _ => {
                 let word = words.get(b'P').map_or(quote(text, span), |word| quote(text, word.span));
-                self.tell(Diagnostic::new(
+                self.report(Diagnostic::new(
                     Message::OffsetNumber { word },
                     words.get(b'P').map_or(span, |word| word.span),
                 ));

@@ -1,10 +1,21 @@
 //! G90, G92 and G94 as blocks call them: memory, spellings of the taper, checks (seeds 000, 001 and 004).
 
-use super::*;
+use super::request::Request;
+use super::{AXES, Interpreter};
 use crate::control::compensation::{Axis, cycle_shift};
 use crate::control::doubt::Doubt;
-use crate::control::events::SinglePass;
+use crate::control::events::{Event, SinglePass};
+use crate::control::modal::Target;
 use crate::control::tool_offset;
+use crate::control::words::{self, Words, plain, quote};
+use crate::cycles::Move;
+use crate::cycles::single::{self, PullOut, Single};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::{CycleStep, Motion};
+use crate::setup::dialect::{Control, IInG92};
+use crate::source::Span;
+use crate::text::block::Block;
 
 impl Interpreter {
     /// G90, G92, G94 (seeds 000, 001 and 004).
@@ -32,13 +43,13 @@ impl Interpreter {
         if let Some(index) = request.comma.into_iter().flatten().next() {
             let span = block.words[index].span;
             let word = quote(text, span);
-            let told = match cycle {
+            let diagnostic = match cycle {
                 Single::Threading => {
                     Diagnostic::new(Message::CornerInThread { word }, span).with(Fix::delete(text, span))
                 }
                 Single::Turning | Single::Facing => Diagnostic::new(Message::CornerNoLine { word }, span),
             };
-            self.tell(told);
+            self.report(diagnostic);
             request.drop = true;
             return;
         }
@@ -46,7 +57,7 @@ impl Interpreter {
         if let Some(address) = other {
             let message = Message::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
             let fix = Fix::delete(text, words.span(address));
-            self.tell(Diagnostic::new(message, words.span(address)).with(fix));
+            self.report(Diagnostic::new(message, words.span(address)).with(fix));
             request.drop = true;
             return;
         }
@@ -164,7 +175,7 @@ impl Interpreter {
                 Single::Turning | Single::Threading => Message::TaperBeyondHalf { word, limit: 2.0 * way },
                 Single::Facing => Message::TaperBeyondLength { word, limit: way },
             };
-            self.tell(Diagnostic::new(message, span).graded(severity));
+            self.report(Diagnostic::new(message, span).graded(severity));
             return !error;
         }
         true

@@ -3,8 +3,14 @@
 //! In: the place of the next block. Out: a [`Snapshot`] to go back to, or to be met by another run. A snapshot is only
 //! made while nothing that was carried out has looked elsewhere in the text: no call, jump, loop or contour so far.
 
-use super::*;
+use super::Interpreter;
+use super::contours::Contours;
+use crate::control::events::Observer;
+use crate::control::modal::State;
+use crate::message::Diagnostic;
+use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
+use crate::text::parser::Resume;
 
 /// The control between two blocks on the straight way through the text. What came before it does not depend on what comes after.
 #[derive(Clone, Debug)]
@@ -16,7 +22,7 @@ pub struct Snapshot {
     /// Chunks of motions before it.
     chunks: usize,
     /// Messages reported before it.
-    told: usize,
+    reported: usize,
     /// Messages before it that were not kept.
     hidden: usize,
     work: usize,
@@ -70,14 +76,14 @@ impl Remainder {
         self.snapshots.get(index).map(|snapshot| snapshot.at)
     }
 
-    fn motions_behind(&self, there: &Snapshot) -> usize {
+    fn motions_after(&self, there: &Snapshot) -> usize {
         let chunks = there.chunks - self.snapshots[0].chunks;
         let before = self.motions.before().get(chunks).copied();
         before.map_or(0, |before| self.motions.len() - before)
     }
 
-    fn told_behind(&self, there: &Snapshot) -> usize {
-        self.diagnostics.len() - (there.told - self.snapshots[0].told)
+    fn reported_after(&self, there: &Snapshot) -> usize {
+        self.diagnostics.len() - (there.reported - self.snapshots[0].reported)
     }
 }
 
@@ -109,7 +115,7 @@ impl Interpreter {
             state: self.state.clone(),
             observer: self.observer.clone(),
             chunks: self.sink.motions.chunks().len(),
-            told: self.sink.diagnostics.len(),
+            reported: self.sink.diagnostics.len(),
             hidden: self.sink.hidden,
             work: self.program.budget.work,
             failed,
@@ -119,9 +125,10 @@ impl Interpreter {
 
     /// Goes back to a snapshot of the same run, as if nothing after it had been carried out.
     pub fn restore(&mut self, snapshot: &Snapshot) {
-        let Snapshot { at, state, observer, chunks, told, hidden, work, failed: _, incomplete } = snapshot;
+        let Snapshot { at, state, observer, chunks, reported, hidden, work, failed: _, incomplete } =
+            snapshot;
         let chunk = Chunk::new(at.byte, at.line, state.position);
-        self.sink.back_to(*chunks, *told, *hidden, *incomplete, chunk);
+        self.sink.back_to(*chunks, *reported, *hidden, *incomplete, chunk);
         self.state = state.clone();
         self.observer = observer.clone();
         self.program = std::mem::take(&mut self.program).back_at(*at, *work);
@@ -134,7 +141,7 @@ impl Interpreter {
         let first = snapshots.first()?;
         Some(Remainder {
             motions: self.sink.motions.split_off(first.chunks),
-            diagnostics: self.sink.diagnostics.split_off(first.told),
+            diagnostics: self.sink.diagnostics.split_off(first.reported),
             hidden: self.sink.hidden,
             state: self.state.clone(),
             observer: self.observer.clone(),
@@ -146,11 +153,11 @@ impl Interpreter {
     /// along.
     pub fn meets(&self, other: &Remainder, index: usize, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
-        let told = self.sink.diagnostics.len();
-        let as_full = (told, self.sink.hidden) == (there.told, there.hidden);
+        let reported = self.sink.diagnostics.len();
+        let as_full = (reported, self.sink.hidden) == (there.reported, there.hidden);
         let has_room = (self.sink.hidden, other.hidden) == (0, 0)
-            && told + other.told_behind(there) <= self.setup.limits.messages;
-        let holds_all = self.sink.kept() + other.motions_behind(there) <= self.setup.limits.motions;
+            && reported + other.reported_after(there) <= self.setup.limits.messages;
+        let holds_all = self.sink.kept() + other.motions_after(there) <= self.setup.limits.motions;
         let waits_behind = there.first_waiting() >= shift.from;
         if !self.is_straight()
             || self.program.budget.work != there.work
@@ -174,20 +181,20 @@ impl Interpreter {
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state, mut observer } =
             other;
-        let (chunks_out, told_out) = (snapshots[0].chunks, snapshots[0].told);
+        let (chunks_out, reported_before) = (snapshots[0].chunks, snapshots[0].reported);
         let mut later = snapshots.split_off(index);
         let there = later.remove(0);
         let motions = motions.split_off(there.chunks - chunks_out);
-        let mut diagnostics = diagnostics.split_off(there.told - told_out);
+        let mut diagnostics = diagnostics.split_off(there.reported - reported_before);
         diagnostics.iter_mut().for_each(|diagnostic| diagnostic.shift(shift));
         let chunks = self.sink.motions.chunks().len();
-        let told = self.sink.diagnostics.len();
+        let reported = self.sink.diagnostics.len();
         let mut incomplete = self.sink.incomplete;
         for snapshot in &mut later {
             self.sink.incomplete |= snapshot.failed;
             snapshot.shift(shift);
             snapshot.chunks = snapshot.chunks - there.chunks + chunks;
-            snapshot.told = snapshot.told - there.told + told;
+            snapshot.reported = snapshot.reported - there.reported + reported;
             snapshot.incomplete = self.sink.incomplete;
         }
         let mut passed = later.iter().peekable();

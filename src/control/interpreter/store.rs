@@ -2,8 +2,9 @@
 //!
 //! In: numbers of variables. Out: their values, whether they are known, and what reading and writing does to the run.
 
-use super::*;
-use crate::control::macros::{FaultKind, Found, Knowledge, Memory, Stored, Variables};
+use super::Interpreter;
+use crate::control::macros::{Found, Knowledge, MacroErrorKind, Memory, Stored, Variables};
+use crate::text::block::Block;
 
 /// The variables as a statement of a block sees them.
 pub(super) struct Store<'a> {
@@ -21,7 +22,7 @@ impl<'a> Store<'a> {
 }
 
 impl Memory for Store<'_> {
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         Ok(match self.interpreter.state.variables.read(variable)? {
             Found::Value(value) => {
                 if value.is_none() && Variables::may_be_argument(variable) {
@@ -36,7 +37,7 @@ impl Memory for Store<'_> {
         })
     }
 
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
         if self.interpreter.state.variables.write(variable, value)? == Stored::System {
             self.interpreter.write_system(self.block, variable, value);
         }

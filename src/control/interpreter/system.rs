@@ -2,8 +2,14 @@
 //!
 //! In: numbers of variables. Out: values as a program writes them: X a diameter, lengths in the program's unit.
 
-use super::*;
+use super::Interpreter;
+use crate::control::codes::{Compensation, Plane};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Message};
+use crate::setup::dialect::FeedMode;
+use crate::text::block::Block;
+use crate::units::Unit;
 
 /// What a system variable is.
 enum System {
@@ -168,7 +174,7 @@ impl Interpreter {
     }
 
     fn unknown_system(&mut self, block: &Block, variable: u32) {
-        self.tell(Diagnostic::new(Message::SystemVariable { variable }, block.words_span()));
+        self.report(Diagnostic::new(Message::SystemVariable { variable }, block.words_span()));
     }
 
     /// A column of a tool offset, mm: as the program wrote it, else as the setup says.

@@ -3,11 +3,17 @@
 //! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor remarks in
 //! `lint::thread`.
 
-use super::*;
-use crate::control::events::{ThreadPass, ThreadingCall};
+use super::{AXES, Interpreter};
+use crate::control::events::{Event, ThreadPass, ThreadingCall};
+use crate::control::words::{Words, plain, quote};
+use crate::cycles::single::{PullOut, Single};
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
+use crate::geometry::Point;
+use crate::message::{Diagnostic, Fix, Message};
 use crate::motion::Cycle;
+use crate::setup::dialect::{Control, G76Clamp, PqUnit};
+use crate::text::block::{Block, Value};
 
 /// Tool angles that FANUC takes, degrees (PS0315).
 const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
@@ -97,7 +103,7 @@ impl Interpreter {
                 return None;
             }
         };
-        self.tell(Diagnostic::new(message, block.words_span()));
+        self.report(Diagnostic::new(message, block.words_span()));
         None
     }
 
@@ -117,14 +123,14 @@ impl Interpreter {
             if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
                 let written = quote(text, word.span);
                 let head = written.len().saturating_sub(2);
-                let told = Diagnostic::new(Message::ThreadAngle { angle }, word.span);
+                let diagnostic = Diagnostic::new(Message::ThreadAngle { angle }, word.span);
                 // The nearest angle there is.
                 let apart = |other: &f64| (other - angle).abs();
                 let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
                 let fix = near
                     .filter(|_| written.is_char_boundary(head) && number.digits >= 3)
                     .map(|near| Fix::write(word.span, format!("{}{near:02}", &written[..head])));
-                self.tell(Diagnostic { fixes: fix.into_iter().collect(), ..told });
+                self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             }
         }
         if words.get(b'Q').is_some() {
@@ -132,7 +138,7 @@ impl Interpreter {
             let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
             if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {
                 let message = Message::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
-                self.tell(Diagnostic::new(message, words.span(b'Q')));
+                self.report(Diagnostic::new(message, words.span(b'Q')));
             }
         }
         if let Some(allowance) = words.get(b'R').and_then(|word| reading.length(word)) {

@@ -2,7 +2,29 @@
 //!
 //! In: blocks as they run. Out: [`Executed`]. Costs nothing where it is not asked for.
 
-use super::*;
+use super::Interpreter;
+use super::calls::Here;
+use crate::control::codes;
+use crate::motion::Process;
+use crate::text::block::{Block, BlockKind, Value};
+use crate::text::parser::Resume;
+
+/// A block that was carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Executed {
+    /// Where it stands.
+    pub at: Resume,
+    /// Motions kept before it.
+    pub first: usize,
+    /// Its words with values in place of expressions.
+    pub values: Option<String>,
+    /// It only steers the program: a macro statement, a call, a return.
+    pub steers: bool,
+    /// Feed, spindle and tool before it.
+    pub before: Process,
+    /// The same once its own words for them count, before it moves.
+    pub ready: Process,
+}
 
 impl Interpreter {
     /// Keeps a block that is carried out.

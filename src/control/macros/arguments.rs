@@ -1,15 +1,15 @@
 //! The words of a G65 or G66 block as local variables of the macro that is called.
 
-use super::FaultKind;
+use super::MacroErrorKind;
 use super::variables::{LOCALS, Locals};
 
 /// A word that cannot hand over an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ArgumentFault {
+pub struct ArgumentError {
     /// Which word, counted from 0.
     pub index: usize,
     /// What is wrong with it.
-    pub kind: FaultKind,
+    pub kind: MacroErrorKind,
 }
 
 /// Most sets of I, J and K in one call.
@@ -20,7 +20,7 @@ const SETS: usize = 10;
 ///
 /// Both specifications may be mixed: each letter has its variable, and I, J, K begin a next set whenever one of
 /// them does not follow in alphabetical order. Where two words reach the same variable, the later holds.
-pub fn arguments(words: impl Iterator<Item = (u8, f64)>) -> Result<Locals, ArgumentFault> {
+pub fn arguments(words: impl Iterator<Item = (u8, f64)>) -> Result<Locals, ArgumentError> {
     let mut locals = [None; LOCALS];
     let mut set = 0;
     let mut last = 0;
@@ -34,7 +34,7 @@ pub fn arguments(words: impl Iterator<Item = (u8, f64)>) -> Result<Locals, Argum
         }
         match variable {
             Some(variable) => locals[variable - 1] = Some(value),
-            None => return Err(ArgumentFault { index, kind: FaultKind::ArgumentLetter }),
+            None => return Err(ArgumentError { index, kind: MacroErrorKind::ArgumentLetter }),
         }
     }
     Ok(locals)

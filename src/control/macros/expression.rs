@@ -12,26 +12,30 @@
 //! function  = name "[" sum [ "," sum ] "]" [ "/" "[" sum "]" ]       two numbers for ATAN and POW only
 //! ```
 //!
-//! In: text and the memory of the variables. Out: a value, or the [`Fault`]. The text is read once, but for a
+//! In: text and the memory of the variables. Out: a value, or the [`MacroError`]. The text is read once, but for a
 //! look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion.
 
 use std::ops::Range;
 
 use super::cursor::{Arithmetic, Cursor, Operator};
 use super::functions::{self, Function};
-use super::{Fault, FaultKind, Memory};
+use super::{MacroError, MacroErrorKind, Memory};
 use crate::limits::BRACKETS;
 
 /// The value after an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
 /// the least increment of the address, in its own unit, to which ROUND rounds here.
-pub fn address_value(text: &[u8], increment: f64, memory: &mut impl Memory) -> Result<Option<f64>, Fault> {
+pub fn address_value(
+    text: &[u8],
+    increment: f64,
+    memory: &mut impl Memory,
+) -> Result<Option<f64>, MacroError> {
     let mut evaluator = Evaluator::new(text, memory);
     evaluator.rounding = Rounding::Increment(increment);
     let negative = evaluator.signs().unwrap_or(false);
     let value = evaluator.term()?;
     let value = value.number()?.map(|value| if negative { 0.0 - value } else { value });
     match evaluator.cursor.peek() {
-        Some(_) => Err(FaultKind::Expression.at(evaluator.cursor.here())),
+        Some(_) => Err(MacroErrorKind::Expression.at(evaluator.cursor.here())),
         None => Ok(value),
     }
 }
@@ -54,23 +58,23 @@ pub(super) struct Value {
 
 impl Value {
     /// The number; `None` for a vacant variable.
-    pub fn number(&self) -> Result<Option<f64>, Fault> {
+    pub fn number(&self) -> Result<Option<f64>, MacroError> {
         match self.outcome {
             Outcome::Number(number) => Ok(number),
-            Outcome::Truth(_) => Err(FaultKind::NumberOrCondition.at(self.at.clone())),
+            Outcome::Truth(_) => Err(MacroErrorKind::NumberOrCondition.at(self.at.clone())),
         }
     }
 
     /// The number for arithmetic, where a vacant variable is zero.
-    pub fn or_zero(&self) -> Result<f64, Fault> {
+    pub fn or_zero(&self) -> Result<f64, MacroError> {
         self.number().map(|number| number.unwrap_or(0.0))
     }
 
     /// Whether the condition holds.
-    pub fn truth(&self) -> Result<bool, Fault> {
+    pub fn truth(&self) -> Result<bool, MacroError> {
         match self.outcome {
             Outcome::Truth(truth) => Ok(truth),
-            Outcome::Number(_) => Err(FaultKind::NumberOrCondition.at(self.at.clone())),
+            Outcome::Number(_) => Err(MacroErrorKind::NumberOrCondition.at(self.at.clone())),
         }
     }
 }
@@ -114,25 +118,25 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Writes the variable whose name stands at `at`.
-    pub fn write(&mut self, variable: u32, value: Option<f64>, at: Range<usize>) -> Result<(), Fault> {
+    pub fn write(&mut self, variable: u32, value: Option<f64>, at: Range<usize>) -> Result<(), MacroError> {
         self.memory.write(variable, value).map_err(|kind| kind.at(at))
     }
 
     /// A condition, which begins with a bracket.
-    pub fn condition(&mut self) -> Result<bool, Fault> {
+    pub fn condition(&mut self) -> Result<bool, MacroError> {
         match self.cursor.peek() {
             Some(b'[') => self.joined()?.truth(),
-            _ => Err(FaultKind::Format.at(self.cursor.here())),
+            _ => Err(MacroErrorKind::Format.at(self.cursor.here())),
         }
     }
 
     /// A number, as it stands after `=`.
-    pub fn sum(&mut self) -> Result<Value, Fault> {
+    pub fn sum(&mut self) -> Result<Value, MacroError> {
         self.sum_behind(Behind::Nothing)
     }
 
     /// A number, variable, function or bracket, without a sign.
-    pub fn term(&mut self) -> Result<Value, Fault> {
+    pub fn term(&mut self) -> Result<Value, MacroError> {
         let start = self.cursor.start();
         let outcome = match self.cursor.peek() {
             Some(b'#') => {
@@ -147,14 +151,14 @@ impl<'a> Evaluator<'a> {
                     let number = functions::bounded(number);
                     Outcome::Number(Some(number.map_err(|kind| kind.at(self.cursor.since(start)))?))
                 }
-                None => return Err(FaultKind::Expression.at(self.cursor.here())),
+                None => return Err(MacroErrorKind::Expression.at(self.cursor.here())),
             },
         };
         Ok(Value { outcome, at: self.cursor.since(start) })
     }
 
     /// Takes a variable and answers its number.
-    pub fn variable(&mut self) -> Result<u32, Fault> {
+    pub fn variable(&mut self) -> Result<u32, MacroError> {
         let start = self.cursor.start();
         self.cursor.take(1);
         let number = if self.cursor.peek() == Some(b'[') {
@@ -163,13 +167,13 @@ impl<'a> Evaluator<'a> {
             self.rounding = rounding;
             number
         } else {
-            self.cursor.number().ok_or_else(|| FaultKind::Expression.at(self.cursor.here()))?
+            self.cursor.number().ok_or_else(|| MacroErrorKind::Expression.at(self.cursor.here()))?
         };
-        functions::count(number).ok_or_else(|| FaultKind::VariableNumber.at(self.cursor.since(start)))
+        functions::count(number).ok_or_else(|| MacroErrorKind::VariableNumber.at(self.cursor.since(start)))
     }
 
     /// Conditions, any of which may hold.
-    fn joined(&mut self) -> Result<Value, Fault> {
+    fn joined(&mut self) -> Result<Value, MacroError> {
         let mut left = self.all()?;
         while let Some((Operator::Arithmetic(operator @ (Arithmetic::Or | Arithmetic::Xor)), length)) =
             self.cursor.operator()
@@ -184,7 +188,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Conditions, all of which must hold.
-    fn all(&mut self) -> Result<Value, Fault> {
+    fn all(&mut self) -> Result<Value, MacroError> {
         let mut left = self.comparison()?;
         while let Some((Operator::Arithmetic(Arithmetic::And), length)) = self.cursor.operator() {
             self.cursor.take(length);
@@ -195,7 +199,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    fn comparison(&mut self) -> Result<Value, Fault> {
+    fn comparison(&mut self) -> Result<Value, MacroError> {
         let left = self.sum()?;
         let Some((Operator::Comparison(comparison), length)) = self.cursor.operator() else {
             return Ok(left);
@@ -206,7 +210,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value { outcome: Outcome::Truth(truth), at: left.at.start..right.at.end })
     }
 
-    fn sum_behind(&mut self, behind: Behind) -> Result<Value, Fault> {
+    fn sum_behind(&mut self, behind: Behind) -> Result<Value, MacroError> {
         let mut left = self.product(behind)?;
         while let Some(operator) = self.arithmetic(Priority::Sum, &left, behind) {
             let right = self.product(behind)?;
@@ -215,7 +219,7 @@ impl<'a> Evaluator<'a> {
         Ok(left)
     }
 
-    fn product(&mut self, behind: Behind) -> Result<Value, Fault> {
+    fn product(&mut self, behind: Behind) -> Result<Value, MacroError> {
         let mut left = self.factor()?;
         while let Some(operator) = self.arithmetic(Priority::Product, &left, behind) {
             let right = self.factor()?;
@@ -244,7 +248,7 @@ impl<'a> Evaluator<'a> {
         Some(operator)
     }
 
-    fn factor(&mut self) -> Result<Value, Fault> {
+    fn factor(&mut self) -> Result<Value, MacroError> {
         let start = self.cursor.start();
         let Some(negative) = self.signs() else { return self.term() };
         let value = self.term()?.or_zero()?;
@@ -266,30 +270,33 @@ impl<'a> Evaluator<'a> {
     }
 
     /// What stands between brackets.
-    fn bracket(&mut self, inside: impl FnOnce(&mut Self) -> Result<Value, Fault>) -> Result<Value, Fault> {
+    fn bracket(
+        &mut self,
+        inside: impl FnOnce(&mut Self) -> Result<Value, MacroError>,
+    ) -> Result<Value, MacroError> {
         let open = self.cursor.here();
         if !self.cursor.eat(b'[') {
-            return Err(FaultKind::Expression.at(open));
+            return Err(MacroErrorKind::Expression.at(open));
         }
         if self.depth == BRACKETS {
-            return Err(FaultKind::BracketsTooDeep.at(open));
+            return Err(MacroErrorKind::BracketsTooDeep.at(open));
         }
         self.depth += 1;
         let value = inside(self)?;
         if !self.cursor.eat(b']') {
             return Err(match self.cursor.peek() {
-                None => FaultKind::BracketOpen.at(open),
-                Some(_) => FaultKind::Expression.at(self.cursor.here()),
+                None => MacroErrorKind::BracketOpen.at(open),
+                Some(_) => MacroErrorKind::Expression.at(self.cursor.here()),
             });
         }
         self.depth -= 1;
         Ok(value)
     }
 
-    fn function(&mut self) -> Result<f64, Fault> {
+    fn function(&mut self) -> Result<f64, MacroError> {
         let start = self.cursor.start();
         let name = self.cursor.name();
-        let unknown = FaultKind::UnknownFunction.at(self.cursor.since(start));
+        let unknown = MacroErrorKind::UnknownFunction.at(self.cursor.since(start));
         let function = Function::named(name).ok_or(unknown)?;
         let mut second = None;
         let first = self.bracket(|evaluator| {
@@ -318,11 +325,11 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-fn combined(operator: Arithmetic, left: &Value, right: &Value) -> Result<Value, Fault> {
+fn combined(operator: Arithmetic, left: &Value, right: &Value) -> Result<Value, MacroError> {
     let at = left.at.start..right.at.end;
     match functions::combine(operator, left.or_zero()?, right.or_zero()?) {
         Ok(value) => Ok(Value { outcome: Outcome::Number(Some(value)), at }),
-        Err(FaultKind::DivisionByZero) => Err(FaultKind::DivisionByZero.at(right.at.clone())),
+        Err(MacroErrorKind::DivisionByZero) => Err(MacroErrorKind::DivisionByZero.at(right.at.clone())),
         Err(kind) => Err(kind.at(at)),
     }
 }

@@ -3,7 +3,7 @@
 //! In: numbers, angles in degrees. Out: a number within the range of the control, or what is wrong. Knows
 //! nothing of text or variables.
 
-use super::FaultKind;
+use super::MacroErrorKind;
 use super::cursor::{Arithmetic, Comparison};
 use crate::limits::LARGEST_VARIABLE;
 
@@ -100,19 +100,19 @@ impl Function {
     }
 
     /// The function of one number. Of POW, which needs two, there is none.
-    pub fn of(self, value: f64) -> Result<f64, FaultKind> {
+    pub fn of(self, value: f64) -> Result<f64, MacroErrorKind> {
         bounded(match self {
             Self::Sin => sine(value),
             Self::Cos => sine(value % 360.0 + 90.0),
             Self::Tan => match sine(value % 360.0 + 90.0) {
-                0.0 => return Err(FaultKind::FunctionArgument),
+                0.0 => return Err(MacroErrorKind::FunctionArgument),
                 cosine => tidy(sine(value) / cosine),
             },
             // 270° to 90°, as ATAN counts from 0 (bit NAT of parameter 6004 is 0). [K]
             Self::Asin => positive(tidy(cut(value, 1.0)?.asin().to_degrees())),
             Self::Acos => tidy(cut(value, 1.0)?.acos().to_degrees()),
             Self::Atan => tidy(value.atan().to_degrees()),
-            Self::Sqrt if value < -ARGUMENT_ERROR => return Err(FaultKind::FunctionArgument),
+            Self::Sqrt if value < -ARGUMENT_ERROR => return Err(MacroErrorKind::FunctionArgument),
             Self::Sqrt => value.max(0.0).sqrt(),
             Self::Abs => value.abs(),
             Self::Round => settled(value).round(),
@@ -121,10 +121,10 @@ impl Function {
                 let value = settled(value);
                 value.abs().ceil().copysign(value)
             }
-            Self::Ln if value <= 0.0 => return Err(FaultKind::FunctionArgument),
+            Self::Ln if value <= 0.0 => return Err(MacroErrorKind::FunctionArgument),
             Self::Ln => value.ln(),
             Self::Exp => value.exp(),
-            Self::Pow => return Err(FaultKind::FunctionArgument),
+            Self::Pow => return Err(MacroErrorKind::FunctionArgument),
             Self::Bin => digits(value, f64::from(u32::MAX), 16, 10)?,
             Self::Bcd => digits(value, EIGHT_DIGITS, 10, 16)?,
             Self::Adp => value,
@@ -137,20 +137,20 @@ impl Function {
     }
 
     /// The function of two numbers: ATAN\[y, x\], the direction of a point, 0 to 360°, and POW\[x, y\].
-    pub fn of_two(self, first: f64, second: f64) -> Result<f64, FaultKind> {
+    pub fn of_two(self, first: f64, second: f64) -> Result<f64, MacroErrorKind> {
         match self {
             Self::Atan if first != 0.0 || second != 0.0 => {
                 bounded(positive(tidy(first.atan2(second).to_degrees())))
             }
             Self::Pow if first > 0.0 || (first == 0.0 && second > 0.0) => bounded(first.powf(second)),
             Self::Pow if first < 0.0 && second.fract() == 0.0 => bounded(first.powf(second)),
-            _ => Err(FaultKind::FunctionArgument),
+            _ => Err(MacroErrorKind::FunctionArgument),
         }
     }
 }
 
 /// ROUND as the value of an address: to the least increment.
-pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, FaultKind> {
+pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, MacroErrorKind> {
     let parts = (1.0 / increment).round();
     if !(1.0..1e9).contains(&parts) {
         return Function::Round.of(value);
@@ -159,18 +159,18 @@ pub(super) fn round_to(value: f64, increment: f64) -> Result<f64, FaultKind> {
 }
 
 /// Two numbers and an operator.
-pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64, FaultKind> {
+pub(super) fn combine(operator: Arithmetic, left: f64, right: f64) -> Result<f64, MacroErrorKind> {
     bounded(match operator {
         Arithmetic::Add => left + right,
         Arithmetic::Subtract => left - right,
         Arithmetic::Multiply => left * right,
-        Arithmetic::Divide if right == 0.0 => return Err(FaultKind::DivisionByZero),
+        Arithmetic::Divide if right == 0.0 => return Err(MacroErrorKind::DivisionByZero),
         Arithmetic::Divide => left / right,
         Arithmetic::Modulo => {
             // Of whole numbers, with the sign of the first. [K]
             let (left, right) = (left.round(), right.round());
             if right == 0.0 {
-                return Err(FaultKind::DivisionByZero);
+                return Err(MacroErrorKind::DivisionByZero);
             }
             left % right
         }
@@ -194,9 +194,9 @@ pub(super) fn compare(comparison: Comparison, left: Option<f64>, right: Option<f
 }
 
 /// A result within the range of the control; there is no negative zero.
-pub(super) fn bounded(value: f64) -> Result<f64, FaultKind> {
+pub(super) fn bounded(value: f64) -> Result<f64, MacroErrorKind> {
     if !value.is_finite() || value.abs() > LARGEST_VARIABLE {
-        return Err(FaultKind::Overflow);
+        return Err(MacroErrorKind::Overflow);
     }
     Ok(if value.abs() < SMALLEST { 0.0 } else { value })
 }
@@ -239,31 +239,31 @@ fn positive(degrees: f64) -> f64 {
 }
 
 /// A value within ±`most`, or what is wrong.
-fn cut(value: f64, most: f64) -> Result<f64, FaultKind> {
+fn cut(value: f64, most: f64) -> Result<f64, MacroErrorKind> {
     if value.abs() > most + ARGUMENT_ERROR {
-        return Err(FaultKind::FunctionArgument);
+        return Err(MacroErrorKind::FunctionArgument);
     }
     Ok(crate::geometry::within(value, -most, most))
 }
 
-fn whole(value: f64) -> Result<i64, FaultKind> {
+fn whole(value: f64) -> Result<i64, MacroErrorKind> {
     if value.abs() > WHOLE {
-        return Err(FaultKind::FunctionArgument);
+        return Err(MacroErrorKind::FunctionArgument);
     }
     Ok(value.round() as i64)
 }
 
 /// Writes a whole number in one base and reads its digits in another.
-fn digits(value: f64, most: f64, base: u64, read_as: u64) -> Result<f64, FaultKind> {
+fn digits(value: f64, most: f64, base: u64, read_as: u64) -> Result<f64, MacroErrorKind> {
     let value = value.round();
     if !(0.0..=most).contains(&value) {
-        return Err(FaultKind::FunctionArgument);
+        return Err(MacroErrorKind::FunctionArgument);
     }
     let (mut rest, mut result, mut place) = (value as u64, 0, 1);
     while rest > 0 {
         let digit = rest % base;
         if digit > 9 {
-            return Err(FaultKind::FunctionArgument);
+            return Err(MacroErrorKind::FunctionArgument);
         }
         result += digit * place;
         place *= read_as;

@@ -1,7 +1,7 @@
 //! Custom macro B: variables, expressions and statements.
 //!
 //! In: the text of an address value or of a macro statement, and the [`Memory`] its variables are in. Out: a
-//! number, or the [`Action`] the statement asks for; else the [`Fault`]. Evaluated straight from the text: no
+//! number, or the [`Action`] the statement asks for; else the [`MacroError`]. Evaluated straight from the text: no
 //! tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions
 //! or the meaning of system variables.
 
@@ -18,7 +18,7 @@ use std::ops::Range;
 
 use crate::message::Message;
 
-pub use arguments::{ArgumentFault, arguments};
+pub use arguments::{ArgumentError, arguments};
 pub use expression::address_value;
 pub use statement::{Action, assigned, statement};
 pub use variables::{Found, Knowledge, LOCALS, Locals, MOST_LEVELS, Stored, Variables};
@@ -26,24 +26,24 @@ pub use variables::{Found, Knowledge, LOCALS, Locals, MOST_LEVELS, Stored, Varia
 /// Where variables are read and written.
 pub trait Memory {
     /// The value of a variable; `None` when it is vacant.
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind>;
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind>;
 
     /// Gives a variable a value, or makes it vacant.
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind>;
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind>;
 }
 
 /// What is wrong with a macro, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
+pub struct MacroError {
     /// What is wrong.
-    pub kind: FaultKind,
+    pub kind: MacroErrorKind,
     /// Bytes of the text that was given; empty only where that text is.
     pub at: Range<usize>,
 }
 
 /// What can be wrong with a macro.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FaultKind {
+pub enum MacroErrorKind {
     /// A value beyond ±10^47, or none at all: PS0111.
     Overflow,
     /// Division, or MOD, by zero: PS0112.
@@ -78,7 +78,7 @@ pub enum FaultKind {
     ArgumentLetter,
 }
 
-impl FaultKind {
+impl MacroErrorKind {
     /// Whether other values of the variables may not have the fault.
     pub fn depends_on_values(self) -> bool {
         match self {
@@ -123,7 +123,7 @@ impl FaultKind {
         }
     }
 
-    fn at(self, at: Range<usize>) -> Fault {
-        Fault { kind: self, at }
+    fn at(self, at: Range<usize>) -> MacroError {
+        MacroError { kind: self, at }
     }
 }

@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use super::expression::Evaluator;
 use super::functions::count;
-use super::{Fault, FaultKind, Memory};
+use super::{MacroError, MacroErrorKind, Memory};
 
 /// What the caller has to do after a statement. Texts are given as bytes of the statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +71,7 @@ const LARGEST_SEQUENCE: u32 = 99_999_999;
 
 /// Carries out the macro statement of a block. What stands after a condition that does not hold is not looked
 /// at.
-pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault> {
+pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, MacroError> {
     let mut reader = Evaluator::new(text, memory);
     match reader.cursor.peek() {
         Some(b'#') => assignment(&mut reader),
@@ -79,7 +79,7 @@ pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault>
         Some(b'W') if reader.cursor.eat_word(b"WHILE") => {
             let enter = reader.condition()?;
             if !reader.cursor.eat_word(b"DO") {
-                return Err(FaultKind::Format.at(reader.cursor.here()));
+                return Err(MacroErrorKind::Format.at(reader.cursor.here()));
             }
             let number = loop_number(&mut reader)?;
             ended(&mut reader, Action::While { number, enter })
@@ -100,7 +100,7 @@ pub fn statement(text: &[u8], memory: &mut impl Memory) -> Result<Action, Fault>
         {
             Ok(Action::Print)
         }
-        _ => Err(FaultKind::Format.at(reader.cursor.here())),
+        _ => Err(MacroErrorKind::Format.at(reader.cursor.here())),
     }
 }
 
@@ -111,12 +111,12 @@ pub fn assigned(text: &[u8], memory: &mut impl Memory) -> Option<u32> {
 }
 
 /// What stands after IF.
-fn conditional(reader: &mut Evaluator) -> Result<Action, Fault> {
+fn conditional(reader: &mut Evaluator) -> Result<Action, MacroError> {
     let holds = reader.condition()?;
     let then = reader.cursor.eat_word(b"THEN");
     let start = reader.cursor.start();
     match reader.cursor.peek() {
-        None => Err(FaultKind::Format.at(reader.cursor.here())),
+        None => Err(MacroErrorKind::Format.at(reader.cursor.here())),
         Some(b'#') if holds => assignment(reader),
         Some(b'G') if reader.cursor.eat_word(b"GOTO") => {
             if holds {
@@ -126,25 +126,25 @@ fn conditional(reader: &mut Evaluator) -> Result<Action, Fault> {
             }
         }
         Some(b'#') => Ok(Action::Done),
-        Some(_) if !then => Err(FaultKind::Format.at(reader.cursor.here())),
+        Some(_) if !then => Err(MacroErrorKind::Format.at(reader.cursor.here())),
         Some(_)
             if ["IF", "WHILE", "DO", "END", "THEN"]
                 .into_iter()
                 .any(|word| reader.cursor.eat_word(word.as_bytes())) =>
         {
-            Err(FaultKind::Format.at(reader.cursor.since(start)))
+            Err(MacroErrorKind::Format.at(reader.cursor.since(start)))
         }
         Some(_) if holds => Ok(Action::Words(reader.cursor.rest())),
         Some(_) => Ok(Action::Done),
     }
 }
 
-fn assignment(reader: &mut Evaluator) -> Result<Action, Fault> {
+fn assignment(reader: &mut Evaluator) -> Result<Action, MacroError> {
     let start = reader.cursor.start();
     let variable = reader.variable()?;
     let at = reader.cursor.since(start);
     if !reader.cursor.eat(b'=') {
-        return Err(FaultKind::Format.at(reader.cursor.here()));
+        return Err(MacroErrorKind::Format.at(reader.cursor.here()));
     }
     let value = reader.sum()?.number()?;
     let message = reader.cursor.comment();
@@ -161,36 +161,36 @@ fn assignment(reader: &mut Evaluator) -> Result<Action, Fault> {
     Ok(action)
 }
 
-fn jump(reader: &mut Evaluator) -> Result<Action, Fault> {
+fn jump(reader: &mut Evaluator) -> Result<Action, MacroError> {
     // `GOTO N10`: the number stands alone.
     let (start, mut ahead) = (reader.cursor.start(), reader.cursor);
     if ahead.eat(b'N') && ahead.number().is_some() {
-        return Err(FaultKind::JumpTarget.at(ahead.since(start)));
+        return Err(MacroErrorKind::JumpTarget.at(ahead.since(start)));
     }
     let value = reader.term()?;
     let target = count(value.or_zero()?).filter(|target| (1..=LARGEST_SEQUENCE).contains(target));
-    let target = target.ok_or_else(|| FaultKind::JumpTarget.at(value.at.clone()))?;
+    let target = target.ok_or_else(|| MacroErrorKind::JumpTarget.at(value.at.clone()))?;
     ended(reader, Action::Goto(target))
 }
 
 /// The number of a loop, which is a literal.
-fn loop_number(reader: &mut Evaluator) -> Result<u32, Fault> {
+fn loop_number(reader: &mut Evaluator) -> Result<u32, MacroError> {
     let start = reader.cursor.start();
     let Some(number) = reader.cursor.number() else {
-        return Err(FaultKind::LoopNumber.at(reader.cursor.here()));
+        return Err(MacroErrorKind::LoopNumber.at(reader.cursor.here()));
     };
     let number = count(number).filter(|number| (1..=3).contains(number));
-    number.ok_or_else(|| FaultKind::LoopNumber.at(reader.cursor.since(start)))
+    number.ok_or_else(|| MacroErrorKind::LoopNumber.at(reader.cursor.since(start)))
 }
 
 /// The action of a statement after which nothing else stands.
-fn ended(reader: &mut Evaluator, action: Action) -> Result<Action, Fault> {
+fn ended(reader: &mut Evaluator, action: Action) -> Result<Action, MacroError> {
     let kind = match reader.cursor.peek() {
         None => return Ok(action),
-        Some(_) if reader.cursor.operator().is_some() => FaultKind::Expression,
-        Some(b']' | b'0'..=b'9' | b'.') => FaultKind::Expression,
-        Some(byte) if byte.is_ascii_alphabetic() => FaultKind::WordsBehind,
-        Some(_) => FaultKind::Format,
+        Some(_) if reader.cursor.operator().is_some() => MacroErrorKind::Expression,
+        Some(b']' | b'0'..=b'9' | b'.') => MacroErrorKind::Expression,
+        Some(byte) if byte.is_ascii_alphabetic() => MacroErrorKind::WordsBehind,
+        Some(_) => MacroErrorKind::Format,
     };
     Err(kind.at(reader.cursor.here()))
 }

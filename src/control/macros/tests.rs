@@ -12,11 +12,11 @@ mod properties;
 struct Plain(BTreeMap<u32, f64>);
 
 impl Memory for Plain {
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         Ok(self.0.get(&variable).copied())
     }
 
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
         match value {
             Some(value) => self.0.insert(variable, value),
             None => self.0.remove(&variable),
@@ -31,7 +31,7 @@ fn memory() -> Plain {
 }
 
 /// What `#100=…` gives the variable.
-fn assigned(expression: &str) -> Result<Option<f64>, Fault> {
+fn assigned(expression: &str) -> Result<Option<f64>, MacroError> {
     let mut memory = memory();
     statement(format!("#100={expression}").as_bytes(), &mut memory)?;
     Ok(memory.0.get(&100).copied())
@@ -63,15 +63,15 @@ fn refused(text: &str, alarm: &str, quote: &str) {
     );
 }
 
-fn act(text: &str) -> Result<Action, FaultKind> {
+fn act(text: &str) -> Result<Action, MacroErrorKind> {
     statement(text.as_bytes(), &mut memory()).map_err(|fault| fault.kind)
 }
 
-fn address(text: &str) -> Result<Option<f64>, FaultKind> {
+fn address(text: &str) -> Result<Option<f64>, MacroErrorKind> {
     address_value(text.as_bytes(), 0.001, &mut memory()).map_err(|fault| fault.kind)
 }
 
-fn holds(condition: &str) -> Result<bool, FaultKind> {
+fn holds(condition: &str) -> Result<bool, MacroErrorKind> {
     act(&format!("IF{condition}GOTO1")).map(|action| action == Action::Goto(1))
 }
 
@@ -259,7 +259,7 @@ fn five_brackets_may_stand_inside_each_other() {
     refused("#1=[[1]", "PS0114", "[");
     refused("#1=[1]]", "PS0114", "]");
     refused("#1=[]", "PS0114", "]");
-    assert_eq!(act("#1=[[1]"), Err(FaultKind::BracketOpen));
+    assert_eq!(act("#1=[[1]"), Err(MacroErrorKind::BracketOpen));
 }
 
 #[test]
@@ -305,9 +305,9 @@ fn an_address_takes_a_number_a_variable_or_brackets() {
     assert_eq!(address("#9"), Ok(None));
     assert_eq!(address("-#9"), Ok(None));
     assert_eq!(address("[#9+0]"), Ok(Some(0.0)));
-    assert_eq!(address("#1+#2"), Err(FaultKind::Expression));
-    assert_eq!(address("[#1 EQ 2]"), Err(FaultKind::NumberOrCondition));
-    assert_eq!(address(""), Err(FaultKind::Expression));
+    assert_eq!(address("#1+#2"), Err(MacroErrorKind::Expression));
+    assert_eq!(address("[#1 EQ 2]"), Err(MacroErrorKind::NumberOrCondition));
+    assert_eq!(address(""), Err(MacroErrorKind::Expression));
     assert_eq!(address_value(b"", 1.0, &mut memory()).unwrap_err().at, 0..0);
 }
 
@@ -438,15 +438,15 @@ fn variables_exist_by_number() {
         assert_eq!(variables.read(number), Ok(Found::Value(None)));
     }
     for number in [34, 99, 200, 499] {
-        assert_eq!(variables.read(number), Err(FaultKind::VariableNumber));
-        assert_eq!(variables.write(number, None), Err(FaultKind::VariableNumber));
+        assert_eq!(variables.read(number), Err(MacroErrorKind::VariableNumber));
+        assert_eq!(variables.write(number, None), Err(MacroErrorKind::VariableNumber));
     }
     for number in [1000, 5001, u32::MAX] {
         assert_eq!(variables.read(number), Ok(Found::System));
         assert_eq!(variables.write(number, None), Ok(Stored::System));
     }
     assert_eq!(variables.read(0), Ok(Found::Value(None)));
-    assert_eq!(variables.write(0, Some(1.0)), Err(FaultKind::ReadOnly));
+    assert_eq!(variables.write(0, Some(1.0)), Err(MacroErrorKind::ReadOnly));
     for (text, alarm, at) in
         [("#0=1", "PS0116", 0..2), ("#3=#34", "PS0115", 3..6), ("#200=1", "PS0115", 0..4)]
     {
@@ -493,7 +493,7 @@ fn a_clone_goes_its_own_way() {
 }
 
 /// The variables that are not vacant.
-fn handed_over(words: &str) -> Result<Vec<(usize, f64)>, ArgumentFault> {
+fn handed_over(words: &str) -> Result<Vec<(usize, f64)>, ArgumentError> {
     let words = words.split_whitespace().map(|word| (word.as_bytes()[0], word[1..].parse().unwrap()));
     let locals = arguments(words)?;
     Ok((1..).zip(locals).filter_map(|(number, value)| Some((number, value?))).collect())
@@ -527,6 +527,6 @@ fn i_j_and_k_may_come_in_sets() {
 fn some_letters_hand_over_nothing() {
     for letter in ["G", "L", "N", "O", "P"] {
         let fault = handed_over(&format!("A1 {letter}1")).unwrap_err();
-        assert_eq!((fault.index, fault.kind), (1, FaultKind::ArgumentLetter));
+        assert_eq!((fault.index, fault.kind), (1, MacroErrorKind::ArgumentLetter));
     }
 }

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::{FaultKind, Memory};
+use super::{MacroErrorKind, Memory};
 use crate::limits::MACRO_LEVELS;
 
 /// Local variables of one level: #1 to #33.
@@ -95,7 +95,7 @@ enum Place {
 }
 
 impl Place {
-    fn of(variable: u32) -> Result<Self, FaultKind> {
+    fn of(variable: u32) -> Result<Self, MacroErrorKind> {
         let number = variable as usize;
         Ok(match variable {
             0 => Self::Vacant,
@@ -103,14 +103,14 @@ impl Place {
             100..=199 => Self::Passing(number - 100),
             500..=999 => Self::Kept(number - 500),
             1000.. => Self::System,
-            34..=99 | 200..=499 => return Err(FaultKind::VariableNumber),
+            34..=99 | 200..=499 => return Err(MacroErrorKind::VariableNumber),
         })
     }
 }
 
 impl Variables {
     /// The value of a variable.
-    pub fn read(&self, variable: u32) -> Result<Found, FaultKind> {
+    pub fn read(&self, variable: u32) -> Result<Found, MacroErrorKind> {
         Ok(Found::Value(match Place::of(variable)? {
             Place::Vacant => None,
             Place::Local(index) => self.levels.last().and_then(|locals| locals[index]),
@@ -121,9 +121,9 @@ impl Variables {
     }
 
     /// Gives a variable a value, or makes it vacant.
-    pub fn write(&mut self, variable: u32, value: Option<f64>) -> Result<Stored, FaultKind> {
+    pub fn write(&mut self, variable: u32, value: Option<f64>) -> Result<Stored, MacroErrorKind> {
         match Place::of(variable)? {
-            Place::Vacant => return Err(FaultKind::ReadOnly),
+            Place::Vacant => return Err(MacroErrorKind::ReadOnly),
             Place::Local(index) => {
                 if let Some(locals) = Arc::make_mut(&mut self.levels).last_mut() {
                     locals[index] = value;
@@ -227,17 +227,17 @@ fn bit_of(variable: u32) -> (usize, u64) {
 
 impl Memory for Variables {
     /// Without system variables: they do not exist here.
-    fn read(&mut self, variable: u32) -> Result<Option<f64>, FaultKind> {
+    fn read(&mut self, variable: u32) -> Result<Option<f64>, MacroErrorKind> {
         match Variables::read(self, variable)? {
             Found::Value(value) => Ok(value),
-            Found::System => Err(FaultKind::VariableNumber),
+            Found::System => Err(MacroErrorKind::VariableNumber),
         }
     }
 
-    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), FaultKind> {
+    fn write(&mut self, variable: u32, value: Option<f64>) -> Result<(), MacroErrorKind> {
         match Variables::write(self, variable, value)? {
             Stored::Done => Ok(()),
-            Stored::System => Err(FaultKind::VariableNumber),
+            Stored::System => Err(MacroErrorKind::VariableNumber),
         }
     }
 }

@@ -1,15 +1,16 @@
 //! U where X was meant: increments among places.
 
-use super::*;
+use super::{Program, round};
+use crate::message::{Diagnostic, Fix, Message};
 
 impl Program<'_> {
     /// `X16`, `U24`, `X36`: a U whose number is a place between its neighbours, but leads beyond them.
     pub(super) fn increments_in_row(&self) -> Vec<Diagnostic> {
-        let mut told = Vec::new();
+        let mut diagnostics = Vec::new();
         let places = self.places().filter(|word| b"XZ".contains(&word.address)).count();
         let increments = self.places().filter(|word| b"UW".contains(&word.address)).count();
         if increments > 2 || places < 3 * increments {
-            return told;
+            return diagnostics;
         }
         let largest =
             self.places().filter(|word| word.address == b'X').map(|word| word.value).fold(0.0, f64::max);
@@ -35,9 +36,9 @@ impl Program<'_> {
             let fix = Fix::write(word.span, meant.clone());
             let to = round(leads * self.unit);
             let message = Message::IncrementalForAbsolute { word: written, axis: 'X', to, meant };
-            told.push(Diagnostic::new(message, word.span).with(fix));
+            diagnostics.push(Diagnostic::new(message, word.span).with(fix));
         }
-        told
+        diagnostics
     }
 
     /// A single U among places: where it leads, nothing else of the program is.
@@ -49,7 +50,7 @@ impl Program<'_> {
         if increments == 0 || increments > 2 || places < 3 * increments {
             return Vec::new();
         }
-        let mut told = Vec::new();
+        let mut diagnostics = Vec::new();
         for word in moves(b"U") {
             let row = &self.rows[word.block];
             let Some((from, to)) = row.motions else { continue };
@@ -73,8 +74,8 @@ impl Program<'_> {
             let fix = Fix::write(word.span, meant.clone());
             let message =
                 Message::IncrementalForAbsolute { word: written, axis: 'X', to: round(leads), meant };
-            told.push(Diagnostic::new(message, word.span).with(fix));
+            diagnostics.push(Diagnostic::new(message, word.span).with(fix));
         }
-        told
+        diagnostics
     }
 }

@@ -1,6 +1,10 @@
 //! Lost decimal points: zeros that pad, single numbers without a point, places far beyond all others.
 
-use super::*;
+use std::collections::BTreeMap;
+
+use super::{Program, Role, Word, round};
+use crate::message::{Diagnostic, Fix, Message};
+use crate::setup::dialect::DecimalRule;
 
 impl Program<'_> {
     /// `F02`, `R05`: a zero in front of a number without a point.
@@ -65,8 +69,8 @@ impl Program<'_> {
         let tell = |word: &Word| {
             let message =
                 Message::PointMissing { word: self.quote(word), thousandths: word.value * self.increment };
-            let told = Diagnostic::new(message, word.span);
-            Diagnostic { fixes: self.with_point(word), ..told }
+            let diagnostic = Diagnostic::new(message, word.span);
+            Diagnostic { fixes: self.with_point(word), ..diagnostic }
         };
         // A place far away is often a round number.
         let cuts = |word: &&Word| self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
@@ -118,7 +122,7 @@ impl Program<'_> {
     /// A place far beyond all others.
     pub(super) fn far_off(&self) -> Vec<Diagnostic> {
         let start = if self.motions.is_empty() { Default::default() } else { self.motions.get(0).from };
-        let mut told = Vec::new();
+        let mut diagnostics = Vec::new();
         for (axis, letters, begins) in [('X', b"XU", 2.0 * start.x.abs()), ('Z', b"ZW", start.z.abs())] {
             let mut places: Vec<(f64, &Word, bool)> = Vec::new();
             for word in self.places().filter(|word| letters.contains(&word.address)) {
@@ -143,8 +147,8 @@ impl Program<'_> {
             let (to, farthest) = (round(place), round(farthest));
             let message = Message::FarOff { word: self.quote(word), axis, to, farthest };
             let fixes = if word.decimals.is_none() { self.with_point(word) } else { Vec::new() };
-            told.push(Diagnostic { fixes, ..Diagnostic::new(message, word.span) });
+            diagnostics.push(Diagnostic { fixes, ..Diagnostic::new(message, word.span) });
         }
-        told
+        diagnostics
     }
 }

@@ -3,8 +3,12 @@
 //! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck outward or in the
 //! sub-spindle. `passes` states how a tool came to a move; only where no such reading is left is a minus missed.
 
+use std::collections::BTreeMap;
+
 use super::passes::{CENTRE, Pass};
-use super::*;
+use super::{CORNER, Program, Role, Row, Word};
+use crate::message::{Diagnostic, Fix, Message};
+use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
 /// The farthest that a tool leaves the face at feed before the next rapid, mm.
 const LEAVES: f64 = 10.0;
@@ -15,7 +19,7 @@ const OVERRUN: f64 = 3.0;
 impl Program<'_> {
     /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
     pub(super) fn lost_minus_in_row(&self) -> Vec<Diagnostic> {
-        let mut told = Vec::new();
+        let mut diagnostics = Vec::new();
         for (before, word, behind) in self.neighbours(b"ZW") {
             let row = &self.rows[word.block];
             let Some(before) = before else { continue };
@@ -55,10 +59,10 @@ impl Program<'_> {
                 }
             };
             if flagged && !self.leaves_the_face(before, word, behind) {
-                told.push(self.minus(word));
+                diagnostics.push(self.minus(word));
             }
         }
-        told
+        diagnostics
     }
 
     /// Two moves along Z alone and then no further cut: the tool comes back the way it went.
@@ -138,7 +142,7 @@ impl Program<'_> {
 
     /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one that a rapid brought there.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
-        let mut told = Vec::new();
+        let mut diagnostics = Vec::new();
         let Some(front) = self.approach() else { return Vec::new() };
         // Which tools cut toward the chuck: one that never does works on the other side.
         let mut inward: BTreeMap<u16, usize> = BTreeMap::new();
@@ -167,11 +171,15 @@ impl Program<'_> {
             if lost {
                 let tool = first.process.tool.0;
                 *outward.entry(tool).or_default() += 1;
-                told.push((tool, self.minus(word)));
+                diagnostics.push((tool, self.minus(word)));
             }
         }
         let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains_key(tool);
-        told.into_iter().filter(|(tool, _)| !works_outward(tool)).map(|(_, told)| told).collect()
+        diagnostics
+            .into_iter()
+            .filter(|(tool, _)| !works_outward(tool))
+            .map(|(_, diagnostic)| diagnostic)
+            .collect()
     }
 
     /// Blocks with a Z greater than zero, and what they moved, in the order in which they ran.

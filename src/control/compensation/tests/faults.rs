@@ -7,7 +7,7 @@ fn start_up_and_cancel_on_an_arc_are_faults() {
     let arc = arc(1, at(20.0, 0.0), at(30.0, -5.0), at(20.0, -5.0), Turn::Counterclockwise);
     let after = line(2, at(30.0, -5.0), at(30.0, -10.0));
     let first = run(Side::Right, nose(0.8, 3), &[arc], None);
-    assert_eq!(faults(&first), [Fault { id: 1, reason: Reason::ArcAtSwitch }]);
+    assert_eq!(faults(&first), [CompensationError { id: 1, reason: Reason::ArcAtSwitch }]);
     // The next straight move starts instead.
     let then = run(Side::Right, nose(0.8, 3), &[arc, after, line(3, after.to, at(30.0, -20.0))], None);
     assert_eq!((faults(&then).len(), then.len()), (1, 3));
@@ -15,14 +15,16 @@ fn start_up_and_cancel_on_an_arc_are_faults() {
     let up = line(0, at(20.0, 5.0), at(20.0, 0.0));
     assert_eq!(faults(&run(Side::Right, nose(0.8, 3), &[up, arc], None)), []);
     let last = run(Side::Right, nose(0.8, 3), &[up, line(4, up.to, at(20.0, -9.0))], Some(arc));
-    assert_eq!(faults(&last), [Fault { id: 1, reason: Reason::ArcAtSwitch }]);
+    assert_eq!(faults(&last), [CompensationError { id: 1, reason: Reason::ArcAtSwitch }]);
 }
 
 #[test]
 fn a_groove_narrower_than_the_nose_is_an_overcut() {
     let nose = nose(1.5, 8);
     let found = faults(&run(Side::Right, nose, &groove(2.9), None));
-    let [Fault { id: 3, reason: Reason::Overcut { backwards } }] = found[..] else { panic!("{found:?}") };
+    let [CompensationError { id: 3, reason: Reason::Overcut { backwards } }] = found[..] else {
+        panic!("{found:?}")
+    };
     assert!((backwards - 0.1).abs() < NEAR);
     for width in [3.0, 3.1] {
         let outcomes = run(Side::Right, nose, &groove(width), None);
@@ -36,7 +38,10 @@ fn a_valley_between_two_arcs_that_touch_is_an_overcut() {
     for radius in [0.1, 0.4, 1.2] {
         for tip in 0..=9 {
             let found = faults(&run(Side::Right, nose(radius, tip), &cusp(), None));
-            assert!(matches!(found[..], [Fault { id: 3, reason: Reason::CutsIn { .. } }]), "{found:?}");
+            assert!(
+                matches!(found[..], [CompensationError { id: 3, reason: Reason::CutsIn { .. } }]),
+                "{found:?}"
+            );
         }
     }
     // From inside it is a point of two hollows, and the nose goes around it.
@@ -56,7 +61,7 @@ fn a_short_slope_between_two_inner_corners_is_an_overcut() {
         }])
     };
     let short = faults(&run(Side::Right, nose(0.8, 3), &slope(0.46), None));
-    assert!(matches!(short[..], [Fault { id: 2, reason: Reason::Overcut { .. } }]), "{short:?}");
+    assert!(matches!(short[..], [CompensationError { id: 2, reason: Reason::Overcut { .. } }]), "{short:?}");
     assert_eq!(faults(&run(Side::Right, nose(0.8, 3), &slope(0.48), None)), []);
     let step = [at(50.0, 5.0), at(20.0, 5.0), at(20.0, 0.0), at(20.2, 0.0), at(20.2, -10.0)];
     assert_eq!(faults(&run(Side::Right, nose(0.8, 3), &lines(&step), None)), []);
@@ -76,7 +81,7 @@ fn an_arc_swallowed_by_its_corners_is_an_overcut() {
         ]
     };
     let found = faults(&run(Side::Left, nose(2.0, 0), &hollow(1.9), None));
-    assert!(matches!(found[..], [Fault { id: 2, reason: Reason::Overcut { .. } }]), "{found:?}");
+    assert!(matches!(found[..], [CompensationError { id: 2, reason: Reason::Overcut { .. } }]), "{found:?}");
     for half in [2.0, 2.1, 2.9] {
         let outcomes = run(Side::Left, nose(2.0, 0), &hollow(half), None);
         assert_eq!(faults(&outcomes), [], "{half}");
@@ -99,7 +104,7 @@ fn a_nose_that_does_not_fit_in_an_arc_is_a_fault() {
     };
     for radius in [0.5, 0.8] {
         let found = faults(&run(Side::Right, nose(0.8, 3), &fillet(radius), None));
-        let [Fault { id: 2, reason: Reason::ArcRadius { radius: found } }] = found[..] else {
+        let [CompensationError { id: 2, reason: Reason::ArcRadius { radius: found } }] = found[..] else {
             panic!("{found:?}")
         };
         assert!((found - radius).abs() < NEAR);
@@ -116,7 +121,7 @@ fn an_arc_about_its_own_start_or_end_is_a_fault() {
     for center in [at(20.0, 0.0), at(30.0, -5.0)] {
         let arc = arc(1, at(20.0, 0.0), at(30.0, -5.0), center, Turn::Clockwise);
         let found = faults(&run(Side::Right, nose(0.8, 3), &[up, arc], None));
-        assert_eq!(found, [Fault { id: 1, reason: Reason::ArcCenter }]);
+        assert_eq!(found, [CompensationError { id: 1, reason: Reason::ArcCenter }]);
     }
 }
 
@@ -135,7 +140,10 @@ fn a_line_that_misses_the_offset_arc_has_no_intersection() {
     };
     let path = hollow(2.01);
     let outcomes = run(Side::Left, nose(2.0, 0), &path, None);
-    assert_eq!(faults(&outcomes), [Fault { id: 2, reason: Reason::NoIntersection { before: 1 } }]);
+    assert_eq!(
+        faults(&outcomes),
+        [CompensationError { id: 2, reason: Reason::NoIntersection { before: 1 } }]
+    );
     assert_eq!(outcomes.len(), 4, "the others are still given out");
     assert_eq!(faults(&run(Side::Left, nose(2.0, 0), &hollow(1.99), None)), []);
 }

@@ -136,7 +136,7 @@ proptest! {
             ),
             Ok(None) => prop_assert!(false, "{text} is vacant"),
             Err(fault) => prop_assert!(
-                fault.kind == FaultKind::DivisionByZero && expected.is_nan(), "{text}: {fault:?}"
+                fault.kind == MacroErrorKind::DivisionByZero && expected.is_nan(), "{text}: {fault:?}"
             ),
         }
     }

@@ -2,13 +2,23 @@
 //!
 //! In: one word after the other. Out: the modal state, and the [`Request`] of the block.
 
-use super::*;
+use super::Interpreter;
+use super::calls::CallCode;
+use super::request::{Exclusive, OneShot, Request};
+use crate::control::codes::{self, Compensation, G, M, Switch};
+use crate::control::contour::Purpose;
 use crate::control::doubt::{Doubt, Doubts};
+use crate::control::events::Event;
+use crate::control::words::{self, Words, quote};
+use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::motion::SpindleTurn;
+use crate::source::Span;
+use crate::text::block::{Block, Value, Word};
 
 impl Interpreter {
     /// Takes one word: codes change the request and the modal state, data words are kept for later.
     #[inline]
-    pub(super) fn take<'b>(
+    pub(super) fn read_word<'b>(
         &mut self,
         text: &[u8],
         block: &'b Block,
@@ -25,20 +35,20 @@ impl Interpreter {
             let wrong = if self.dialect.strict { wrong.graded(Severity::Error) } else { wrong };
             request.drop |= wrong.is_error();
             let carried_out = !wrong.is_error();
-            self.tell(wrong);
+            self.report(wrong);
             if !carried_out {
                 return;
             }
         }
         match word.address {
-            b'G' => self.take_g(text, request, number.tenths(), word),
-            b'M' => self.take_m(text, request, number.mantissa, word),
+            b'G' => self.read_g(text, request, number.tenths(), word),
+            b'M' => self.read_m(text, request, number.mantissa, word),
             b'C' if word.comma => request.comma[0] = Some(index),
             b'R' if word.comma => request.comma[1] = Some(index),
             b'A' if word.comma => request.comma[2] = Some(index),
             _ if word.comma => {
                 let text = quote(text, word.span);
-                self.tell(Diagnostic::new(Message::NotUnderstood { text }, word.span));
+                self.report(Diagnostic::new(Message::NotUnderstood { text }, word.span));
                 request.drop = true;
             }
             address => {
@@ -46,13 +56,13 @@ impl Interpreter {
                     let used = quote(text, block.words[index].span);
                     let message = Message::DuplicateWord { address: address as char, used };
                     let fixes = [before.span, word.span].map(|span| Fix::delete(text, span));
-                    self.tell(Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, word.span) });
+                    self.report(Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, word.span) });
                 }
             }
         }
     }
 
-    fn take_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
+    fn read_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let Some(found) = tenths.and_then(|key| codes::g_code(key, self.dialect.code_list())) else {
             self.unknown_g(text, request, tenths, word);
             return;
@@ -101,7 +111,7 @@ impl Interpreter {
             G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
             G::Multiple(cycle) => request.one_shot = Some(OneShot::Multiple(cycle)),
             G::Plane(plane) if plane != state.plane && state.compensation != Compensation::Off => {
-                self.tell(Diagnostic::new(Message::CompensationPlane, word.span));
+                self.report(Diagnostic::new(Message::CompensationPlane, word.span));
                 request.drop = true;
             }
             G::Plane(plane) => state.plane = plane,
@@ -142,15 +152,15 @@ impl Interpreter {
         // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
         if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
-            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.report(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
             return;
         }
         if tenths.is_some_and(|key| matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10)) {
-            self.tell(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.report(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
             self.lose_program();
             return;
         }
-        self.tell(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
+        self.report(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
         // It may have been one of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
@@ -167,13 +177,13 @@ impl Interpreter {
                 std::mem::swap(&mut dropped, &mut used);
             }
             let fixes = [before, span].map(|span| Fix::delete(text, span));
-            let told = Diagnostic::new(Message::SameGroup { dropped, used }, span);
-            self.tell(Diagnostic { fixes: fixes.into(), ..told });
+            let diagnostic = Diagnostic::new(Message::SameGroup { dropped, used }, span);
+            self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
         }
     }
 
     #[inline(never)]
-    fn take_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
+    fn read_m(&mut self, text: &[u8], request: &mut Request, number: u64, word: &Word) {
         let code = codes::m_code(number);
         if matches!(code, Some(M::Spindle(_))) {
             self.note_group(text, request, Exclusive::Spindle, number, word.span);
@@ -194,12 +204,12 @@ impl Interpreter {
             Some(M::CAxis(switch)) => state.c_axis = switch == Switch::On,
             Some(M::Pause(kind)) => request.stop = Some(kind),
             Some(M::Idle) => {}
-            Some(M::Call) => request.passage = Some(Passage::Call),
-            Some(M::LocalCall) => request.passage = Some(Passage::LocalCall),
-            Some(M::Return) => request.passage = Some(Passage::Return),
+            Some(M::Call) => request.call_code = Some(CallCode::Call),
+            Some(M::LocalCall) => request.call_code = Some(CallCode::LocalCall),
+            Some(M::Return) => request.call_code = Some(CallCode::Return),
             None => {
                 request.maker_m = true;
-                self.tell(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
+                self.report(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
             }
         }
     }

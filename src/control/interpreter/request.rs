@@ -1,0 +1,87 @@
+//! What the codes of one block ask for, until the block is carried out.
+//!
+//! Plain values: `read_words` fills them in, `block` carries them out.
+
+use super::calls::CallCode;
+use crate::control::codes::{self, MacroCall, MotionMode, Multiple, Switch};
+use crate::motion::StopKind;
+use crate::source::Span;
+
+/// One-shot codes: they use up the words of their block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OneShot {
+    Dwell,
+    Home,
+    OtherHome,
+    CheckHome,
+    FromHome,
+    Machine,
+    Data,
+    Setting,
+    LocalFrame,
+    /// G12.1, G13.1.
+    Polar(Switch),
+    /// G07.1.
+    Cylinder,
+    /// G70 to G76.
+    Multiple(Multiple),
+    NotSupported,
+}
+
+/// Groups of codes of which a block can have one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Exclusive {
+    Motion,
+    Surface,
+    Feed,
+    Compensation,
+    /// M03, M04, M05.
+    Spindle,
+}
+
+/// What the codes of one block ask for.
+#[derive(Default)]
+pub(super) struct Request {
+    pub one_shot: Option<OneShot>,
+    /// Ten times the number of a G code that is not done here.
+    pub unsupported: Option<u64>,
+    /// A code of group 01 stands in the block.
+    pub motion: Option<MotionMode>,
+    /// G96 (true) or G97.
+    pub surface: Option<bool>,
+    /// M05.
+    pub stop_spindle: bool,
+    /// M00, M01.
+    pub stop: Option<StopKind>,
+    /// M02, M30.
+    pub end: bool,
+    /// An M code that only the machine knows.
+    pub maker_m: bool,
+    /// M97, M98, M99.
+    pub call_code: Option<CallCode>,
+    /// G65 or G66: the words after it are arguments.
+    pub macro_call: Option<MacroCall>,
+    /// A hole cycle stands in the block.
+    pub hole: Option<codes::Hole>,
+    /// G43: H names a length offset.
+    pub length_offset: bool,
+    /// G54.1, whose P names the frame.
+    pub extended_frame: Option<Span>,
+    /// The motion of the block is not carried out.
+    pub drop: bool,
+    /// The words met so far of the groups that are looked at (`Exclusive`), and their numbers.
+    pub group_words: [Option<(u64, Span)>; 5],
+    /// Indices of the words with a comma: `,C2`, `,R1`, `,A30`.
+    pub comma: [Option<usize>; 3],
+    /// The block made a move of the path.
+    pub moved: bool,
+    /// G40, G41 or G42 changes compensation.
+    pub switches_compensation: bool,
+}
+
+impl Request {
+    /// Whether a move of the block is of the kind that an earlier block names.
+    pub fn goes_by_last_code(&self) -> bool {
+        self.motion.is_none() && self.one_shot.is_none() && self.hole.is_none()
+    }
+}
