@@ -555,7 +555,7 @@ impl State {
     pub fn new(setup: &Setup, dialect: &Dialect) -> Self {
         let start = setup.start();
         Self {
-            position: Point::new(start.x / 2.0, start.z),
+            position: Point::new(start.x.radius(), start.z),
             tip: None,
             c: 0.0,
             y: 0.0,

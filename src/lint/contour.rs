@@ -29,8 +29,8 @@ pub fn remarks(
     if let Some(stock) = stock.filter(|_| turning) {
         let outside = first.x < start.x;
         let end = 2.0 * last.x;
-        if outside && start.x * 2.0 >= stock.diameter - NEAR && end < stock.diameter - NEAR {
-            told.push(Message::ContourNotClosed { x: end, diameter: stock.diameter });
+        if outside && start.x * 2.0 >= stock.diameter.mm() - NEAR && end < stock.diameter.mm() - NEAR {
+            told.push(Message::ContourNotClosed { x: end, diameter: stock.diameter.mm() });
         }
     }
     told
@@ -62,7 +62,7 @@ pub fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item =
         one.max(other) >= front - NEAR && one.min(other) <= back + NEAR
     };
     // A bore leaves the outside as it is.
-    let start = contour.start.x.min(stock.diameter / 2.0);
+    let start = contour.start.x.min(stock.diameter.radius());
     let outside = |motion: &Motion| motion.to.x > start / 2.0;
     cuts.filter(|cut| along(cut) && covers(cut) && outside(cut)).map(|cut| cut.to.x).reduce(f64::min)
 }
@@ -76,7 +76,7 @@ pub fn pattern_remarks(
     turned: impl FnOnce(Stock) -> Option<f64>,
 ) -> Option<Message> {
     let stock = stock?;
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     if contour.first.x >= contour.start.x {
         return None;
     }

@@ -66,7 +66,7 @@ pub fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> D
 
 /// A cycle that starts too far from the blank.
 pub fn start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     let outside = own.end.x < own.start.x;
     let far_x = own.start.x - radius;
     if outside && far_x > FAR && own.end.x < radius {

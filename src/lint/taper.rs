@@ -34,7 +34,7 @@ pub fn taper_not_extended(
     // `wanted`: where the cut begins; `part`: how much of the cut lies beyond the end at the blank's surface.
     let (wanted, part, scale, base, axis) = match cycle {
         Single::Facing => {
-            let surface = stock.diameter / 2.0;
+            let surface = stock.diameter.radius();
             if start.x <= surface + NEAR || end.x >= surface - NEAR {
                 return None;
             }
@@ -113,7 +113,7 @@ pub fn shape(
         way if way > NEAR => false,
         // The end lies at the diameter of the start: outside, where that is at the surface of a bar.
         _ if stock.is_some_and(|stock| {
-            2.0 * start.x > stock.bore + NEAR && 2.0 * start.x >= stock.diameter - 20.0
+            2.0 * start.x > stock.bore.mm() + NEAR && 2.0 * start.x >= stock.diameter.mm() - 20.0
         }) =>
         {
             true
@@ -137,8 +137,15 @@ fn is_round(length: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::Diameter;
 
-    const STOCK: Stock = Stock { diameter: 50.0, bore: 0.0, face: 0.0, length: 60.0, grip: None };
+    const STOCK: Stock = Stock {
+        diameter: Diameter::new(50.0),
+        bore: Diameter::new(0.0),
+        face: 0.0,
+        length: 60.0,
+        grip: None,
+    };
 
     #[test]
     fn seed_004_needs_r_minus_24_from_x54() {

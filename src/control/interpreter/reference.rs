@@ -10,7 +10,7 @@ impl Interpreter {
     /// A reference point in the work frame.
     fn reference_point(&self) -> Point {
         let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
-        Point::new(home.x / 2.0 - offset.x, home.z - offset.z)
+        Point::new(home.x.radius() - offset.x, home.z - offset.z)
     }
 
     /// G28, and G30 to the other reference points. That of Y is over the spindle axis.
@@ -125,7 +125,10 @@ impl Interpreter {
         };
         if from_reference && !self.dialect.ref_point_given && self.state.told.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
-            self.tell(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
+            self.tell(Diagnostic::new(
+                Message::MachineZero { x: home.x.mm(), z: home.z },
+                block.words_span(),
+            ));
         }
         let to = Point::new(x.map_or(from.x, |x| zero.x + x), z.map_or(from.z, |z| zero.z + z));
         self.push(block, self.motion(MotionKind::Rapid, to));

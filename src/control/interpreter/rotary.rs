@@ -209,7 +209,7 @@ impl Interpreter {
         if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
             let x = words.get(b'X').and_then(|word| reading.radius(word)).unwrap_or(self.state.position.z);
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
-            let outside = self.setup.stock.is_some_and(|stock| c > stock.diameter);
+            let outside = self.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
             if (like_degrees || outside) && self.state.told.first(Once::PolarAngle) {
                 let message = Message::PolarAngle { word: quote(text, word.span) };
                 self.tell(Diagnostic::new(message, word.span));

@@ -208,7 +208,7 @@ impl Interpreter {
         }
         let surface = before
             .map(|before| before.end.x + before.taper)
-            .or(self.setup.stock.map(|stock| start.x.min(stock.diameter / 2.0)));
+            .or(self.setup.stock.map(|stock| start.x.min(stock.diameter.radius())));
         if let Some(depth) = lint::cycle::edge_depth(cycle, &own, surface, before.is_none()) {
             self.tell(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
         }

@@ -207,7 +207,7 @@ impl Interpreter {
         }
         let at = self.state.position;
         let near = |stock: &crate::setup::Stock| {
-            2.0 * at.x.abs() < stock.diameter + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
+            2.0 * at.x.abs() < stock.diameter.mm() + 2.0 * NEAR_WORK && at.z < stock.face + NEAR_WORK
         };
         if before.0 != 0
             && self.recorded.is_none()
