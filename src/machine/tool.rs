@@ -72,7 +72,8 @@ pub struct Shape {
 /// How much smaller the core is, mm: below it a touch is a touch.
 const CORE: f64 = 0.01;
 
-/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose (FANUC 16/18-T B-62754EN p. 224).
+/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose, as the table of tip
+/// directions in the Haas lathe manual has it.
 fn body_direction(tip: u8) -> Vector {
     Nose { radius: 1.0, tip }.vector()
 }
