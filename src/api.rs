@@ -30,6 +30,7 @@ use crate::sentences::{Language, describe_motion};
 use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
 use crate::source::{LineIndex, Span};
+use crate::units::Diameter;
 
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
@@ -113,7 +114,7 @@ pub struct Edit {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct Place {
     /// Diameter, mm.
-    pub x: f64,
+    pub x: Diameter,
     /// Length, mm.
     pub z: f64,
     /// Angle of C, degrees; under polar interpolation the second axis of the virtual plane, mm.
@@ -127,7 +128,7 @@ pub struct Place {
 #[cfg_attr(target_arch = "wasm32", derive(Tsify))]
 pub struct MachinePlace {
     /// Diameter, mm.
-    pub x: f64,
+    pub x: Diameter,
     /// Angle of C, degrees, not brought back to one turn.
     #[serde(rename = "c_deg")]
     pub c: f64,
@@ -225,11 +226,11 @@ pub struct Stroke {
     /// UTF-16 offset of the end of its block.
     pub to: u32,
     /// End point: diameter, mm.
-    pub x: f64,
+    pub x: Diameter,
     /// End point: length, mm.
     pub z: f64,
     /// Where the tool stands: diameter, mm.
-    pub at_x: f64,
+    pub at_x: Diameter,
     /// Where the tool stands: length, mm.
     pub at_z: f64,
     /// What it is, in words.
@@ -314,7 +315,10 @@ impl Part {
     /// The pieces of an area.
     pub fn new(region: &Region) -> Self {
         let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
-            points.into_iter().map(|point| [rounded(point.z), rounded(2.0 * point.x)]).collect()
+            points
+                .into_iter()
+                .map(|point| [rounded(point.z), rounded(Diameter::from_radius(point.x).mm())])
+                .collect()
         };
         let mut part = Self::default();
         for piece in region.pieces() {
@@ -338,7 +342,10 @@ pub struct SectionPiece {
 /// The half-section above the spindle axis, each piece with its own holes.
 pub fn section(region: &Region) -> Vec<SectionPiece> {
     let outline = |points: Vec<Point>| -> Vec<[f64; 2]> {
-        points.into_iter().map(|point| [rounded(point.z), rounded(2.0 * point.x)]).collect()
+        points
+            .into_iter()
+            .map(|point| [rounded(point.z), rounded(Diameter::from_radius(point.x).mm())])
+            .collect()
     };
     let piece = |piece: Piece| SectionPiece {
         outline: outline(piece.outline),
@@ -373,7 +380,7 @@ pub struct Difference {
     /// Area in the half-section, mm².
     pub area: f64,
     /// Least and greatest diameter, mm.
-    pub x: [f64; 2],
+    pub x: [Diameter; 2],
     /// Minimum and maximum Z, mm.
     pub z: [f64; 2],
     /// Where it is thickest across the spindle axis.
@@ -403,7 +410,8 @@ impl Comparison {
                 compare::Side::Second => "second",
             },
             area: to_micrometres(difference.area),
-            x: [difference.bounds.min.x, difference.bounds.max.x].map(|x| to_micrometres(2.0 * x)),
+            x: [difference.bounds.min.x, difference.bounds.max.x]
+                .map(|x| Diameter::from_radius(x).map(to_micrometres)),
             z: [difference.bounds.min.z, difference.bounds.max.z].map(to_micrometres),
             radial: Measure::new(difference.radial),
             axial: Measure::new(difference.axial),
@@ -418,7 +426,11 @@ impl Comparison {
 
 impl Measure {
     fn new(measure: compare::Measure) -> Self {
-        let place = |at: Point| Place { x: to_micrometres(2.0 * at.x), z: to_micrometres(at.z), c: None };
+        let place = |at: Point| Place {
+            x: Diameter::from_radius(at.x).map(to_micrometres),
+            z: to_micrometres(at.z),
+            c: None,
+        };
         Self { length: to_micrometres(measure.length()), from: place(measure.from), to: place(measure.to) }
     }
 }
@@ -438,7 +450,7 @@ pub struct Dimension {
     #[cfg_attr(target_arch = "wasm32", tsify(type = "'cylinder' | 'face' | 'taper' | 'arc' | 'thread'"))]
     pub kind: &'static str,
     /// Diameters of its ends, mm; of a thread minor and major diameter.
-    pub x: [f64; 2],
+    pub x: [Diameter; 2],
     /// Z of its ends, mm.
     pub z: [f64; 2],
     /// mm: along the axis; of a face across it; of a taper along its slope, of an arc its chord.
@@ -465,7 +477,7 @@ impl Dimension {
     /// As it leaves the crate.
     pub fn new(feature: &Feature) -> Self {
         let [from, to] = feature.ends();
-        let diameter = |radius: f64| to_micrometres(2.0 * radius);
+        let diameter = |radius: f64| Diameter::from_radius(radius).map(to_micrometres);
         let (kind, x) = match feature.shape {
             Shape::Cylinder => ("cylinder", [from.x, to.x]),
             Shape::Face => ("face", [from.x, to.x]),
@@ -688,9 +700,9 @@ impl Places<'_> {
             line: motions.line(index) + 1,
             from,
             to,
-            x: rounded(2.0 * motion.to.x),
+            x: diameter(motion.to.x),
             z: rounded(motion.to.z),
-            at_x: rounded(2.0 * at.x),
+            at_x: diameter(at.x),
             at_z: rounded(at.z),
             text: describe_motion(&motion, passes(motions, index), language),
         }
@@ -771,7 +783,7 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
         }),
         machine: virtual_move
             .and(motion.rotary)
-            .map(|rotary| MachinePlace { x: rounded(2.0 * motion.to.x), c: rounded(rotary.to) }),
+            .map(|rotary| MachinePlace { x: diameter(motion.to.x), c: rounded(rotary.to) }),
         lead: motion.lead.map(rounded),
         seconds: timing::seconds(motion, machine).map(rounded),
         feed: timing::feed_at(motion, machine, motion.to.x).map(rounded),
@@ -787,9 +799,9 @@ pub fn motion(motion: &motion::Motion, line: u32, machine: &Machine) -> Motion {
 /// A point of a virtual plane as a program writes it.
 fn place_on(surface: Surface, point: Point, third: f64) -> Place {
     match surface {
-        Surface::Face => Place { x: rounded(2.0 * point.z), z: rounded(third), c: Some(rounded(point.x)) },
+        Surface::Face => Place { x: diameter(point.z), z: rounded(third), c: Some(rounded(point.x)) },
         Surface::Cylinder { radius, .. } => Place {
-            x: rounded(2.0 * third),
+            x: diameter(third),
             z: rounded(point.z),
             c: Some(rounded((point.x / radius).to_degrees())),
         },
@@ -818,8 +830,13 @@ fn kind_name(kind: MotionKind) -> &'static str {
     }
 }
 
+/// The diameter of a radius, mm, without the dust of binary arithmetic.
+fn diameter(radius: f64) -> Diameter {
+    Diameter::from_radius(radius).map(rounded)
+}
+
 fn place(point: Point) -> Place {
-    Place { x: rounded(2.0 * point.x), z: rounded(point.z), c: None }
+    Place { x: diameter(point.x), z: rounded(point.z), c: None }
 }
 
 /// Without the dust of binary arithmetic: to a millionth.

@@ -24,7 +24,7 @@ use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule, Dialect};
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::{Parser, Resume};
-use crate::units::Unit;
+use crate::units::{Diameter, Unit};
 
 /// Expands a program.
 pub fn expand(text: &[u8], setup: &Setup) -> String {
@@ -634,7 +634,7 @@ impl Writer<'_> {
             let _ = write!(home, " {}", point.span.quote(self.text).trim());
         }
         if names(b"XU") {
-            let _ = write!(home, " X{}", decimal(2.0 * motion.from.x));
+            let _ = write!(home, " X{}", decimal(Diameter::from_radius(motion.from.x).mm()));
         }
         if names(b"ZW") {
             let _ = write!(home, " Z{}", decimal(motion.from.z));
@@ -677,7 +677,7 @@ impl Writer<'_> {
             return;
         }
         let code = self.code_of(motion).unwrap_or("G00");
-        let (x, z) = (decimal(2.0 * motion.to.x), decimal(motion.to.z));
+        let (x, z) = (decimal(Diameter::from_radius(motion.to.x).mm()), decimal(motion.to.z));
         let _ = write!(self.out, "{code} X{x} Z{z}");
         if let Some(rotary) = motion.rotary {
             let _ = write!(self.out, " C{}", decimal(rotary.to));

@@ -9,6 +9,7 @@ use crate::machine::{SimulationLimit, SimulationResult};
 use crate::message::{Diagnostic, Levels, Message};
 use crate::motion::Motions;
 use crate::source::Span;
+use crate::units::Diameter;
 
 /// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has reported.
 pub fn diagnostics(
@@ -74,7 +75,7 @@ pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<I
 
 fn message(finding: &Finding, motions: &Motions) -> Message {
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
-    let (x, z) = (hundredth(2.0 * finding.at.x), hundredth(finding.at.z));
+    let (x, z) = (Diameter::from_radius(finding.at.x).map(hundredth), hundredth(finding.at.z));
     match finding.danger {
         Danger::RapidThroughStock => Message::RapidThroughStock { x, z },
         Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
@@ -95,7 +96,7 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
         Danger::BelowCenter => Message::BelowCenter { x },
         Danger::OverTravel { axis, limit } => match axis {
             // Unrounded: it may be a little beyond.
-            Axis::X => Message::OverTravel { axis: 'X', to: 2.0 * finding.at.x, limit },
+            Axis::X => Message::OverTravel { axis: 'X', to: Diameter::from_radius(finding.at.x).mm(), limit },
             Axis::Z => Message::OverTravel { axis: 'Z', to: finding.at.z, limit },
         },
         Danger::ToolNotListed { station } => {

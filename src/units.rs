@@ -1,6 +1,8 @@
-//! The unit of length of a program, and how numbers are shown.
+//! Units of length: millimetre and inch, radius and diameter; and how numbers are shown.
 //!
 //! In: a unit, or a value. Out: its size in millimetres, its least input increment, the value as text. Knows no words.
+
+use serde::{Deserialize, Serialize};
 
 /// Unit of length of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,6 +45,40 @@ impl Unit {
     }
 }
 
+/// A length across the spindle axis as people write it: a diameter, mm. Inside, X is a radius ([`Point`](crate::geometry::Point));
+/// this type is the only way from one to the other, so neither can be taken for the other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Deserialize, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(transparent)]
+pub struct Diameter(f64);
+
+impl Diameter {
+    /// A diameter as it is written, mm.
+    pub const fn new(mm: f64) -> Self {
+        Self(mm)
+    }
+
+    /// The diameter of a radius, mm. A negative radius is on the other side of the axis.
+    pub const fn from_radius(radius: f64) -> Self {
+        Self(2.0 * radius)
+    }
+
+    /// The diameter, mm.
+    pub const fn mm(self) -> f64 {
+        self.0
+    }
+
+    /// Half of it, mm.
+    pub const fn radius(self) -> f64 {
+        self.0 / 2.0
+    }
+
+    /// The diameter after a change of its number, such as rounding.
+    pub fn map(self, change: impl FnOnce(f64) -> f64) -> Self {
+        Self(change(self.0))
+    }
+}
+
 /// A number as people write it: at most four decimals, no trailing zeros, never `-0`.
 pub fn number(value: f64) -> String {
     let mut text = format!("{value:.4}");
@@ -58,6 +94,12 @@ pub fn number(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_diameter_is_twice_its_radius() {
+        assert_eq!(Diameter::from_radius(15.0), Diameter::new(30.0));
+        assert_eq!((Diameter::new(30.0).mm(), Diameter::new(30.0).radius()), (30.0, 15.0));
+    }
 
     #[test]
     fn numbers_read_as_people_write_them() {

@@ -14,14 +14,14 @@ fn check_with(setup: &str, program: &str, expected: &str) {
     let analysis = analyze(program.as_bytes(), &setup);
     let found: Vec<String> = api::motions(&analysis.motions, &analysis.setup.machine)
         .map(|row| {
-            let to = format!("({},{})", number(row.to.x), number(row.to.z));
+            let to = format!("({},{})", number(row.to.x.mm()), number(row.to.z));
             match (row.kind, row.dir, row.center, row.seconds) {
                 ("rapid", ..) => format!("R{to}"),
                 ("feed", ..) => format!("F{to}"),
                 ("thread", ..) => format!("T{to}"),
                 (_, Some(dir), Some(center), _) => {
                     let sign = if dir == "ccw" { '+' } else { '-' };
-                    format!("A{sign}{to}c({},{})", number(center.x), number(center.z))
+                    format!("A{sign}{to}c({},{})", number(center.x.mm()), number(center.z))
                 }
                 (_, _, _, seconds) => format!("D{}", number(seconds.unwrap_or(f64::NAN))),
             }
@@ -260,7 +260,7 @@ fn the_program_ends_at_m30_and_what_follows_is_only_read() {
 fn what_is_not_supported_moves_nothing_and_puts_its_axes_in_doubt() {
     let analysis = analyze(b"M3 S1\nG0 X50\nG36 X0 Z0\nG1 X40 F1\nZ5\nX30\nM30", &Setup::default());
     let rows: Vec<_> = api::motions(&analysis.motions, &analysis.setup.machine)
-        .map(|row| (row.to.x, row.uncertain))
+        .map(|row| (row.to.x.mm(), row.uncertain))
         .collect();
     assert_eq!(rows, [(50.0, false), (40.0, true), (40.0, true), (30.0, false)]);
 }

@@ -2,6 +2,8 @@
 //! figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "documentation/diameters.rs"]
+mod diameters;
 #[path = "documentation/documents.rs"]
 mod documents;
 #[path = "documentation/figures.rs"]

@@ -16,7 +16,7 @@ fn run(setup: &str, program: &str) -> Analysis {
 fn listing(analysis: &Analysis) -> String {
     let rows = api::motions(&analysis.motions, &analysis.setup.machine).map(|row| {
         let c = row.to.c.map_or_else(String::new, |c| format!(",C{}", number(c)));
-        let to = format!("({},{}{c})", number(row.to.x), number(row.to.z));
+        let to = format!("({},{}{c})", number(row.to.x.mm()), number(row.to.z));
         match row.kind {
             "rapid" => format!("R{to}"),
             "feed" => format!("F{to}"),

@@ -11,6 +11,7 @@ use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_W
 use gcode_playground::setup::{
     Machine, Position, Setup, Side, Stock, Tailstock, Tool, ToolKind, Travel, Turret,
 };
+use gcode_playground::units::Diameter;
 use proptest::prelude::*;
 
 const PROGRAM: &str = "O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n";
@@ -24,6 +25,14 @@ fn length() -> impl Strategy<Value = f64> {
     ]
 }
 
+fn diameter() -> impl Strategy<Value = Diameter> {
+    length().prop_map(Diameter::new)
+}
+
+fn maybe_diameter() -> impl Strategy<Value = Option<Diameter>> {
+    proptest::option::of(diameter())
+}
+
 fn maybe() -> impl Strategy<Value = Option<f64>> {
     proptest::option::of(length())
 }
@@ -35,7 +44,7 @@ prop_compose! {
         insert in proptest::option::of("[CDVTSRW][A-Z]{3}[0-9]{0,6}"),
         tip in proptest::option::of(any::<u8>()),
         (nose_radius, tool_radius, geometry_r, point_angle) in (maybe(), maybe(), maybe(), maybe()),
-        (entering_angle, edge_length, width, diameter) in (maybe(), maybe(), maybe(), maybe()),
+        (entering_angle, edge_length, width, diameter) in (maybe(), maybe(), maybe(), maybe_diameter()),
         (reach, shank, angle) in (maybe(), maybe(), maybe()),
     ) -> Tool {
         Tool {
@@ -48,7 +57,7 @@ prop_compose! {
 prop_compose! {
     fn machine()(
         (rapid_x, rapid_z, max_speed) in (maybe(), maybe(), maybe()),
-        (x_min, x_max, z_min, z_max) in (maybe(), maybe(), maybe(), maybe()),
+        (x_min, x_max, z_min, z_max) in (maybe_diameter(), maybe_diameter(), maybe(), maybe()),
         turret in prop_oneof![Just(Turret::Rear), Just(Turret::Front)],
     ) -> Machine {
         Machine { rapid_x, rapid_z, max_speed, travel: Travel { x_min, x_max, z_min, z_max }, turret }
@@ -71,9 +80,9 @@ fn rules() -> impl Strategy<Value = Levels> {
 
 prop_compose! {
     fn setup()(
-        stock in proptest::option::of((length(), length(), length(), length(), maybe())),
-        tailstock in proptest::option::of((length(), length())),
-        start in proptest::option::of((length(), length())),
+        stock in proptest::option::of((diameter(), diameter(), length(), length(), maybe())),
+        tailstock in proptest::option::of((length(), diameter())),
+        start in proptest::option::of((diameter(), length())),
         machine in machine(),
         rules in rules(),
         tools in proptest::collection::btree_map("T[0-9]{4}", tool(), 0..4),

@@ -23,7 +23,7 @@ fn motions(analysis: &Analysis) -> String {
             _ => "A",
         };
         let doubt = if row.uncertain { "?" } else { "" };
-        format!("{letter}{doubt}({},{})", number(row.to.x), number(row.to.z))
+        format!("{letter}{doubt}({},{})", number(row.to.x.mm()), number(row.to.z))
     });
     rows.collect::<Vec<_>>().join(" ")
 }

@@ -6,6 +6,7 @@ use crate::run::Analysis;
 use crate::sentences::{Language, labels};
 use crate::setup::Stock;
 use crate::setup::as_comments;
+use crate::units::Diameter;
 
 /// A stock that is inferred, and what was not checked because of that.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -25,9 +26,9 @@ pub struct InferredStock {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct StockRow {
     /// Outside diameter.
-    pub diameter: f64,
+    pub diameter: Diameter,
     /// Bore diameter; 0 for solid.
-    pub bore: f64,
+    pub bore: Diameter,
     /// Z of the front face.
     pub face: f64,
     /// From the face towards −Z.
@@ -43,7 +44,8 @@ impl InferredStock {
         let resolved = analysis.resolved_setup();
         let (stock, _) = resolved.stock().filter(|_| resolved.unknown().is_empty())?;
         let Stock { diameter, bore, face, length, .. } = stock;
-        let [diameter, bore, face, length] = [diameter, bore, face, length].map(super::to_micrometres);
+        let [diameter, bore] = [diameter, bore].map(|own| own.map(super::to_micrometres));
+        let [face, length] = [face, length].map(super::to_micrometres);
         let note = as_comments::stock(&Stock { diameter, bore, face, length, grip: None });
         Some(Self {
             note: "stock-assumed",

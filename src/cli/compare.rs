@@ -14,6 +14,7 @@ use crate::scene::camera::XPlus;
 use crate::scene::path_index::PathIndex;
 use crate::scene::svg::{SvgOptions, svg};
 use crate::scene::work::Work;
+use crate::units::Diameter;
 
 /// Two parts.
 pub(super) struct Compared<'a> {
@@ -52,9 +53,10 @@ impl<'a> Compared<'a> {
             let area: f64 = own.iter().map(|difference| difference.area).sum();
             writeln!(out, "Only in {name}: {} mm² of the half-section", short(area))?;
             for difference in own {
-                let [x, z] = [difference.x, difference.z].map(|ends| ends.map(short).join(" to "));
+                let [x, z] =
+                    [difference.x.map(Diameter::mm), difference.z].map(|ends| ends.map(short).join(" to "));
                 let (radial, axial) = (&difference.radial, &difference.axial);
-                let across = [radial.from.x, radial.to.x].map(short).join(" to X");
+                let across = [radial.from.x, radial.to.x].map(|x| short(x.mm())).join(" to X");
                 let along = [axial.from.z, axial.to.z].map(short).join(" to Z");
                 writeln!(out, "  X{x}, Z{z}: {} mm²", short(difference.area))?;
                 writeln!(
@@ -67,7 +69,7 @@ impl<'a> Compared<'a> {
                     out,
                     "    axially {} mm at X{}: Z{along}",
                     short(axial.length),
-                    short(axial.from.x)
+                    short(axial.from.x.mm())
                 )?;
             }
         }

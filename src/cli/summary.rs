@@ -44,7 +44,7 @@ fn line(out: &mut dyn Write, name: &str, row: &Totals) -> io::Result<()> {
         (Some(low), Some(high)) => format!("{:.3} … {:.3}", of(low), of(high)),
         _ => "–".to_owned(),
     };
-    let (x, z) = (range(|place| place.x), range(|place| place.z));
+    let (x, z) = (range(|place| place.x.mm()), range(|place| place.z));
     writeln!(out, "{name:<6} {time:>10} {:>11.1} {:>11.1}  {x:<23} {z}", row.cut, row.rapid)
 }
 

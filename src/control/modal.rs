@@ -21,7 +21,7 @@ use crate::setup::Setup;
 use crate::setup::dialect::{Dialect, FeedMode};
 use crate::source::Span;
 use crate::source::shift::Shift;
-use crate::units::Unit;
+use crate::units::{Diameter, Unit};
 
 /// Where an axis of a cycle ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -293,7 +293,7 @@ impl Spindle {
         if self.cutting_speed <= 0.0 {
             return Some(0.0);
         }
-        let diameter = 2.0 * x.abs();
+        let diameter = Diameter::from_radius(x.abs()).mm();
         let free = 1000.0 * self.cutting_speed / (std::f64::consts::PI * diameter);
         // Where the limits are reversed the highest one counts.
         let fast = self.lowest.map_or(free, |lowest| free.max(lowest));
@@ -447,7 +447,7 @@ impl State {
     pub fn new(setup: &Setup, dialect: &Dialect) -> Self {
         let start = setup.start();
         Self {
-            position: Point::new(start.x / 2.0, start.z),
+            position: Point::new(start.x.radius(), start.z),
             tip: None,
             c: 0.0,
             y: 0.0,

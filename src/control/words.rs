@@ -7,7 +7,7 @@ use crate::message::{Diagnostic, Message, Severity};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
-use crate::units::Unit;
+use crate::units::{Diameter, Unit};
 
 /// What stands after the letter of a word as it is written.
 pub fn behind_letter(word: &str) -> &str {
@@ -104,7 +104,25 @@ pub struct Reading {
     pub decimal: DecimalRule,
 }
 
+/// What the number of an axis counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counts {
+    /// A diameter: X and U.
+    Diameter,
+    /// A length: Z, W and, in a virtual plane, C and H.
+    Length,
+}
+
 impl Reading {
+    /// A coordinate or a way along an axis, mm; a radius where a diameter is written.
+    #[inline]
+    pub fn coordinate(self, word: &Word, counts: Counts) -> Option<f64> {
+        match counts {
+            Counts::Diameter => self.radius(word),
+            Counts::Length => self.length(word),
+        }
+    }
+
     /// A length, mm, never a negative zero: digits below the least increment cut off (FANUC B-64114EN §8.3). `None` for a macro
     /// expression.
     #[inline]
@@ -125,7 +143,7 @@ impl Reading {
     /// A diameter as a radius, mm.
     #[inline]
     pub fn radius(self, word: &Word) -> Option<f64> {
-        self.length(word).map(|diameter| diameter / 2.0)
+        self.length(word).map(|diameter| Diameter::new(diameter).radius())
     }
 
     /// An angle, degrees; without a point under the least-increment rule it counts 0.001°.

@@ -6,6 +6,7 @@
 use super::Move;
 use crate::geometry::Point;
 use crate::motion::MotionKind;
+use crate::units::Diameter;
 
 /// A mirror or turn of the plane.
 pub type Map = fn(Point) -> Point;
@@ -15,7 +16,7 @@ pub const MANY: usize = 4_000_000;
 
 /// A point as programs give it: X a diameter.
 pub fn at(x: f64, z: f64) -> Point {
-    Point::new(x / 2.0, z)
+    Point::new(Diameter::new(x).radius(), z)
 }
 
 /// The moves that begin at `start`.
@@ -55,7 +56,7 @@ pub fn check(start: Point, moves: &[Move], expected: &str) {
 }
 
 fn place(point: Point) -> String {
-    format!("({},{})", number(2.0 * point.x), number(point.z))
+    format!("({},{})", number(Diameter::from_radius(point.x).mm()), number(point.z))
 }
 
 fn number(value: f64) -> String {

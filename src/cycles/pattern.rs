@@ -1,8 +1,8 @@
 //! Pattern repeating, G73: the whole contour again and again, each time nearer to its place.
 //!
 //! In: the contour of blocks ns to nf, the relief of the first pass and the number of passes. Out: the moves.
-//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)`, arcs and all: nothing is asked
-//! of its shape (seed 003). Knows nothing of words.
+//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)` (GSK980TDi p. 136), arcs and all: it may have
+//! any shape. Knows nothing of words.
 
 use super::{Contour, Move};
 use crate::geometry::Point;
@@ -42,7 +42,7 @@ pub enum PatternError {
 impl Pattern {
     /// How far the contour of a pass (from 1) is moved: `x` a radius, mm.
     ///
-    /// A single pass is the last one and has no relief (seed 003).
+    /// A single pass is the last one and has no relief: no manual says so, it is how the formula ends.
     pub fn shift(&self, pass: u32) -> Point {
         let left = f64::from(self.passes.saturating_sub(pass));
         let steps = match self.intervals {

@@ -80,9 +80,10 @@ pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::Diameter;
 
     fn ends(moves: &[Move]) -> Vec<(f64, f64)> {
-        moves.iter().map(|step| (2.0 * step.to.x, step.to.z)).collect()
+        moves.iter().map(|step| (Diameter::from_radius(step.to.x).mm(), step.to.z)).collect()
     }
 
     #[test]

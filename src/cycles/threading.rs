@@ -1,8 +1,8 @@
 //! Threads: one pass with its pull-out, as G92 makes it, and the many passes of G76.
 //!
 //! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E lies
-//! nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants (seeds 001 and 003, GSK980TDb p. 135).
-//! Knows nothing of words and leads. Zero-length moves are left in: whoever stores motions drops them.
+//! nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants. The passes of G76 follow
+//! seed 003 and GSK980TDb p. 138. Knows nothing of words and leads. Zero-length moves are left in: whoever stores motions drops them.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};

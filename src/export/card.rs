@@ -380,9 +380,9 @@ fn remark(text: &[u8], comment: Span) -> String {
 }
 
 fn blank(stock: &Stock, basis: Basis, w: &Words) -> String {
-    let mut text = format!("⌀{}, {} {} mm", number(stock.diameter), w.length, number(stock.length));
-    if stock.bore > 0.0 {
-        let _ = write!(text, ", {} ⌀{}", w.bore, number(stock.bore));
+    let mut text = format!("⌀{}, {} {} mm", number(stock.diameter.mm()), w.length, number(stock.length));
+    if stock.bore.mm() > 0.0 {
+        let _ = write!(text, ", {} ⌀{}", w.bore, number(stock.bore.mm()));
     }
     if stock.face != 0.0 {
         let _ = write!(text, ", {}{}", w.face, number(stock.face));
@@ -400,7 +400,7 @@ fn about(resolved_tool: &ResolvedTool, w: &Words, language: Language) -> [String
     let more = [
         tool.insert.clone().filter(|_| resolved_tool.basis == Basis::Given),
         tool.width.map(|width| format!("{} mm", number(width))),
-        tool.diameter.map(|diameter| format!("⌀{}", number(diameter))),
+        tool.diameter.map(|diameter| format!("⌀{}", number(diameter.mm()))),
     ];
     for more in more.into_iter().flatten() {
         kind = [kind, more].join(" ").trim().to_owned();

@@ -12,6 +12,7 @@ use crate::geometry::{Point, SAME};
 use crate::message::{Diagnostic, Fix, Message};
 use crate::motion::Motion;
 use crate::setup::Stock;
+use crate::units::Diameter;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
@@ -67,7 +68,10 @@ impl Contours {
             None if self.asked_to_rough.contains(&own.named) => return,
             None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
             Some(other) if other.start.distance(own.start) > NEAR && !clears(own.start, other, call) => {
-                Message::FinishStart { roughed_x: 2.0 * other.start.x, roughed_z: other.start.z }
+                Message::FinishStart {
+                    roughed_x: Diameter::from_radius(other.start.x).mm(),
+                    roughed_z: other.start.z,
+                }
             }
             Some(_) => return,
         };
@@ -159,16 +163,19 @@ fn remarks(
 ) -> Vec<Message> {
     let (start, first, last) = (contour.start, contour.first, contour.last());
     let mut found = Vec::new();
-    let (axis, own, other) =
-        if turning { ('Z', start.z, first.z) } else { ('X', 2.0 * start.x, 2.0 * first.x) };
+    let (axis, own, other) = if turning {
+        ('Z', start.z, first.z)
+    } else {
+        ('X', Diameter::from_radius(start.x).mm(), Diameter::from_radius(first.x).mm())
+    };
     if both && (own - other).abs() > NEAR {
         found.push(Message::ContourStartMoved { code, axis, start: own, first: other });
     }
     if let Some(stock) = stock.filter(|_| turning) {
         let outside = first.x < start.x;
-        let end = 2.0 * last.x;
-        if outside && start.x * 2.0 >= stock.diameter - NEAR && end < stock.diameter - NEAR {
-            found.push(Message::ContourNotClosed { x: end, diameter: stock.diameter });
+        let end = Diameter::from_radius(last.x).mm();
+        if outside && start.x >= stock.diameter.radius() - NEAR && last.x < stock.diameter.radius() - NEAR {
+            found.push(Message::ContourNotClosed { x: end, diameter: stock.diameter.mm() });
         }
     }
     found
@@ -200,7 +207,7 @@ fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Mot
         one.max(other) >= front - NEAR && one.min(other) <= back + NEAR
     };
     // A bore leaves the outside as it is.
-    let start = contour.start.x.min(stock.diameter / 2.0);
+    let start = contour.start.x.min(stock.diameter.radius());
     let outside = |motion: &Motion| motion.to.x > start / 2.0;
     cuts.filter(|cut| along(cut) && covers(cut) && outside(cut)).map(|cut| cut.to.x).reduce(f64::min)
 }
@@ -214,7 +221,7 @@ fn pattern_remarks(
     turned: impl FnOnce(Stock) -> Option<f64>,
 ) -> Option<Message> {
     let stock = stock?;
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     if contour.first.x >= contour.start.x {
         return None;
     }

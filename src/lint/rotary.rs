@@ -76,7 +76,7 @@ impl Rotary {
         if let Some((word, c)) = words.get(b'C').and_then(|word| Some((word, reading.length(word)?.abs()))) {
             let x = words.get(b'X').and_then(|word| reading.radius(word)).unwrap_or(at.state.position.z);
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
-            let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter);
+            let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
             if (like_degrees || outside) && self.angle.first() {
                 let message = Message::PolarAngle { word: quote(at.text, word.span) };
                 reports.push(Diagnostic::new(message, word.span));

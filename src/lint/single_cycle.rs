@@ -15,6 +15,7 @@ use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::text::block::{Block, Word};
+use crate::units::Diameter;
 
 /// Lengths this near are the same, mm.
 const NEAR: f64 = 0.001;
@@ -137,7 +138,7 @@ impl SingleCycles {
         }
         let surface = before
             .map(|before| before.end.x + before.taper)
-            .or(at.setup.stock.map(|stock| start.x.min(stock.diameter / 2.0)));
+            .or(at.setup.stock.map(|stock| start.x.min(stock.diameter.radius())));
         if let Some(depth) = edge_depth(cycle, &own, surface, before.is_none()) {
             reports.push(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
         }
@@ -182,13 +183,14 @@ impl SingleCycles {
 /// A block of a cycle with the word at `span`, but without an axis: no pass is made. `end`: the axis that was named last.
 pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
     let (axis, target) = end;
-    let (letters, scale) = if axis == Axis::X { (['X', 'U'], 2.0) } else { (['Z', 'W'], 1.0) };
+    let letters = if axis == Axis::X { ['X', 'U'] } else { ['Z', 'W'] };
     let (letter, value) = match target {
         Target::Stay => return None,
         Target::Absolute(place) => (letters[0], place),
         Target::Incremental(way) => (letters[usize::from(!at.state.incremental)], way),
     };
-    let number = crate::units::number(scale * value / at.state.unit.millimetres());
+    let written = if axis == Axis::X { Diameter::from_radius(value).mm() } else { value };
+    let number = crate::units::number(written / at.state.unit.millimetres());
     let needs_point = at.dialect.decimal == DecimalRule::LeastIncrement && !number.contains('.');
     let end = format!("{letter}{number}{}", if needs_point { "." } else { "" });
     let word = quote(at.text, span);
@@ -205,7 +207,7 @@ fn pass_not_deeper(cycle: Single, own: &DeepestPass, before: &DeepestPass, word:
         Single::Turning => {
             let inward = (own.start.x - before.end.x).signum();
             let deep = inward * (before.end.x - own.end.x);
-            (deep, (own.end.z - before.end.z).abs(), 2.0 * before.end.x)
+            (deep, (own.end.z - before.end.z).abs(), Diameter::from_radius(before.end.x).mm())
         }
         Single::Facing => {
             let inward = (own.start.z - before.end.z).signum();
@@ -247,7 +249,7 @@ fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> Deepe
 
 /// A cycle that starts too far from the blank.
 fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message> {
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     let outside = own.end.x < own.start.x;
     let far_x = own.start.x - radius;
     if outside && far_x > FAR && own.end.x < radius {

@@ -10,10 +10,13 @@ use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::setup::Stock;
 use crate::source::Span;
-use crate::units::Unit;
+use crate::units::{Diameter, Unit};
 
 /// A span longer than this, bytes, is a block and not the word of a taper.
 const LONGEST_WORD: usize = 12;
+
+/// A start this near to the surface of a bar, mm (radius), is that of outside work.
+const NEAR_SURFACE: f64 = 10.0;
 
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;
@@ -67,7 +70,7 @@ fn taper_not_extended(
     // `wanted`: where the cut begins; `part`: how much of the cut lies beyond the end at the blank's surface.
     let (wanted, part, scale, base, axis) = match cycle {
         Single::Facing => {
-            let surface = stock.diameter / 2.0;
+            let surface = stock.diameter.radius();
             if start.x <= surface + NEAR || end.x >= surface - NEAR {
                 return None;
             }
@@ -77,7 +80,9 @@ fn taper_not_extended(
             if start.z <= stock.face + NEAR || end.z >= stock.face - NEAR {
                 return None;
             }
-            (2.0 * (end.x + taper), (stock.face - end.z) / (start.z - end.z), 2.0, 2.0 * end.x, 'X')
+            let diameter = |radius: f64| Diameter::from_radius(radius).mm();
+            let part = (stock.face - end.z) / (start.z - end.z);
+            (diameter(end.x + taper), part, diameter(1.0), diameter(end.x), 'X')
         }
         Single::Threading => return None,
     };
@@ -155,7 +160,7 @@ fn odd_shape(
     }
     let begin = end.x + taper;
     if begin < -NEAR && end.x > 0.0 {
-        return Some(Message::TaperCrossesAxis { word: word.into(), x: 2.0 * begin });
+        return Some(Message::TaperCrossesAxis { word: word.into(), x: Diameter::from_radius(begin).mm() });
     }
     let way = end.x - start.x;
     let outside = match way {
@@ -163,7 +168,7 @@ fn odd_shape(
         way if way > NEAR => false,
         // The end lies at the diameter of the start: outside, where that is at the surface of a bar.
         _ if stock.is_some_and(|stock| {
-            2.0 * start.x > stock.bore + NEAR && 2.0 * start.x >= stock.diameter - 20.0
+            start.x > stock.bore.radius() + NEAR && start.x >= stock.diameter.radius() - NEAR_SURFACE
         }) =>
         {
             true
@@ -187,8 +192,15 @@ fn is_round(length: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::Diameter;
 
-    const STOCK: Stock = Stock { diameter: 50.0, bore: 0.0, face: 0.0, length: 60.0, grip: None };
+    const STOCK: Stock = Stock {
+        diameter: Diameter::new(50.0),
+        bore: Diameter::new(0.0),
+        face: 0.0,
+        length: 60.0,
+        grip: None,
+    };
 
     #[test]
     fn seed_004_needs_r_minus_24_from_x54() {

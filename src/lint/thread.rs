@@ -11,6 +11,7 @@ use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity};
 use crate::motion::SpindleTurn;
 use crate::source::Span;
 use crate::text::block::Block;
+use crate::units::Diameter;
 
 /// n ≤ 1200 / P − K (seed 001).
 const SPEED_OF_PITCH: f64 = 1200.0;
@@ -196,7 +197,7 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     }
     // Exactly at the crest that P gives: the work may have been turned a little smaller.
     let at_crest = (start.x - crest).abs() <= NEAR;
-    let (start, crest) = (2.0 * start.x, 2.0 * crest);
+    let [start, crest] = [start.x, crest].map(|radius| Diameter::from_radius(radius).mm());
     let message = match at_crest {
         true => Message::ThreadStartAtCrest { start },
         false => Message::ThreadStartInside { start, crest },

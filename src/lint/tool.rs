@@ -6,6 +6,7 @@ use crate::geometry::Point;
 use crate::message::{Diagnostic, Message};
 use crate::setup::Stock;
 use crate::text::block::Word;
+use crate::units::Diameter;
 
 /// Nearer to the work than this, mm, no turret should turn.
 const NEAR_WORK: f64 = 20.0;
@@ -27,13 +28,14 @@ impl ToolChanges {
     pub fn turns(&self, word: &Word, at: &Moment) -> Option<Diagnostic> {
         let tip = at.state.position;
         let near = |stock: &Stock| {
-            2.0 * tip.x.abs() < stock.diameter + 2.0 * NEAR_WORK && tip.z < stock.face + NEAR_WORK
+            tip.x.abs() < stock.diameter.radius() + NEAR_WORK && tip.z < stock.face + NEAR_WORK
         };
         // Wherever it goes from there, the program says so.
         let is_home = self.sent_home_from == Some(tip);
         let is_near = at.contour.is_none() && !is_home && at.setup.stock.as_ref().is_some_and(near);
         let tool = || quote(at.text, word.span);
-        let message = || Message::ToolChangeNear { tool: tool(), x: 2.0 * tip.x, z: tip.z };
+        let message =
+            || Message::ToolChangeNear { tool: tool(), x: Diameter::from_radius(tip.x).mm(), z: tip.z };
         is_near.then(|| Diagnostic::new(message(), word.span))
     }
 }

@@ -7,6 +7,7 @@ use super::tool::BLADE;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, Motion, MotionKind, Motions, Step};
 use crate::setup::{Side, Stock, Tool, ToolKind};
+use crate::units::Diameter;
 
 /// Wall around a bore whose outside nobody turns: so many times its radius, and at least so many mm.
 const WALL: (f64, f64) = (0.25, 5.0);
@@ -35,7 +36,7 @@ const LOOKED_AT: usize = 200_000;
 /// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go at the
 /// diameter of a start point.
 pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     let on = |at: Point| (at.x - radius).abs() <= SAME;
     // Down to here cuts along Z have gone below the outside.
     let mut cut = stock.face;
@@ -47,7 +48,7 @@ pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
             continue;
         }
         if motion.kind == MotionKind::Rapid && on(from) && on(to) && along && low < cut - SAME {
-            let diameter = stock.diameter - 2.0 * CLEAR;
+            let diameter = Diameter::from_radius(radius - CLEAR);
             return if diameter > stock.bore { Stock { diameter, ..stock } } else { stock };
         }
         if motion.kind.cuts() && along {
@@ -188,16 +189,16 @@ impl Cuts {
         // The outermost groove in the face has an outer wall too.
         let ringed = self.face_grooves.radius + BLADE;
         let radius = if self.face_grooves.is_empty() || radius > ringed { radius } else { ringed + FLANK };
-        let diameter = 2.0 * radius;
+        let diameter = Diameter::from_radius(radius);
         let is_tube = self.inside.least.is_finite() && self.holes.is_empty();
-        let bore = if is_tube { 2.0 * self.inside.least } else { 0.0 };
-        let bore = if bore < diameter { bore.max(0.0) } else { 0.0 };
+        let bore = if is_tube { self.inside.least } else { 0.0 };
+        let bore = Diameter::from_radius(if bore < radius { bore.max(0.0) } else { 0.0 });
         // A fifth longer than the cuts reach, and no thin slice.
         let depth = face - all.low.min(0.0);
         let blade = if self.grooves.low <= all.low + SAME { BLADE } else { 0.0 };
         let length = (1.2 * depth).max(depth + blade + BEHIND).max(radius);
         let length = (length / 5.0).ceil() * 5.0;
-        let fits = diameter <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
+        let fits = diameter.mm() <= LARGEST && length <= LARGEST && face.abs() <= LARGEST;
         fits.then_some(Stock { diameter, bore, face, length, grip: None })
     }
 

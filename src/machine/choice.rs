@@ -209,7 +209,7 @@ impl Led {
         };
         // Where something was turned in front of it, a cut to the axis parts it off.
         let turned = of(Facing::Outwards).filter_map(|track| {
-            track.highest_between(&positions, 2.0 * TO_AXIS, stock.diameter / 2.0 - SAME)
+            track.highest_between(&positions, 2.0 * TO_AXIS, stock.diameter.radius() - SAME)
         });
         let turned = turned.fold(f64::NEG_INFINITY, f64::max);
         let face = if behind { stock.face.min(0.0) } else { stock.face };
@@ -222,13 +222,13 @@ impl Led {
         let outside = Surface::of(
             of(Facing::Outwards),
             (Facing::Outwards, positions.clone()),
-            stock.diameter / 2.0,
+            stock.diameter.radius(),
             (back, front),
         );
         let inside = Surface::of(
             of(Facing::Inwards),
             (Facing::Inwards, positions.clone()),
-            stock.bore / 2.0,
+            stock.bore.radius(),
             (back, front),
         );
         Some(Self { tracks, positions, outside, inside, front })

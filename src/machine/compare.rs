@@ -10,6 +10,7 @@ use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::Motions;
 use crate::setup::{Setup, Stock};
+use crate::units::Diameter;
 
 /// Parts that differ by less than this, mm, are the same.
 pub const SAME_PART: f64 = 0.005;
@@ -127,8 +128,8 @@ pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
 fn in_both(a: Stock, b: Stock) -> Stock {
     let face = a.face.min(b.face);
     Stock {
-        diameter: a.diameter.min(b.diameter),
-        bore: a.bore.max(b.bore),
+        diameter: Diameter::new(a.diameter.mm().min(b.diameter.mm())),
+        bore: Diameter::new(a.bore.mm().max(b.bore.mm())),
         face,
         length: (face - a.back().max(b.back())).max(0.0),
         grip: a.grip.or(b.grip),

@@ -12,6 +12,7 @@ use super::tool::Action;
 use crate::geometry::{Point, SAME};
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Step};
 use crate::setup::{Setup, Stock, Tailstock, ToolKind, Travel};
+use crate::units::Diameter;
 
 /// A place where something is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -224,7 +225,7 @@ impl DangerDetector {
 
     /// Whether a place is in the blank or near it.
     fn is_at_work(&self, at: Point) -> bool {
-        self.stock.is_some_and(|stock| at.x < stock.diameter / 2.0 + CLEAR && at.z < stock.face + CLEAR)
+        self.stock.is_some_and(|stock| at.x < stock.diameter.radius() + CLEAR && at.z < stock.face + CLEAR)
     }
 
     fn tell(&mut self, motion: usize, at: Point, danger: Danger) {
@@ -237,7 +238,9 @@ impl DangerDetector {
         let beyond = |low: Option<f64>, high: Option<f64>, value: f64| {
             low.filter(|&low| value < low - SAME).or(high.filter(|&high| value > high + SAME))
         };
-        for (axis, limit) in [(Axis::X, beyond(x_min, x_max, 2.0 * x)), (Axis::Z, beyond(z_min, z_max, z))] {
+        let [low, high] = [x_min, x_max].map(|end| end.map(Diameter::mm));
+        let x = beyond(low, high, Diameter::from_radius(x).mm());
+        for (axis, limit) in [(Axis::X, x), (Axis::Z, beyond(z_min, z_max, z))] {
             if let Some(limit) = limit {
                 self.tell(index, motion.to, Danger::OverTravel { axis, limit });
             }
@@ -410,7 +413,7 @@ fn hit(region: &Region, outline: &Outline, motion: &Motion) -> Option<Point> {
 
 /// Whether an outline comes near the box of the blank.
 fn near(stock: &Stock, outline: &[Point]) -> bool {
-    let radius = stock.diameter / 2.0;
+    let radius = stock.diameter.radius();
     outline.iter().any(|point| point.x < radius)
         && outline.iter().any(|point| point.z < stock.face)
         && outline.iter().any(|point| point.z > stock.back())
@@ -419,7 +422,7 @@ fn near(stock: &Stock, outline: &[Point]) -> bool {
 /// A rapid that runs along the outside of the blank where that still stands, and where it begins to.
 fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Point> {
     let (from, to) = (motion.from, motion.to);
-    let on = |point: Point| (2.0 * point.x - stock.diameter).abs() <= 2.0 * ALONG;
+    let on = |point: Point| (point.x - stock.diameter.radius()).abs() <= ALONG;
     let (low, high) = (from.z.min(to.z).max(stock.back()), from.z.max(to.z).min(stock.face));
     if !on(from) || !on(to) || high - low <= ALONG {
         return None;
@@ -443,14 +446,14 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
 /// The jaws around the end of the blank, and the chuck body.
 fn jaws(stock: &Stock) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
-    let (outside, back) = (stock.diameter / 2.0, stock.back());
+    let (outside, back) = (stock.diameter.radius(), stock.back());
     let corners = [
         (outside, back),
         (outside, back + grip),
         (outside + JAW, back + grip),
         (outside + JAW, back - JAW),
-        (stock.bore / 2.0, back - JAW),
-        (stock.bore / 2.0, back),
+        (stock.bore.radius(), back - JAW),
+        (stock.bore.radius(), back),
     ];
     Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
 }
@@ -458,8 +461,8 @@ fn jaws(stock: &Stock) -> Option<Region> {
 /// The centre of the tailstock: a cone of 60°, and the quill.
 fn center(tailstock: &Tailstock) -> Region {
     let Tailstock { z, diameter } = *tailstock;
-    let shoulder = z + diameter / 2.0 / 30f64.to_radians().tan();
-    let corners =
-        [(0.0, z), (0.0, shoulder + 200.0), (diameter / 2.0, shoulder + 200.0), (diameter / 2.0, shoulder)];
+    let radius = diameter.radius();
+    let shoulder = z + radius / 30f64.to_radians().tan();
+    let corners = [(0.0, z), (0.0, shoulder + 200.0), (radius, shoulder + 200.0), (radius, shoulder)];
     Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
 }

@@ -5,6 +5,7 @@
 use super::thread_point::ThreadPoint;
 use super::tool::{BLADE, DRILL, DRILL_POINT, EDGE, ENTERING, POINT};
 use crate::setup::{Tool, ToolKind};
+use crate::units::Diameter;
 
 /// The tool with the usual value wherever it has none.
 pub fn with_defaults(tool: &Tool) -> Tool {
@@ -41,7 +42,7 @@ pub fn with_defaults(tool: &Tool) -> Tool {
         }
         ToolKind::Tap => complete.diameter = tool.diameter.or(Some(DRILL)),
         ToolKind::Endmill => {
-            let diameter = tool.cutter_radius().map(|radius| 2.0 * radius);
+            let diameter = tool.cutter_radius().map(Diameter::from_radius);
             complete.diameter = tool.diameter.or(diameter).or(Some(DRILL));
         }
     }

@@ -291,6 +291,7 @@ mod tests {
     use crate::analyze;
     use crate::machine::SimulationResult;
     use crate::setup::Setup;
+    use crate::units::Diameter;
 
     const SETUP: &str = r#"{"stock": {"diameter": 60, "bore": 20, "length": 80},
         "tools": {"T0101": {"type": "turning", "noseRadius": NOSE, "tip": 3}, "T0303": {"type": "threading"}}}"#;
@@ -300,7 +301,12 @@ mod tests {
         let analysis = analyze(program.as_bytes(), &setup);
         let simulation = SimulationResult::of(&analysis.motions, &setup);
         let threads = threads(&analysis.motions, simulation.resolved_setup());
-        at(&simulation.finished().expect("a part"), &threads, Point::new(diameter / 2.0, z), 0.3)
+        at(
+            &simulation.finished().expect("a part"),
+            &threads,
+            Point::new(Diameter::new(diameter).radius(), z),
+            0.3,
+        )
     }
 
     fn feature(program: &str, diameter: f64, z: f64) -> Feature {
@@ -370,8 +376,8 @@ mod tests {
         };
         assert!(
             (lead - 2.0).abs() < 1e-9
-                && (2.0 * minor - 37.4).abs() < 1e-3
-                && (2.0 * major - 40.0).abs() < 1e-3
+                && (Diameter::from_radius(minor).mm() - 37.4).abs() < 1e-3
+                && (Diameter::from_radius(major).mm() - 40.0).abs() < 1e-3
         );
         assert_eq!(feature(program, 40.0, -26.0).shape, Shape::Cylinder);
     }

@@ -70,7 +70,7 @@ impl Turned {
 impl Part {
     /// The blank, before the first motion.
     pub fn new(stock: &Stock) -> Self {
-        let (low, high) = (stock.bore / 2.0, stock.diameter / 2.0);
+        let (low, high) = (stock.bore.radius(), stock.diameter.radius());
         let corners = [(low, stock.back()), (low, stock.face), (high, stock.face), (high, stock.back())];
         let blank = Region::inside(&corners.map(|(x, z)| Point::new(x, z)));
         Self { now: blank.clone(), blank, stride: STRIDE, ..Self::default() }

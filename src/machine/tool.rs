@@ -11,6 +11,7 @@ use crate::control::compensation::{Nose, Vector};
 use crate::geometry::Point;
 use crate::setup::thread_insert::Hand;
 use crate::setup::{Side, Tool, ToolKind};
+use crate::units::Diameter;
 
 /// Edge of an insert of which nothing is said, mm.
 pub(super) const EDGE: f64 = 12.0;
@@ -28,7 +29,7 @@ pub(super) const POINT: f64 = 80.0;
 pub(super) const BLADE: f64 = 3.0;
 
 /// Diameter of a drill of which nothing is said, mm.
-pub(super) const DRILL: f64 = 10.0;
+pub(super) const DRILL: Diameter = Diameter::new(10.0);
 
 /// Angle of a drill's point of which nothing is said, degrees.
 pub(super) const DRILL_POINT: f64 = 118.0;
@@ -71,7 +72,8 @@ pub struct Shape {
 /// How much smaller the core is, mm: below it a touch is a touch.
 const CORE: f64 = 0.01;
 
-/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose (FANUC 16/18-T B-62754EN p. 224).
+/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose, as the table of tip
+/// directions in the Haas lathe manual has it.
 fn body_direction(tip: u8) -> Vector {
     Nose { radius: 1.0, tip }.vector()
 }
@@ -103,7 +105,7 @@ impl Shape {
                 (Action::Turning, edge, body)
             }
             ToolKind::Endmill => {
-                let radius = tool.cutter_radius().unwrap_or(DRILL / 2.0);
+                let radius = tool.cutter_radius().unwrap_or(DRILL.radius());
                 (Action::Live, Outline::around(rectangle((0.0, LONG / 10.0), (-radius, radius))), None)
             }
         };
@@ -249,7 +251,7 @@ fn thread(tool: &Tool) -> (Outline, Option<Outline>) {
 
 /// A drill or a tap on the axis, and what holds it.
 fn drill(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
-    let radius = tool.diameter.unwrap_or(DRILL) / 2.0;
+    let radius = tool.diameter.unwrap_or(DRILL).radius();
     let point = if kind == ToolKind::Tap { 180.0 } else { tool.angle.unwrap_or(DRILL_POINT) };
     let shoulder = radius / (point.to_radians() / 2.0).tan();
     let length = tool.reach.unwrap_or(LONG).max(shoulder);

@@ -9,6 +9,7 @@ use super::blank::Extents;
 use crate::geometry::SAME;
 use crate::motion::{Cycle, CycleFamily, Motion, MotionKind, Motions};
 use crate::setup::{Side, Stock, Tool, ToolKind};
+use crate::units::Diameter;
 
 /// So many motions are looked at.
 pub(super) const LOOKED_AT: usize = 200_000;
@@ -148,7 +149,7 @@ impl ToolUse {
         }
         // Nobody bores a bar that is solid: what leaves a cut inwards there runs into the work.
         let is_drilled = seen.iter().any(|own| own.purpose == Purpose::Hole);
-        if stock.is_some_and(|stock| stock.bore <= SAME) && !is_drilled {
+        if stock.is_some_and(|stock| stock.bore.mm() <= SAME) && !is_drilled {
             for own in seen.iter_mut().filter(|own| !bores(described_tools.get(&own.station))) {
                 own.outside = own.outside.max(0);
             }
@@ -236,7 +237,8 @@ impl ToolUse {
             Purpose::Live => Tool { kind: Some(ToolKind::Endmill), ..Tool::default() },
             Purpose::Hole => {
                 let kind = if self.taps { ToolKind::Tap } else { ToolKind::Drill };
-                let diameter = if bore.is_finite() && bore > 0.0 { Some(2.0 * bore) } else { None };
+                let diameter =
+                    if bore.is_finite() && bore > 0.0 { Some(Diameter::from_radius(bore)) } else { None };
                 Tool { kind: Some(kind), diameter, ..Tool::default() }
             }
             Purpose::Threading => {

@@ -4,6 +4,7 @@
 //! no language.
 
 use super::rule::{Group, Kind, Rule, Severity};
+use crate::units::Diameter;
 
 /// A word or number that a sentence quotes.
 #[derive(Clone, Copy, Debug, PartialEq)]

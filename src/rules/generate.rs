@@ -202,6 +202,9 @@ fn example_messages(rules: &[RuleFile]) -> String {
                         Type::Number | Type::Length => {
                             format!("{:?}", sample.parse::<f64>().unwrap_or_default())
                         }
+                        Type::Diameter => {
+                            format!("Diameter::new({:?})", sample.parse::<f64>().unwrap_or_default())
+                        }
                         Type::Alarm => quote(alarm),
                     };
                     format!("{name}: {value}")
@@ -273,6 +276,7 @@ fn rust_type(kind: Type) -> &'static str {
         Type::Index | Type::Program => "u32",
         Type::Integer => "i64",
         Type::Number | Type::Length => "f64",
+        Type::Diameter => "Diameter",
     }
 }
 
@@ -286,6 +290,7 @@ fn value(kind: Type, name: &str) -> String {
         Type::Integer => format!("Value::Count(*{name})"),
         Type::Number => format!("Value::Number(*{name})"),
         Type::Length => format!("Value::Length(*{name})"),
+        Type::Diameter => format!("Value::Length({name}.mm())"),
     }
 }
 

@@ -94,9 +94,9 @@ impl Face {
     /// Blank, what is left of the face, and the cutter: when all is done, or with the tool at a place of the run.
     pub fn work(&self, simulation: &SimulationResult, place: Option<Place>) -> Option<Work> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
-        let mut blank = Region::inside(&circle(stock.diameter / 2.0));
-        if stock.bore > 0.0 {
-            blank.cut(&[circle(stock.bore / 2.0)]);
+        let mut blank = Region::inside(&circle(stock.diameter.radius()));
+        if stock.bore.mm() > 0.0 {
+            blank.cut(&[circle(stock.bore.radius())]);
         }
         let until = place.map_or(self.of.len(), |at| self.of.partition_point(|&motion| motion < at.motion));
         let mut left = blank.clone();
@@ -108,7 +108,7 @@ impl Face {
             let edge = sweep::Outline::around(circle(radius)).at(tip);
             Some(ToolOutline { edge, body: None, tip })
         });
-        Some(Work::on_face(&blank, &left, basis, tool, stock.diameter / 2.0))
+        Some(Work::on_face(&blank, &left, basis, tool, stock.diameter.radius()))
     }
 
     /// What the cutters sweep in the moves before `until`, and in a part of the next one.

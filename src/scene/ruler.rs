@@ -4,6 +4,7 @@
 //! X as a **diameter** in mm: the one place of the picture where radii become diameters. Knows no language.
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
+use crate::units::Diameter;
 
 /// The international symbol of the unit of all rulers.
 pub const MILLIMETRE: &str = "mm";
@@ -40,7 +41,7 @@ impl Axis {
     /// What a mm of the picture counts on it.
     fn count(self) -> f64 {
         match self {
-            Self::X | Self::FaceX => 2.0,
+            Self::X | Self::FaceX => Diameter::from_radius(1.0).mm(),
             Self::Z | Self::FaceC => 1.0,
         }
     }

@@ -7,6 +7,7 @@ use crate::playback::clock::Playhead;
 use crate::scene::work::Work;
 use crate::setup::{Setup, Stock};
 use crate::source::Span;
+use crate::units::Diameter;
 
 use super::Scene;
 use super::path_index::{PathIndex, STRETCH, Stretch, StretchKey};
@@ -14,7 +15,7 @@ use crate::geometry::bounds::Bounds;
 
 /// A point by its diameter and Z.
 pub(super) fn point(diameter: f64, z: f64) -> Point {
-    Point::new(diameter / 2.0, z)
+    Point::new(Diameter::new(diameter).radius(), z)
 }
 
 /// A path built by hand; X values are diameters. Each motion is its own line of ten bytes.
@@ -108,7 +109,8 @@ impl Path {
     }
 }
 
-const STOCK: Stock = Stock { diameter: 60.0, bore: 20.0, face: 1.0, length: 80.0, grip: None };
+const STOCK: Stock =
+    Stock { diameter: Diameter::new(60.0), bore: Diameter::new(20.0), face: 1.0, length: 80.0, grip: None };
 
 fn check_bounds(path: Path, stock: Option<Stock>, (low, high): ((f64, f64), (f64, f64))) {
     let motions = path.motions();

@@ -95,8 +95,8 @@ impl Work {
                 .collect(),
             compared: None,
             bounds: Bounds {
-                min: Point::new(stock.bore / 2.0, stock.back()),
-                max: Point::new(stock.diameter / 2.0, stock.face),
+                min: Point::new(stock.bore.radius(), stock.back()),
+                max: Point::new(stock.diameter.radius(), stock.face),
             },
         })
     }

@@ -9,6 +9,7 @@ use super::template::fill;
 use crate::geometry::virtual_plane::Surface;
 use crate::message::{Arguments, Repair, Value};
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
+use crate::units::Diameter;
 
 /// Lists the phrases once, for the enum and for the tests of all of them.
 macro_rules! phrases {
@@ -145,7 +146,7 @@ fn end_of(motion: &Motion) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {
         fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())
     };
-    let (x, z) = (("x", 2.0 * motion.to.x), ("z", motion.to.z));
+    let (x, z) = (("x", Diameter::from_radius(motion.to.x).mm()), ("z", motion.to.z));
     let Some(rotary) = motion.rotary else { return place("X{x} Z{z}", &[x, z]) };
     let c = ("c", rotary.to);
     let own = rotary.virtual_move.filter(|own| own.surface == Surface::Face);

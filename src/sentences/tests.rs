@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::phrases::Phrase;
 use super::{Language, Sentence, labels};
 use crate::message::{Message, Value};
-use crate::units::{Unit, number};
+use crate::units::{Diameter, Unit, number};
 
 include!(concat!(env!("OUT_DIR"), "/example_messages.rs"));
 
@@ -78,7 +78,7 @@ fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
                         ("count" | "index" | "integer", Value::Count(count)) => count.to_string(),
                         ("program", Value::Program(program)) => format!("{program:04}"),
                         ("number", Value::Number(value)) => number(value),
-                        ("length", Value::Length(length)) => number(length / 25.4),
+                        ("length" | "diameter", Value::Length(length)) => number(length / 25.4),
                         (kind, value) => panic!("{value:?} is no {kind}"),
                     };
                     text = text.replace(&format!("{{{name}}}"), &shown);

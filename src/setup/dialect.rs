@@ -3,6 +3,7 @@
 //! In: the choices of a setup. Out: a [`Dialect`] with every switch decided. Each switch says where controls
 //! differ; the default stands first in its list. Knows nothing of blocks.
 
+use crate::units::Diameter;
 use serde::Deserialize;
 
 /// A family of controls.
@@ -368,7 +369,7 @@ impl Dialect {
             strict: choice.strict.unwrap_or(false),
             polar_x: choice.polar_x.unwrap_or(PolarX::Diameter),
             ref_point_given: choice.ref_point.is_some(),
-            ref_point: choice.ref_point.unwrap_or(super::Position { x: 300.0, z: 300.0 }),
+            ref_point: choice.ref_point.unwrap_or(super::Position { x: Diameter::new(300.0), z: 300.0 }),
         }
     }
 }

@@ -9,6 +9,7 @@ use super::fields::{self, Field, Name, ReadError, Value};
 use super::invalid::Requirement;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::setup::dialect::DialectChoice;
+use crate::units::Diameter;
 
 /// What is written in a field of a form.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,10 +44,16 @@ pub struct Draft {
 const UNKNOWN: f64 = f64::INFINITY;
 
 /// A blank of which nothing is known.
-pub const NO_STOCK: Stock = Stock { diameter: UNKNOWN, bore: 0.0, face: 0.0, length: UNKNOWN, grip: None };
+pub const NO_STOCK: Stock = Stock {
+    diameter: Diameter::new(UNKNOWN),
+    bore: Diameter::new(0.0),
+    face: 0.0,
+    length: UNKNOWN,
+    grip: None,
+};
 
 /// A tailstock of which nothing is known but the usual quill.
-pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: 20.0 };
+pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: Diameter::new(20.0) };
 
 impl Draft {
     /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
@@ -86,7 +93,7 @@ impl Draft {
 pub fn stock_base(given: &Setup, inferred: &Setup) -> Stock {
     let inferred = inferred.stock.unwrap_or(NO_STOCK);
     match given.stock {
-        Some(_) => Stock { bore: 0.0, face: 0.0, ..inferred },
+        Some(_) => Stock { bore: Diameter::default(), face: 0.0, ..inferred },
         None => inferred,
     }
 }

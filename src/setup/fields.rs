@@ -6,6 +6,7 @@
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
 use crate::message::{Group, Levels, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
+use crate::units::Diameter;
 use Entry::{Choice, Number, Text, Whole};
 
 /// What is written in a field.
@@ -148,12 +149,38 @@ impl<T> Field<T> {
     }
 }
 
+/// A value that is written as one number.
+trait Measured {
+    fn number(self) -> f64;
+    fn from_number(number: f64) -> Self;
+}
+
+impl Measured for f64 {
+    fn number(self) -> f64 {
+        self
+    }
+
+    fn from_number(number: f64) -> Self {
+        number
+    }
+}
+
+impl Measured for Diameter {
+    fn number(self) -> f64 {
+        self.mm()
+    }
+
+    fn from_number(number: f64) -> Self {
+        Self::new(number)
+    }
+}
+
 /// A measure that may be left out.
 macro_rules! measure {
     ($($path:ident).+) => {
-        (|own| own.$($path).+.map(Value::Number), |own, value| {
+        (|own| own.$($path).+.map(|own| Value::Number(own.number())), |own, value| {
             if let Value::Number(number) = value {
-                own.$($path).+ = Some(*number);
+                own.$($path).+ = Some(Measured::from_number(*number));
             }
         })
     };
@@ -163,10 +190,10 @@ macro_rules! measure {
 macro_rules! always {
     ($path:ident unless $usual:expr) => {
         (
-            |own| Some(Value::Number(own.$path)).filter(|_| own.$path != $usual),
+            |own| Some(own.$path.number()).filter(|own| *own != $usual).map(Value::Number),
             |own, value| {
                 if let Value::Number(number) = value {
-                    own.$path = *number;
+                    own.$path = Measured::from_number(*number);
                 }
             },
         )

@@ -5,6 +5,7 @@
 
 use super::{Setup, Stock, Tool};
 use crate::message::Message;
+use crate::units::Diameter;
 
 /// An invalid value.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,12 +74,12 @@ impl Checker {
 
     fn stock(&mut self, stock: &Stock) {
         const SIZE: [Requirement; 2] = [Requirement::Positive, Requirement::AtMost(LONGEST)];
-        self.at("stock.diameter", Some(stock.diameter), &SIZE);
+        self.at("stock.diameter", Some(stock.diameter.mm()), &SIZE);
         self.at("stock.length", Some(stock.length), &SIZE);
         self.at("stock.face", Some(stock.face.abs()), &[Requirement::AtMost(LONGEST)]);
-        self.at("stock.bore", Some(stock.bore), &[Requirement::NotNegative]);
+        self.at("stock.bore", Some(stock.bore.mm()), &[Requirement::NotNegative]);
         if self.invalid.is_empty() {
-            self.at("stock.bore", Some(stock.bore), &[Requirement::Below(stock.diameter)]);
+            self.at("stock.bore", Some(stock.bore.mm()), &[Requirement::Below(stock.diameter.mm())]);
             self.at("stock.grip", stock.grip, &[Requirement::NotNegative, Requirement::Below(stock.length)]);
         }
     }
@@ -99,7 +100,7 @@ impl Checker {
         }
         self.at(key("edgeLength"), tool.edge_length, &LENGTH);
         self.at(key("width"), tool.width, &LENGTH);
-        self.at(key("diameter"), tool.diameter, &LENGTH);
+        self.at(key("diameter"), tool.diameter.map(Diameter::mm), &LENGTH);
         self.at(key("reach"), tool.reach, &LENGTH);
         self.at(key("shank"), tool.shank, &LENGTH);
         self.at(key("toolRadius"), tool.tool_radius, &RADIUS);
@@ -130,7 +131,7 @@ impl Setup {
             let before = checker.invalid.len();
             checker.at(
                 "tailstock.diameter",
-                Some(tailstock.diameter),
+                Some(tailstock.diameter.mm()),
                 &[Requirement::Positive, Requirement::AtMost(LONGEST)],
             );
             checker.at("tailstock.z", Some(tailstock.z.abs()), &[Requirement::AtMost(LONGEST)]);
@@ -140,7 +141,7 @@ impl Setup {
         }
         if let Some(start) = self.initial {
             let before = checker.invalid.len();
-            checker.at("initial.x", Some(start.x.abs()), &[Requirement::AtMost(LONGEST)]);
+            checker.at("initial.x", Some(start.x.mm().abs()), &[Requirement::AtMost(LONGEST)]);
             checker.at("initial.z", Some(start.z.abs()), &[Requirement::AtMost(LONGEST)]);
             if checker.invalid.len() > before {
                 self.initial = None;

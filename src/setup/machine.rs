@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::units::Diameter;
+
 /// The machine. What is not given is not known, and nothing is made up for it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
@@ -23,9 +25,9 @@ pub struct Machine {
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct Travel {
     /// Minimum X, a diameter.
-    pub x_min: Option<f64>,
+    pub x_min: Option<Diameter>,
     /// Maximum X, a diameter.
-    pub x_max: Option<f64>,
+    pub x_max: Option<Diameter>,
     /// Minimum Z.
     pub z_min: Option<f64>,
     /// Maximum Z.
@@ -50,5 +52,5 @@ pub struct Tailstock {
     /// Z of its point, mm.
     pub z: f64,
     /// Diameter of the quill, mm.
-    pub diameter: f64,
+    pub diameter: Diameter,
 }

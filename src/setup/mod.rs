@@ -22,6 +22,7 @@ use serde::Deserialize;
 
 use crate::limits::Limits;
 use crate::message::Levels;
+use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
 pub use side::Side;
@@ -89,7 +90,7 @@ impl Setup {
 
     /// Where the tip stands at the start: X200 Z200 when nothing is said.
     pub fn start(&self) -> Position {
-        self.initial.unwrap_or(Position { x: 200.0, z: 200.0 })
+        self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })
     }
 }
 
@@ -108,7 +109,7 @@ fn key_before(json: &str, line: usize, column: usize) -> Option<&str> {
 #[serde(deny_unknown_fields)]
 pub struct Position {
     /// Diameter, mm.
-    pub x: f64,
+    pub x: Diameter,
     /// Length, mm.
     pub z: f64,
 }

@@ -26,6 +26,7 @@ use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Message, Severity};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
+use crate::units::Diameter;
 
 /// Notes stand in the first bytes of a text: so many are looked at.
 pub const HEAD: usize = 1 << 16;
@@ -156,14 +157,20 @@ impl Notes {
         let whole = Span::new(start, start + inside.len());
         match head.key.as_str() {
             "STOCK" => {
-                let mut stock = Stock { diameter: 0.0, bore: 0.0, face: 0.0, length: 0.0, grip: None };
+                let mut stock = Stock {
+                    diameter: Diameter::default(),
+                    bore: Diameter::default(),
+                    face: 0.0,
+                    length: 0.0,
+                    grip: None,
+                };
                 self.fill(rest, fields::STOCK, &mut stock, "D=, BORE=, LENGTH=, FACE=, GRIP=");
                 self.stock = Some(stock);
                 self.stands("stock.", whole);
             }
             "TOOL" => self.tool(rest, whole),
             "TAILSTOCK" => {
-                let mut tailstock = Tailstock { z: 0.0, diameter: 20.0 };
+                let mut tailstock = Tailstock { z: 0.0, diameter: Diameter::new(20.0) };
                 self.fill(rest, fields::TAILSTOCK, &mut tailstock, "Z=, D=");
                 self.tailstock = Some(tailstock);
                 self.stands("tailstock.", whole);
@@ -248,7 +255,8 @@ impl Notes {
         let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
             self.stands("stock.", Span::new(start, start + inside.len()));
-            self.stock = Some(Stock { diameter, bore: 0.0, face: 0.0, length, grip: None });
+            let (diameter, bore) = (Diameter::new(diameter), Diameter::default());
+            self.stock = Some(Stock { diameter, bore, face: 0.0, length, grip: None });
         }
     }
 
@@ -348,7 +356,13 @@ mod tests {
         assert_eq!(notes.unreadable, []);
         assert_eq!(
             notes.stock,
-            Some(Stock { diameter: 65.0, bore: 18.0, face: 1.0, length: 80.0, grip: Some(30.0) })
+            Some(Stock {
+                diameter: Diameter::new(65.0),
+                bore: Diameter::new(18.0),
+                face: 1.0,
+                length: 80.0,
+                grip: Some(30.0)
+            })
         );
         let [(first, turning), (second, groove)] = &notes.tools[..] else { panic!("{:?}", notes.tools) };
         assert_eq!((first.as_str(), second.as_str()), ("T0101", "T0303"));
@@ -357,13 +371,13 @@ mod tests {
             (Some(ToolKind::Turning), 0.8, Some(95.0))
         );
         assert_eq!((groove.side, groove.width, groove.tip_direction()), (Some(Side::Inside), Some(3.0), 2));
-        assert_eq!(notes.tailstock, Some(Tailstock { z: 2.0, diameter: 20.0 }));
+        assert_eq!(notes.tailstock, Some(Tailstock { z: 2.0, diameter: Diameter::new(20.0) }));
         let machine = notes.machine.unwrap();
         assert_eq!(
             (machine.rapid_x, machine.travel.z_min, machine.turret),
             (Some(8000.0), Some(-300.0), Turret::Front)
         );
-        assert_eq!(notes.start, Some(Position { x: 150.0, z: 20.0 }));
+        assert_eq!(notes.start, Some(Position { x: Diameter::new(150.0), z: 20.0 }));
         let rules: Vec<_> = notes.rules.iter().collect();
         assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
@@ -376,7 +390,7 @@ mod tests {
             ("[BILLET", None),
         ] {
             assert_eq!(
-                Notes::read(text.as_bytes()).stock.map(|stock| (stock.diameter, stock.length)),
+                Notes::read(text.as_bytes()).stock.map(|stock| (stock.diameter.mm(), stock.length)),
                 stock,
                 "{text}"
             );

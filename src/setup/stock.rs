@@ -2,15 +2,17 @@
 
 use serde::Deserialize;
 
+use crate::units::Diameter;
+
 /// A bar or a tube, and how far it stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stock {
     /// Outside diameter, mm.
-    pub diameter: f64,
+    pub diameter: Diameter,
     /// Bore diameter, mm; 0 for solid.
     #[serde(default)]
-    pub bore: f64,
+    pub bore: Diameter,
     /// Z of the front face, mm.
     #[serde(default)]
     pub face: f64,

@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 use super::side::Side;
 use super::thread_insert::ThreadInsert;
+use crate::units::Diameter;
 
 /// A tool as a setup sheet names it. What is left out has the usual value of its kind.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -34,7 +35,7 @@ pub struct Tool {
     /// Width of a grooving insert, mm.
     pub width: Option<f64>,
     /// Diameter of a drill, a tap or a cutter, mm.
-    pub diameter: Option<f64>,
+    pub diameter: Option<Diameter>,
     /// How far a grooving insert, a threading point or a drill reaches from its holder, or a boring bar into the work, mm.
     pub reach: Option<f64>,
     /// Diameter of a boring bar, mm.
@@ -156,7 +157,7 @@ impl Tool {
 
     /// Radius of a rotating cutter, mm: as given, or half of its diameter.
     pub fn cutter_radius(&self) -> Option<f64> {
-        self.tool_radius.or(self.diameter.map(|diameter| diameter / 2.0))
+        self.tool_radius.or(self.diameter.map(Diameter::radius))
     }
 
     /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset R overrides the diameter.

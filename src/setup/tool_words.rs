@@ -10,6 +10,7 @@ mod terms;
 use std::collections::BTreeMap;
 
 use super::{Side, Tool, ToolKind};
+use crate::units::Diameter;
 use numbers::Unit;
 
 /// How well a comment is tied to a tool.
@@ -107,7 +108,11 @@ pub fn described(comment: &str, unit: Unit) -> Tool {
         }
         ToolKind::Threading => {}
         ToolKind::Drill | ToolKind::Tap | ToolKind::Endmill => {
-            tool = Tool { kind: Some(kind), diameter: numbers::diameter(&text, unit), ..Tool::default() };
+            tool = Tool {
+                kind: Some(kind),
+                diameter: numbers::diameter(&text, unit).map(Diameter::new),
+                ..Tool::default()
+            };
         }
     }
     // A radius that takes up the whole grooving insert is no corner.

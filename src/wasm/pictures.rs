@@ -14,6 +14,7 @@ use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::palette::Palette;
 use crate::setup::Turret;
+use crate::units::Diameter;
 
 /// How near a stroke or an edge the pointer must be, CSS pixels.
 const REACH: f64 = 8.0;
@@ -96,9 +97,10 @@ impl Playground {
     #[wasm_bindgen(js_name = screenOf)]
     pub fn screen_of(&mut self, picture: PictureName, x: f64, other: f64) -> Vec<f64> {
         let plane = Plane::from(picture);
+        let x = Diameter::new(x).radius();
         let at = match plane {
-            Plane::Section => Point::new(x / 2.0, other),
-            Plane::Face => Point::new(other, x / 2.0),
+            Plane::Section => Point::new(x, other),
+            Plane::Face => Point::new(other, x),
         };
         let mut pixel = Pixel::new(0.0, 0.0);
         self.current.look(plane, |view, _| pixel = view.camera().to_screen(at));

@@ -8,6 +8,7 @@ use gcode_playground::machine::region::Region;
 use gcode_playground::motion::{Cycle, Motion, Motions};
 use gcode_playground::run::Analysis;
 use gcode_playground::setup::Setup;
+use gcode_playground::units::Diameter;
 use proptest::prelude::*;
 
 use crate::fixtures::all;
@@ -269,7 +270,7 @@ fn words_give_measures() {
     let program = format!("{HEAD}T0202\n(BROCA 8MM)\nG00 X0 Z2\nG01 Z-20 F0.2\nG00 Z2\n");
     let (_, simulation) = run(&program);
     let drill = simulation.resolved_setup().tools().next().expect("a drill");
-    assert_eq!(drill.tool.diameter, Some(8.0));
+    assert_eq!(drill.tool.diameter, Some(Diameter::new(8.0)));
     let program = format!("{HEAD}T0303 (GROOVE W=2)\nG00 X42 Z-20\nG01 X30 F0.1\nG00 X42\n");
     let (_, simulation) = run(&program);
     let blade = simulation.resolved_setup().tools().next().expect("a blade");

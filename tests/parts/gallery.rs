@@ -5,6 +5,7 @@ use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::resolved_setup::{Basis, ResolvedSetup};
 use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::setup::{Setup, Side, Stock, Tool, ToolKind};
+use gcode_playground::units::Diameter;
 
 use crate::fixtures::{Program, all, folder};
 use crate::reach::{Interval, Reach, left, turns, without_dust};
@@ -52,7 +53,7 @@ fn as_resolved(tool: &Tool, basis: Basis, pitch: f64) -> Reach {
         ToolKind::Grooving if tool.side == Some(Side::Face) => Reach::face_blade(3.0),
         ToolKind::Grooving => Reach::blade(3.0, up),
         ToolKind::Threading => Reach::thread(up, pitch),
-        ToolKind::Drill => Reach::drill(tool.diameter.unwrap_or(10.0)),
+        ToolKind::Drill => Reach::drill(tool.diameter.map_or(10.0, Diameter::mm)),
         kind => panic!("{kind:?}"),
     }
 }
@@ -121,9 +122,16 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     let plain = analyze(program.text.as_bytes(), &setup);
     let resolved = ResolvedSetup::new(&plain.motions, &setup);
-    let stock = resolved
-        .stock()
-        .map_or(Stock { diameter: 60.0, bore: 0.0, face: 0.0, length: 60.0, grip: None }, |(stock, _)| stock);
+    let stock = resolved.stock().map_or(
+        Stock {
+            diameter: Diameter::new(60.0),
+            bore: Diameter::new(0.0),
+            face: 0.0,
+            length: 60.0,
+            grip: None,
+        },
+        |(stock, _)| stock,
+    );
     setup.stock = Some(stock);
     let mut given: Vec<(u16, Reach)> = Vec::new();
     for resolved_tool in resolved.tools() {
@@ -182,7 +190,7 @@ fn a_nose_of_0_8() {
                     }
                     ToolKind::Threading => threading(),
                     ToolKind::Drill => (
-                        Tool { kind: Some(kind), diameter: Some(12.0), ..Tool::default() },
+                        Tool { kind: Some(kind), diameter: Some(Diameter::new(12.0)), ..Tool::default() },
                         Reach::drill(12.0),
                     ),
                     _ => (

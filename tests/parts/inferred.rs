@@ -12,8 +12,9 @@ fn guess(program: &str, setup: &str) -> String {
     let analysis = analyze(program.as_bytes(), &setup);
     let resolved = ResolvedSetup::new(&analysis.motions, &setup);
     let stock = resolved.stock().map_or("nothing".to_owned(), |(stock, _)| {
-        let hollow = if stock.bore > 0.0 { format!(" bore {:.1}", stock.bore) } else { String::new() };
-        format!("⌀{:.1}{hollow}, {} to {:.1}", stock.diameter, stock.face, stock.back())
+        let hollow =
+            if stock.bore.mm() > 0.0 { format!(" bore {:.1}", stock.bore.mm()) } else { String::new() };
+        format!("⌀{:.1}{hollow}, {} to {:.1}", stock.diameter.mm(), stock.face, stock.back())
     });
     let tools = resolved.tools().map(|resolved_tool| {
         let tool = &resolved_tool.tool;
@@ -24,7 +25,7 @@ fn guess(program: &str, setup: &str) -> String {
         line += &number(tool.point_angle);
         line += &number(tool.entering_angle);
         line += &tool.side.map_or(String::new(), |side| format!(" {side:?}").to_lowercase());
-        line += &tool.diameter.map_or(String::new(), |diameter| format!(" ⌀{diameter:.1}"));
+        line += &tool.diameter.map_or(String::new(), |diameter| format!(" ⌀{:.1}", diameter.mm()));
         line += &tool.tip.map_or(String::new(), |tip| format!(" tip {tip}"));
         line
     });

@@ -239,7 +239,7 @@ pub fn left(stock: &Stock, taken: &[Interval], z: f64) -> Vec<Interval> {
     if z > stock.face || z < stock.face - stock.length {
         return Vec::new();
     }
-    let mut rest = vec![(stock.bore / 2.0, stock.diameter / 2.0)];
+    let mut rest = vec![(stock.bore.radius(), stock.diameter.radius())];
     for &(low, high) in taken {
         rest = rest
             .into_iter()

@@ -9,7 +9,7 @@ use super::{AXES, Interpreter};
 use crate::control::codes::{Hole, HoleReturn};
 use crate::control::events::Event;
 use crate::control::modal::{HoleMemory, Once, Target};
-use crate::control::words::{Words, letters, plain, quote};
+use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::cycles::drilling::{self, Exit};
 use crate::cycles::units;
 use crate::geometry::Point;
@@ -18,6 +18,7 @@ use crate::motion::{CycleStep, Feed, Motion, MotionKind, SpindleTurn, Step};
 use crate::setup::dialect::{Control, FeedMode, GSystem};
 use crate::source::Span;
 use crate::text::block::Block;
+use crate::units::Diameter;
 
 /// How far above the last depth a peck begins, mm (parameter 5114).
 const CLEARANCE: f64 = 1.0;
@@ -87,8 +88,8 @@ impl Interpreter {
             memory.dwell = dwell / 1000.0;
         }
         let depth_words = if face { letters(b"ZW") } else { letters(b"XU") };
-        let x = self.axis(text, words, b'X', b'U', 0.5);
-        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
+        let z = self.axis(text, words, b'Z', b'W', Counts::Length);
         let (place, depth) = if face { (x, z) } else { (z, x) };
         if depth != Target::Stay {
             memory.depth = depth;
@@ -201,7 +202,7 @@ impl Interpreter {
         let Some(r) = memory.r else { return level };
         let absolute = self.dialect.g_system != GSystem::A && !self.state.incremental;
         // A place along X is a diameter.
-        let place = if memory.kind.is_face() { r } else { r / 2.0 };
+        let place = if memory.kind.is_face() { r } else { Diameter::new(r).radius() };
         let bottom = match memory.depth {
             Target::Absolute(place) => place,
             Target::Incremental(way) => level + way,

@@ -10,7 +10,7 @@ use crate::control::corners::{self, Corner, Letter};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::{Event, ThreadPass};
 use crate::control::modal::{Angle, Follower, Joint, Once, Target};
-use crate::control::words::{self, Words, letters, plain, quote};
+use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
 use crate::geometry::{Point, SAME, Turn};
@@ -24,12 +24,12 @@ impl Interpreter {
     #[inline]
     pub(super) fn target(&mut self, text: &[u8], words: &Words) -> Point {
         let from = self.state.position;
-        let x = self.axis(text, words, b'X', b'U', 0.5);
-        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
+        let z = self.axis(text, words, b'Z', b'W', Counts::Length);
         Point::new(x.from(from.x), z.from(from.z))
     }
 
-    /// What the absolute and the incremental word of an axis say; `scale` turns a diameter into a radius.
+    /// What the absolute and the incremental word of an axis say.
     #[inline]
     pub(super) fn axis(
         &mut self,
@@ -37,25 +37,25 @@ impl Interpreter {
         words: &Words,
         absolute: u8,
         incremental: u8,
-        scale: f64,
+        counts: Counts,
     ) -> Target {
         let reading = self.reading();
         let (a, i) = (words.get(absolute), words.get(incremental));
-        let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
+        let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
         match (a, i) {
             (Some(a), None) if self.state.incremental => Target::Incremental(value(a)),
             (Some(a), None) => Target::Absolute(value(a)),
             (None, Some(i)) => Target::Incremental(value(i)),
             (None, None) => Target::Stay,
-            (Some(a), Some(i)) => self.conflict(text, a, i, scale),
+            (Some(a), Some(i)) => self.conflict(text, a, i, counts),
         }
     }
 
     /// X with U, or Z with W: which one counts.
     #[cold]
-    pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, scale: f64) -> Target {
+    pub(super) fn conflict(&mut self, text: &[u8], a: &Word, i: &Word, counts: Counts) -> Target {
         let reading = self.reading();
-        let value = |word: &Word| reading.length(word).map_or(0.0, |value| value * scale);
+        let value = |word: &Word| reading.coordinate(word, counts).unwrap_or(0.0);
         let absolute_counts = match self.dialect.xu_conflict {
             XuConflict::Absolute => true,
             XuConflict::Last => a.span.start > i.span.start,

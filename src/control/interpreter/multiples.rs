@@ -88,6 +88,7 @@ impl Interpreter {
         let turning = cycle == Multiple::RoughTurning;
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let depth_word = if turning { b'U' } else { b'W' };
         if !words.has_any(letters(b"PQ")) {
             // X or Z in the first block: the depth lost its letter's place (PS0066).
@@ -161,7 +162,7 @@ impl Interpreter {
             return None;
         };
         let contour = shape.contour(self.state.position);
-        let allowance = Point::new(length(b'U').unwrap_or(0.0) / 2.0, length(b'W').unwrap_or(0.0));
+        let allowance = Point::new(radius(b'U').unwrap_or(0.0), length(b'W').unwrap_or(0.0));
         let how = Roughing {
             direction: if turning { Direction::Turning } else { Direction::Facing },
             shape: roughing::Shape::Monotone,
@@ -271,6 +272,7 @@ impl Interpreter {
     fn pattern(&mut self, text: &[u8], block: &Block, words: &Words) -> Option<()> {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
+        let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
         let parameters = &mut self.state.parameters;
         if !words.has_any(letters(b"PQ")) {
             if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
@@ -307,7 +309,7 @@ impl Interpreter {
         let how = Pattern {
             relief: self.state.parameters.relief.unwrap_or_default(),
             passes,
-            allowance: Point::new(length(b'U').unwrap_or(0.0) / 2.0, length(b'W').unwrap_or(0.0)),
+            allowance: Point::new(radius(b'U').unwrap_or(0.0), length(b'W').unwrap_or(0.0)),
             intervals: match self.dialect.g73_intervals {
                 G73Intervals::OneFewer => pattern::Intervals::OneFewer,
                 G73Intervals::Same => pattern::Intervals::Same,

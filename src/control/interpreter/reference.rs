@@ -9,17 +9,18 @@ use crate::control::doubt::Doubt;
 use crate::control::events::Event;
 use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
-use crate::control::words::{Words, letters, plain, quote};
+use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Message};
 use crate::motion::MotionKind;
 use crate::text::block::Block;
+use crate::units::Diameter;
 
 impl Interpreter {
     /// A reference point in the work frame.
     fn reference_point(&self) -> Point {
         let (offset, home) = (self.state.frames.offset(), self.dialect.ref_point);
-        Point::new(home.x / 2.0 - offset.x, home.z - offset.z)
+        Point::new(home.x.radius() - offset.x, home.z - offset.z)
     }
 
     /// G28, and G30 to the other reference points. That of Y is over the spindle axis.
@@ -85,7 +86,7 @@ impl Interpreter {
         let home = self.reference_point();
         let off = |named: u32, a: f64, b: f64| words.has_any(named) && (a - b).abs() > 0.001;
         if off(letters(b"XU"), to.x, home.x) || off(letters(b"ZW"), to.z, home.z) {
-            let message = Message::NotAtReference { x: 2.0 * home.x, z: home.z };
+            let message = Message::NotAtReference { x: Diameter::from_radius(home.x).mm(), z: home.z };
             self.report(Diagnostic::new(message, block.words_span()));
         }
     }
@@ -100,8 +101,8 @@ impl Interpreter {
         request.moved = true;
         // Incremental words count from the intermediate point; an axis that is not named stays.
         let from = self.state.position;
-        let x = self.axis(text, words, b'X', b'U', 0.5);
-        let z = self.axis(text, words, b'Z', b'W', 1.0);
+        let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
+        let z = self.axis(text, words, b'Z', b'W', Counts::Length);
         let over = |target: Target, from: f64, middle: f64| match target {
             Target::Stay => (from, from),
             target => (middle, target.from(middle)),
@@ -133,7 +134,10 @@ impl Interpreter {
         };
         if from_reference && !self.dialect.ref_point_given && self.state.reported.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
-            self.report(Diagnostic::new(Message::MachineZero { x: home.x, z: home.z }, block.words_span()));
+            self.report(Diagnostic::new(
+                Message::MachineZero { x: home.x.mm(), z: home.z },
+                block.words_span(),
+            ));
         }
         let to = Point::new(x.map_or(from.x, |x| zero.x + x), z.map_or(from.z, |z| zero.z + z));
         self.push(block, self.motion(MotionKind::Rapid, to));
@@ -161,7 +165,8 @@ impl Interpreter {
         let (x, u) = if self.state.incremental { (None, x.or(u)) } else { (x, u) };
         let (z, w) = if self.state.incremental { (None, z.or(w)) } else { (z, w) };
         let zero = |point: &mut Point| {
-            point.x = x.map_or(point.x + u.unwrap_or(0.0) / 2.0, |x| x / 2.0);
+            let radius = |diameter: f64| Diameter::new(diameter).radius();
+            point.x = x.map_or(point.x + radius(u.unwrap_or(0.0)), radius);
             point.z = z.unwrap_or(point.z + w.unwrap_or(0.0));
         };
         match (kind, number.map(|number| number as u32)) {

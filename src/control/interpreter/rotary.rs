@@ -9,7 +9,7 @@ use super::request::Request;
 use crate::control::codes::{Compensation, G, MotionMode, Plane, Switch};
 use crate::control::events::Event;
 use crate::control::modal::{Once, PathMove, Target, VirtualPlane};
-use crate::control::words::{Words, letters, quote};
+use crate::control::words::{Counts, Words, letters, quote};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::geometry::{Arc, Turn};
 use crate::message::{Diagnostic, Message};
@@ -221,15 +221,18 @@ impl Interpreter {
     /// What X, Z, C and their incremental words say of the two axes of the path: upwards and to the right.
     pub(super) fn plane_targets(&mut self, text: &[u8], words: &Words) -> (Target, Target) {
         let Some(plane) = self.state.virtual_plane else {
-            let x = self.axis(text, words, b'X', b'U', 0.5);
-            return (x, self.axis(text, words, b'Z', b'W', 1.0));
+            let x = self.axis(text, words, b'X', b'U', Counts::Diameter);
+            return (x, self.axis(text, words, b'Z', b'W', Counts::Length));
         };
         let (up, right, third) = match plane.surface {
             Surface::Face => {
-                let scale = if self.dialect.polar_x == PolarX::Diameter { 0.5 } else { 1.0 };
-                let up = self.axis(text, words, b'C', b'H', 1.0);
-                let right = self.axis(text, words, b'X', b'U', scale);
-                (up, right, self.axis(text, words, b'Z', b'W', 1.0))
+                let x_counts = match self.dialect.polar_x {
+                    PolarX::Diameter => Counts::Diameter,
+                    PolarX::Radius => Counts::Length,
+                };
+                let up = self.axis(text, words, b'C', b'H', Counts::Length);
+                let right = self.axis(text, words, b'X', b'U', x_counts);
+                (up, right, self.axis(text, words, b'Z', b'W', Counts::Length))
             }
             Surface::Cylinder { radius, .. } => {
                 let reading = self.reading();
@@ -240,8 +243,8 @@ impl Interpreter {
                     (None, Some(h)) => Target::Incremental(unrolled(h).unwrap_or(0.0)),
                     (None, None) => Target::Stay,
                 };
-                let right = self.axis(text, words, b'Z', b'W', 1.0);
-                (up, right, self.axis(text, words, b'X', b'U', 0.5))
+                let right = self.axis(text, words, b'Z', b'W', Counts::Length);
+                (up, right, self.axis(text, words, b'X', b'U', Counts::Diameter))
             }
         };
         if let Some(plane) = &mut self.state.virtual_plane {

@@ -164,7 +164,8 @@ impl Interpreter {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
         let at = self.state.position;
-        let x = length(b'X').map(|x| x / 2.0).or(length(b'U').map(|u| at.x + u / 2.0));
+        let radius = |address: u8| words.get(address).and_then(|word| reading.radius(word));
+        let x = radius(b'X').or(radius(b'U').map(|u| at.x + u));
         let z = length(b'Z').or(length(b'W').map(|w| at.z + w));
         let (to_x, to_z) = (x.unwrap_or(at.x), z.unwrap_or(at.z));
         self.state.frames.shift.x += at.x - to_x;
@@ -194,7 +195,7 @@ impl Interpreter {
     pub(super) fn local_frame(&mut self, words: &Words) {
         let reading = self.reading();
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));
-        let (x, z) = (length(b'X').map(|x| x / 2.0), length(b'Z'));
+        let (x, z) = (words.get(b'X').and_then(|word| reading.radius(word)), length(b'Z'));
         self.state.change_frame(|frames| {
             let local = frames.local;
             frames.local = Point::new(x.unwrap_or(local.x), z.unwrap_or(local.z));

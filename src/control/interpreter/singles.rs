@@ -7,7 +7,7 @@ use crate::control::doubt::Doubt;
 use crate::control::events::{Event, SinglePass};
 use crate::control::modal::Target;
 use crate::control::tool_offset;
-use crate::control::words::{self, Words, plain, quote};
+use crate::control::words::{self, Counts, Words, plain, quote};
 use crate::cycles::Move;
 use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
@@ -16,6 +16,7 @@ use crate::motion::{CycleStep, Motion};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
 use crate::text::block::Block;
+use crate::units::Diameter;
 
 impl Interpreter {
     /// G90, G92, G94 (seeds 000, 001 and 004).
@@ -61,11 +62,11 @@ impl Interpreter {
             request.drop = true;
             return;
         }
-        match self.axis(text, words, b'X', b'U', 0.5) {
+        match self.axis(text, words, b'X', b'U', Counts::Diameter) {
             Target::Stay => {}
             target => self.state.memory.x = target,
         }
-        match self.axis(text, words, b'Z', b'W', 1.0) {
+        match self.axis(text, words, b'Z', b'W', Counts::Length) {
             Target::Stay => {}
             target => self.state.memory.z = target,
         }
@@ -172,7 +173,9 @@ impl Interpreter {
             let severity = if error { Severity::Error } else { Severity::Warning };
             let word = word(self);
             let message = match cycle {
-                Single::Turning | Single::Threading => Message::TaperBeyondHalf { word, limit: 2.0 * way },
+                Single::Turning | Single::Threading => {
+                    Message::TaperBeyondHalf { word, limit: Diameter::from_radius(way).mm() }
+                }
                 Single::Facing => Message::TaperBeyondLength { word, limit: way },
             };
             self.report(Diagnostic::new(message, span).graded(severity));

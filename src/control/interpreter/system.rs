@@ -9,7 +9,7 @@ use crate::geometry::Point;
 use crate::message::{Diagnostic, Message};
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Block;
-use crate::units::Unit;
+use crate::units::{Diameter, Unit};
 
 /// What a system variable is.
 enum System {
@@ -94,7 +94,7 @@ impl Interpreter {
     pub(super) fn read_system(&mut self, text: &[u8], block: &Block, variable: u32) -> Option<f64> {
         let unit = self.state.unit.millimetres();
         let coordinate = |place: Point, axis: u32| match axis {
-            1 => 2.0 * place.x / unit,
+            1 => Diameter::from_radius(place.x).mm() / unit,
             _ => place.z / unit,
         };
         let Some(system) = System::of(variable) else {
@@ -167,7 +167,7 @@ impl Interpreter {
         self.state.change_frame(|frames| {
             let zero = which(frames);
             match axis {
-                1 => zero.x = value / 2.0,
+                1 => zero.x = Diameter::new(value).radius(),
                 _ => zero.z = value,
             }
         });

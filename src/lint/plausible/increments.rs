@@ -2,6 +2,7 @@
 
 use super::{Program, round};
 use crate::message::{Diagnostic, Fix, Message};
+use crate::units::Diameter;
 
 impl Program<'_> {
     /// `X16`, `U24`, `X36`: a U whose number is a place between its neighbours, but leads beyond them.
@@ -55,7 +56,7 @@ impl Program<'_> {
             let row = &self.rows[word.block];
             let Some((from, to)) = row.motions else { continue };
             let start = self.motions.get(from).from;
-            let (now, value) = (2.0 * start.x, word.value * self.unit);
+            let (now, value) = (Diameter::from_radius(start.x).mm(), word.value * self.unit);
             let leads = now + value;
             if word.negative || row.arc && value < 1.0 || to <= from {
                 continue;

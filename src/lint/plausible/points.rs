@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{Program, Role, Word, round};
 use crate::message::{Diagnostic, Fix, Message};
 use crate::setup::dialect::DecimalRule;
+use crate::units::Diameter;
 
 impl Program<'_> {
     /// `F02`, `R05`: a zero in front of a number without a point.
@@ -112,7 +113,7 @@ impl Program<'_> {
         let start = self.motions.get(from).from;
         let place = match word.address {
             b'X' | b'Z' => Some(value),
-            b'U' => Some(2.0 * start.x + value),
+            b'U' => Some(Diameter::from_radius(start.x).mm() + value),
             b'W' => Some(start.z + value),
             _ => None,
         };
@@ -123,7 +124,9 @@ impl Program<'_> {
     pub(super) fn far_off(&self) -> Vec<Diagnostic> {
         let start = if self.motions.is_empty() { Default::default() } else { self.motions.get(0).from };
         let mut diagnostics = Vec::new();
-        for (axis, letters, begins) in [('X', b"XU", 2.0 * start.x.abs()), ('Z', b"ZW", start.z.abs())] {
+        for (axis, letters, begins) in
+            [('X', b"XU", Diameter::from_radius(start.x.abs()).mm()), ('Z', b"ZW", start.z.abs())]
+        {
             let mut places: Vec<(f64, &Word, bool)> = Vec::new();
             for word in self.places().filter(|word| letters.contains(&word.address)) {
                 let cuts = self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());

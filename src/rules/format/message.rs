@@ -60,13 +60,15 @@ pub enum Type {
     Number,
     /// A length, mm, or a feed, mm per minute or turn: shown in the unit of the program.
     Length,
+    /// A length across the spindle axis as a diameter, mm: shown in the unit of the program.
+    Diameter,
     /// The alarm of the control, one of those of the rule; not quoted.
     Alarm,
 }
 
 impl Type {
     /// All types by their names in a rule file.
-    pub const NAMES: [(&str, Type); 10] = [
+    pub const NAMES: [(&str, Type); 11] = [
         ("letter", Self::Letter),
         ("text", Self::Text),
         ("word", Self::Word),
@@ -76,6 +78,7 @@ impl Type {
         ("integer", Self::Integer),
         ("number", Self::Number),
         ("length", Self::Length),
+        ("diameter", Self::Diameter),
         ("alarm", Self::Alarm),
     ];
 
@@ -91,7 +94,7 @@ impl Type {
             Self::Text | Self::Word => !sample.is_empty(),
             Self::Count | Self::Index | Self::Program => sample.parse::<u32>().is_ok(),
             Self::Integer => sample.parse::<i64>().is_ok(),
-            Self::Number | Self::Length => sample.parse::<f64>().is_ok_and(f64::is_finite),
+            Self::Number | Self::Length | Self::Diameter => sample.parse::<f64>().is_ok_and(f64::is_finite),
             Self::Alarm => sample.is_empty(),
         }
     }

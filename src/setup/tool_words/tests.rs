@@ -10,7 +10,9 @@ fn words(comment: &str, unit: Unit) -> String {
     let mut line = tool.kind.map_or("nothing", ToolKind::name).to_owned();
     line += &tool.side.map_or(String::new(), |side| format!(" {}", side.name()));
     line += &tool.insert.map_or(String::new(), |insert| format!(" {insert}"));
-    line + &measure("r", tool.nose_radius) + &measure("w", tool.width) + &measure("d", tool.diameter)
+    line + &measure("r", tool.nose_radius)
+        + &measure("w", tool.width)
+        + &measure("d", tool.diameter.map(Diameter::mm))
 }
 
 #[test]

@@ -461,6 +461,6 @@ mod tests {
     fn every_program_has_a_setup_we_can_read() {
         let setup = gcode_playground::setup::Setup::from_json(&setup(&program(vec![]))).unwrap();
         assert_eq!(setup.tools["T0404"].tip, Some(3));
-        assert_eq!(setup.start().x, 50.0);
+        assert_eq!(setup.start().x.mm(), 50.0);
     }
 }
