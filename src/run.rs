@@ -37,7 +37,7 @@ pub struct Analysis {
     pub motions: Motions,
     /// All messages in order of their place.
     pub diagnostics: Vec<Diagnostic>,
-    /// Blocks read.
+    /// Blocks read, those that are run again included; empty ones are not counted.
     pub blocks: usize,
     /// The blocks carried out, in order, if the run kept them.
     pub trace: Vec<Executed>,
@@ -341,7 +341,7 @@ impl Run {
             left -= 1;
             let here = Here { at, next: parser.position() };
             let flow = if more {
-                self.blocks += 1;
+                self.blocks += usize::from(!self.block.is_empty());
                 self.step(&text, here)
             } else {
                 self.end_of_text(&text)
@@ -436,7 +436,7 @@ impl Run {
         self.interpreter.landmarks()
     }
 
-    /// Blocks read so far.
+    /// Blocks read so far, those that are run again included; empty ones are not counted.
     pub fn blocks(&self) -> usize {
         self.blocks
     }

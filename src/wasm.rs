@@ -29,7 +29,6 @@ use crate::findings;
 use crate::geometry::Point;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
-use crate::playback::totals::totals;
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
@@ -234,13 +233,6 @@ impl Playground {
             Some(region) => to_js(&api::Part::new(region)),
             None => Ok(JsValue::UNDEFINED),
         }
-    }
-
-    /// Time, cutting length and extents: of each tool, and at last of the whole program.
-    #[wasm_bindgen(unchecked_return_type = "Totals[]")]
-    pub fn totals(&self) -> Result<JsValue, JsValue> {
-        let (tools, all) = totals(self.current.motions(), &self.current.run().setup().machine);
-        to_js(&tools.iter().chain([&all]).map(api::Totals::new).collect::<Vec<_>>())
     }
 }
 

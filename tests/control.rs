@@ -304,3 +304,11 @@ fn behind_an_error_the_run_is_incomplete_and_only_the_next_move_uncertain_chunks
         assert_eq!(chunk.get(index).process.incomplete, at > 0, "motion {at}");
     }
 }
+
+#[test]
+fn empty_lines_and_what_stands_after_a_semicolon_are_no_blocks() {
+    let blocks = |text: &str| gcode_playground::analyze(text.as_bytes(), &Setup::default()).blocks;
+    assert_eq!(blocks("G00 X1\nG00 X2\nM30"), 3);
+    assert_eq!(blocks("G00 X1;\n\n  \nG00 X2;\n(REMARK)\nM30;\n"), 3);
+    assert_eq!(blocks("G00 X1; G00 X2; M30"), 3);
+}
