@@ -4,11 +4,8 @@
 
 use super::project;
 
-/// Rooms in which lines that convert by hand are left, and how many at most in all of them. The number only falls.
-const LEFT: ([&str; 2], usize) = (["src/control/", "src/lint/"], 22);
-
 /// Where a conversion by hand is right: what defines it, and the reader of what is programmed.
-const RIGHT: [&str; 2] = ["src/units.rs", "src/control/words.rs"];
+const RIGHT: [&str; 1] = ["src/units.rs"];
 
 /// Whether a path is an X or a diameter: its last name says so.
 fn is_across(path: &str) -> bool {
@@ -39,20 +36,17 @@ fn conversions(line: &str) -> usize {
 fn radii_become_diameters_by_name_alone() {
     let is_source =
         |file: &String| file.starts_with("src/") && file.ends_with(".rs") && !file.contains("/tests");
-    let (mut left, mut wrong) = (Vec::new(), Vec::new());
+    let mut wrong = Vec::new();
     for file in project::files().into_iter().filter(is_source) {
         if RIGHT.contains(&file.as_str()) {
             continue;
         }
-        let is_left = LEFT.0.iter().any(|room| file.starts_with(room));
         for (number, line) in project::source(&file).lines().enumerate() {
             let place = format!("{file}:{}: {}", number + 1, line.trim());
-            let found = std::iter::repeat_n(place, conversions(line));
-            if is_left { left.extend(found) } else { wrong.extend(found) }
+            wrong.extend(std::iter::repeat_n(place, conversions(line)));
         }
     }
     assert!(wrong.is_empty(), "use `units::Diameter`:\n{}", wrong.join("\n"));
-    assert!(left.len() <= LEFT.1, "{}, not {} at most:\n{}", left.len(), LEFT.1, left.join("\n"));
 }
 
 #[test]
