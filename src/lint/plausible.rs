@@ -9,8 +9,6 @@ mod passes;
 mod points;
 mod signs;
 
-use std::collections::BTreeMap;
-
 use crate::control::words::Reading;
 use crate::message::{Diagnostic, Message};
 use crate::motion::{Motion, Motions};
@@ -258,10 +256,15 @@ impl<'a> Program<'a> {
 
     /// Which motions each block made, where it ran in one go.
     fn match_motions(&mut self) {
-        let starts: BTreeMap<u32, usize> =
-            self.rows.iter().enumerate().map(|(index, row)| (row.span.start, index)).collect();
+        // Most motions are made by the block of the motion before.
+        let (mut before, mut row) = (u32::MAX, None);
         for index in 0..self.motions.len() {
-            let Some(&row) = starts.get(&self.motions.span(index).start) else { continue };
+            let start = self.motions.span(index).start;
+            if start != before {
+                row = self.rows.binary_search_by_key(&start, |row| row.span.start).ok();
+                before = start;
+            }
+            let Some(row) = row else { continue };
             match &mut self.rows[row].motions {
                 Some((_, end)) if *end == index => *end = index + 1,
                 Some(_) => {}

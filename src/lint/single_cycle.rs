@@ -148,10 +148,10 @@ impl SingleCycles {
         };
         let own_word = moved.into_iter().find(|&address| words.get(address).is_some());
         if let (Some(before), Some(address)) = (before, own_word) {
-            let word = words.quote(at.text, address);
-            if let Some(message) = pass_not_deeper(cycle, &own, &before, word)
+            if let Some(message) = pass_not_deeper(cycle, &own, &before)
                 && self.reported.pass_not_deeper.first()
             {
+                let message = message(words.quote(at.text, address));
                 reports.push(Diagnostic::new(message, words.span(address)));
             }
         } else if before.is_none()
@@ -200,8 +200,12 @@ pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target))
     Some(Diagnostic::new(message, span).with(fix))
 }
 
-/// A pass that goes no deeper than one before it from the same start to the same end.
-fn pass_not_deeper(cycle: Single, own: &DeepestPass, before: &DeepestPass, word: String) -> Option<Message> {
+/// A pass that goes no deeper than one before it from the same start to the same end: what to say of its word.
+fn pass_not_deeper(
+    cycle: Single,
+    own: &DeepestPass,
+    before: &DeepestPass,
+) -> Option<impl FnOnce(String) -> Message> {
     let same = own.start.distance(before.start) <= NEAR && (own.taper - before.taper).abs() <= NEAR;
     let (deep, other, deepest) = match cycle {
         Single::Turning => {
@@ -220,11 +224,8 @@ fn pass_not_deeper(cycle: Single, own: &DeepestPass, before: &DeepestPass, word:
         Single::Facing => (pass.end.z - pass.start.z).signum(),
         _ => (pass.end.x - pass.start.x).signum(),
     };
-    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(Message::PassNotDeeper {
-        word,
-        axis,
-        deepest,
-    })
+    let message = move |word| Message::PassNotDeeper { word, axis, deepest };
+    (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(message)
 }
 
 /// How deep the first pass of a taper is at its thin end, outside, where that is far deeper than a pass (radius, mm).
@@ -243,7 +244,7 @@ fn deeper(cycle: Single, own: DeepestPass, before: Option<DeepestPass>) -> Deepe
         Single::Facing => (own.end.x - before.end.x).abs() <= NEAR,
         _ => (own.end.z - before.end.z).abs() <= NEAR,
     };
-    let kept = same_end && pass_not_deeper(cycle, &own, &before, String::new()).is_some();
+    let kept = same_end && pass_not_deeper(cycle, &own, &before).is_some();
     if kept { before } else { own }
 }
 

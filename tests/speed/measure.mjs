@@ -42,6 +42,7 @@ if (!options.own) peers();
 add('floor settled', node('peers/crates.mjs', 'floor', 'settled', program('plain')));
 for (const name of SETTLED) {
   add(`settled ${name}`, node('own.mjs', 'settled', program(name)));
+  add(`without lints ${name}`, node('own.mjs', 'without-lints', program(name)));
 }
 for (const name of PARTS) add(`part ${name}`, node('own.mjs', 'part', program(name)));
 for (const what of ['text', 'motions', 'edits']) add(what, node('own.mjs', what, program('plain')));
@@ -87,7 +88,7 @@ function interpreting() {
   const count = lines('plain');
   const floor = runsOf(FLOOR);
   const measured = [...jobs].filter(([, job]) => job.argv.includes(program('plain')) && job.runs[0]?.ms !== undefined)
-    .filter(([name]) => !name.includes('settled'));
+    .filter(([name]) => !name.includes('settled') && !name.includes('without lints'));
   measured.sort(([, a], [, b]) => medianOf(a.runs, 'ms') - medianOf(b.runs, 'ms'));
   const rows = measured.map(([name, { runs }]) => {
     const ratio = median(runs.map(({ ms }, round) => ms / floor[round].ms));
@@ -105,10 +106,16 @@ function settled() {
     const runs = runsOf(`settled ${name}`);
     const ms = medianOf(runs, 'ms');
     const per = name.startsWith('contour') ? ((1e6 * ms) / (runs[0].rows + 2 * numberOf(name))).toFixed(0) : '';
-    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${numberOf(name)} points`, ms.toFixed(3), range(runs, 'ms'), runs[0].rows, per];
+    return [TITLES[name] ?? `G71 by 0.1 mm and G70 over ${numberOf(name)} points`, ms.toFixed(3), range(runs, 'ms'), withoutLints(name), runs[0].rows, per];
   });
-  rows.unshift(['a million plain lines, floor', floor.toFixed(3), range(runsOf('floor settled'), 'ms'), '', '']);
-  return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'motions', 'ns for each motion and point read'], rows);
+  rows.unshift(['a million plain lines, floor', floor.toFixed(3), range(runsOf('floor settled'), 'ms'), '', '', '']);
+  return table('Settled: again and again in one process, wasm', ['program', 'ms', 'min–max', 'without lints', 'motions', 'ns for each motion and point read'], rows);
+}
+
+/** The time without lints, in percent of that with them. */
+function withoutLints(name) {
+  const [with_, without] = [runsOf(`settled ${name}`), runsOf(`without lints ${name}`)];
+  return `${(100 * median(without.map(({ ms }, round) => ms / with_[round].ms))).toFixed(0)} %`;
 }
 
 function parts() {

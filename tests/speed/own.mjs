@@ -1,6 +1,6 @@
 // One measurement of the playground's wasm package in this process, as one line of JSON.
 //
-//   node tests/speed/own.mjs fresh|settled|part|text|motions|edits FILE
+//   node tests/speed/own.mjs fresh|settled|without-lints|part|text|motions|edits FILE
 import { readFileSync } from 'node:fs';
 import { initSync, Playground } from '../../www/pkg/gcode_playground.js';
 import { median, time } from './stopwatch.mjs';
@@ -11,7 +11,7 @@ const wasm = initSync({ module: readFileSync(new URL('../../www/pkg/gcode_playgr
 const encoder = new TextEncoder();
 const EDITS = 200;
 
-const measures = { fresh, settled, part, text, motions, edits };
+const measures = { fresh, settled, 'without-lints': withoutLints, part, text, motions, edits };
 console.log(JSON.stringify(measures[what](bytes.toString('latin1'))));
 
 /** Text in, motions and messages there: the first time in a process. */
@@ -22,13 +22,19 @@ function fresh(program) {
   return { ms, rows: playground.summary().motions, memory };
 }
 
+/** The same without lints. */
+function withoutLints(program) {
+  return settled(program, '{"lints": "off"}');
+}
+
 /** The same again and again; the first half warms up. */
-function settled(program) {
+function settled(program, setup = '{}') {
   const times = [];
   let rows = 0;
   const enough = performance.now() + 1500;
   while (times.length < 6 || performance.now() < enough) {
     const playground = new Playground();
+    playground.setSetup(setup);
     times.push(time(() => run(playground, program)));
     rows = playground.summary().motions;
     playground.free();

@@ -3,7 +3,7 @@
 //! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck outward or in the
 //! sub-spindle. `passes` states how a tool came to a move; only where no such reading is left is a minus missed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::passes::{CENTRE, Pass};
 use super::{CORNER, Program, Role, Row, Word};
@@ -15,6 +15,17 @@ const LEAVES: f64 = 10.0;
 
 /// What a tool may go on beyond the place where cuts begin, mm.
 const OVERRUN: f64 = 3.0;
+
+/// Where and how the motions of a program cut.
+#[derive(Default)]
+struct Cuts {
+    /// The Z at which cuts begin after a rapid, mm: in front of the work.
+    front: Option<f64>,
+    /// A cut is made with the spindle turning.
+    turns: bool,
+    /// The tools that cut toward the chuck: one that never does works on the other side.
+    inward: BTreeSet<u16>,
+}
 
 impl Program<'_> {
     /// `Z-8`, `Z18`, `Z-24`: a Z without its minus in a row that goes one way with it.
@@ -123,40 +134,39 @@ impl Program<'_> {
         Diagnostic::new(Message::MinusMissing { word: written, meant }, word.span).with(fix)
     }
 
-    /// The Z at which cuts begin after a rapid: in front of the work.
-    pub(super) fn approach(&self) -> Option<f64> {
-        let mut front: Option<f64> = None;
+    /// Where and how all motions cut, in one look at them.
+    fn cuts(&self) -> Cuts {
+        let mut cuts = Cuts::default();
         let mut last = MotionKind::Rapid;
         for index in 0..self.motions.len() {
             let motion = self.motions.get(index);
-            if motion.kind == MotionKind::Dwell {
-                continue;
+            if motion.kind.cuts() {
+                if last == MotionKind::Rapid {
+                    cuts.front = Some(cuts.front.map_or(motion.from.z, |front| front.max(motion.from.z)));
+                }
+                cuts.turns |= motion.process.turn != SpindleTurn::Stopped;
+                if motion.to.z < motion.from.z && motion.to.z < 0.0 {
+                    cuts.inward.insert(motion.process.tool.0);
+                }
             }
-            if motion.kind.cuts() && last == MotionKind::Rapid {
-                front = Some(front.map_or(motion.from.z, |front| front.max(motion.from.z)));
+            if motion.kind != MotionKind::Dwell {
+                last = motion.kind;
             }
-            last = motion.kind;
         }
-        front
+        cuts
     }
 
     /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one that a rapid brought there.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let Some(front) = self.approach() else { return Vec::new() };
-        // Which tools cut toward the chuck: one that never does works on the other side.
-        let mut inward: BTreeMap<u16, usize> = BTreeMap::new();
-        let mut turns = false;
-        for index in 0..self.motions.len() {
-            let motion = self.motions.get(index);
-            turns |= motion.kind.cuts() && motion.process.turn != SpindleTurn::Stopped;
-            if motion.kind.cuts() && motion.to.z < motion.from.z && motion.to.z < 0.0 {
-                *inward.entry(motion.process.tool.0).or_default() += 1;
-            }
+        let lengths = self.positive_lengths();
+        if lengths.is_empty() {
+            return Vec::new();
         }
+        let Cuts { front: Some(front), turns, inward } = self.cuts() else { return Vec::new() };
         let mut outward: BTreeMap<u16, usize> = BTreeMap::new();
         let mut pass = Pass::default();
-        for (row, word, (from, to)) in self.positive_lengths() {
+        for (row, word, (from, to)) in lengths {
             let place = word.value * self.unit;
             pass.advance(self.motions, from);
             let first = self.motions.get(from);
@@ -174,7 +184,7 @@ impl Program<'_> {
                 diagnostics.push((tool, self.minus(word)));
             }
         }
-        let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains_key(tool);
+        let works_outward = |tool: &u16| outward[tool] > 1 && !inward.contains(tool);
         diagnostics
             .into_iter()
             .filter(|(tool, _)| !works_outward(tool))
