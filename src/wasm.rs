@@ -266,7 +266,7 @@ fn view_to_fill(bytes: &mut [u8]) -> Uint8Array {
 #[allow(unsafe_code)]
 fn view_of(chunk: &Chunk) -> MotionChunkView {
     // SAFETY: nothing moves the columns before the next call into the module, until which the views are said to hold;
-    // JavaScript is told to read only, and any bits are a number.
+    // JavaScript reads only, and any bits are a number.
     unsafe {
         MotionChunkView {
             kind: Uint8Array::view(chunk.kinds()),

@@ -97,7 +97,7 @@ impl Reason {
             Self::LineNumber => "A line or list number was left out",
             Self::LoneNumbers => "A column of sequence numbers was left out",
             Self::RepeatedHead => "The program number is repeated where the table goes on",
-            Self::Remark => "The text behind the block became a comment",
+            Self::Remark => "The text after the block became a comment",
             Self::Prose => "Text that is no block was left out",
             Self::Format => "A format with placeholders was left out",
             Self::Noise => "Stray signs were left out",
@@ -105,7 +105,7 @@ impl Reason {
             Self::LostMinus => {
                 "No minus is left in this program and the cut would lead away from the part; was this one negative?"
             }
-            Self::UnreadableDigit => "What stands behind it cannot be read; a digit may be lost",
+            Self::UnreadableDigit => "What follows it cannot be read; a digit may be lost",
         }
     }
 

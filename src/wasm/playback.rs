@@ -72,7 +72,7 @@ impl Playground {
         self.current.put(Some(place));
     }
 
-    /// Puts the tool at the end of the step before or behind it.
+    /// Puts the tool at the end of the step before or after it.
     pub fn step(&mut self, unit: StepUnit, direction: StepDirection) {
         let unit = match unit {
             StepUnit::Block => Unit::Block,

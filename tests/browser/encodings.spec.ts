@@ -27,7 +27,7 @@ async function save(page: Page): Promise<{ name: string; bytes: Buffer }> {
 /** What the element holds, with every line end as one. */
 const folded = (text: string): string => text.replace(/\r\n?/g, '\n');
 
-/** Puts the cursor behind the text a line (from 1) begins with. */
+/** Puts the cursor after the text a line (from 1) begins with. */
 async function cursorBehind(page: Page, line: number, text: string): Promise<void> {
   await editor(page).focus();
   await page.keyboard.press('Control+Home');

@@ -59,7 +59,7 @@ async function watch(page: ChromiumPage): Promise<void> {
 
 /** The longest of them since the last time, ms; 0 when there was none. */
 async function longest(page: ChromiumPage): Promise<number> {
-  // The observer is told a little later.
+  // The observer hears of it a little later.
   await page.waitForTimeout(300);
   return page.evaluate(() => {
     const found = Reflect.get(window, 'longest') as number;
@@ -84,7 +84,7 @@ test('a million lines are opened, edited, scrolled and looked at without a halt'
     console.log(`${name}: longest task ${figures[name] || 'below 50'} ms (took ${took} ms)`);
     expect.soft(figures[name], name).toBeLessThan(most);
   };
-  /** Until a text of so many lines has run; behind the last line end stands one more. */
+  /** Until a text of so many lines has run; after the last line end there is one more. */
   const ran = async (lines: number): Promise<void> => {
     await expect(status(page)).toContainText(`${(lines + 1).toLocaleString('en')} lines`, { timeout: 60_000 });
   };

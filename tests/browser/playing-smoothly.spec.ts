@@ -1,4 +1,4 @@
-// What playing costs: frames, drawings of the worker and long tasks, which only Chromium tells.
+// What playing costs: frames, drawings of the worker and long tasks, which only Chromium reports.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { open, openFile, status } from './page';
 

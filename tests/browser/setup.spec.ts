@@ -1,5 +1,5 @@
-// The setup form: what is assumed is shown as assumed, what cannot be is told beside its field, and it is kept where the
-// reader says. Bad setups, wherever they stand, are told and leave a picture.
+// The setup form: what is assumed is shown as assumed, what is invalid is reported beside its field, and it is kept where the
+// reader says. Bad setups, wherever they stand, are reported and leave a picture.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, status, value } from './page';
 
@@ -123,7 +123,7 @@ test('one more tool can be named', async ({ page }) => {
   await expect(field(page, 'Tool T0303', 'Kind')).toBeFocused();
 });
 
-test('what cannot be is told beside its field', async ({ page }) => {
+test('what is invalid is reported beside its field', async ({ page }) => {
   await begin(page);
   await openForm(page);
   for (const [name, text, told] of [

@@ -12,7 +12,7 @@ interface Setup {
   readonly program?: number;
 }
 
-/** Listens to what the page tells its worker. */
+/** Listens to what the page sends to its worker. */
 async function listen(page: Page): Promise<() => Promise<Setup>> {
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
@@ -103,7 +103,7 @@ test('in Chinese and Russian, and from attributes', async ({ page }) => {
 });
 
 test('lines taken out while a long text is still looked through hide no switch', async ({ page }) => {
-  // The worker is told of the change at once, when it has looked at the first lines: a reader is seldom quick enough.
+  // The worker hears of the change at once, when it has looked at the first lines: a reader is seldom quick enough.
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {

@@ -1,4 +1,4 @@
-// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and tells how they are.
+// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and reports how they are.
 // It is put into a page as one script, when it is first needed there. Names and roles are those of dom-accessibility-api.
 import { computeAccessibleName, getRole } from 'dom-accessibility-api';
 
@@ -65,9 +65,9 @@ function roleOf(element: Element): string | null {
   return header && element.scope.startsWith('row') ? 'rowheader' : getRole(element);
 }
 
-/** Whether who listens to the page is told of an element. */
+/** Whether assistive technology hears of an element. */
 function accessible(element: Element): boolean {
-  // Options are drawn by the system, and told with their list.
+  // Options are drawn by the system, and announced with their list.
   if (element instanceof HTMLOptionElement && element.parentElement instanceof HTMLSelectElement) return accessible(element.parentElement);
   for (let at: Element | null = element; at !== null; at = parentOf(at)) if (at.getAttribute('aria-hidden') === 'true') return false;
   return element.checkVisibility({ visibilityProperty: true });

@@ -309,7 +309,7 @@ export class ForeignPage extends Finder implements Page {
   scratch(): Promise<string> {
     return (this.folder ??= mkdtemp(join(tmpdir(), 'playground-page-')));
   }
-  /** Closes it; errors of the page that nobody has heard of yet are told first. */
+  /** Closes it; errors of the page that nobody has heard of yet are reported first. */
   async close(): Promise<void> {
     try {
       for (const popup of this.popups) await popup.close();

@@ -67,7 +67,7 @@ export const test = extended as unknown as TestType<Given, object>;
 /** Playwright's own page, which is a `Page`, too, but for types of arguments. */
 export type ChromiumPage = PlaywrightPage & Page;
 
-/** For what only Chromium has or tells: the page is Playwright's own, with all it can do. */
+/** For what only Chromium has or reports: the page is Playwright's own, with all it can do. */
 export const chromiumTest = base as unknown as TestType<
   Omit<PlaywrightTestArgs, 'page'> & PlaywrightTestOptions & { page: ChromiumPage },
   PlaywrightWorkerArgs & PlaywrightWorkerOptions

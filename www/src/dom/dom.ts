@@ -48,7 +48,7 @@ export function prose(text: string): (Node | string)[] {
   return text.split('`').map((part, i) => (i % 2 === 1 ? make('code', { lang: 'en' }, part) : part));
 }
 
-/** A sentence in which `Z-30` is never broken behind its minus. */
+/** A sentence in which `Z-30` is never broken after its minus. */
 export function unbroken(text: string): (Node | string)[] {
   return text.split(/([!-~]*-\d[!-~]*)/).map((part, i) => (i % 2 === 1 ? make('span', { className: 'unbroken' }, part) : part));
 }

@@ -20,7 +20,7 @@ export interface ProgramFile {
 /** A whole text, ready for the editor and for the worker. */
 export interface ProgramText {
   readonly doc: Text;
-  /** The same, as the worker is told it. */
+  /** The same, as the worker receives it. */
   readonly pieces: readonly string[];
   readonly ends: LineEnds;
 }
@@ -30,7 +30,7 @@ export function programText(text: string): ProgramText {
   return { doc: pieces.reduce(append, Text.empty), pieces, ends: lineEndsOf(text) };
 }
 
-/** A document with one more piece of folded text behind it. */
+/** A document with one more piece of folded text at its end. */
 export function append(doc: Text, piece: string): Text {
   return doc.append(Text.of(piece.split('\n')));
 }
@@ -120,7 +120,7 @@ export function origin({ most, others }: LineEnds, file: ProgramFile | undefined
   return setOrigin.of({ file, mostEnds: most, otherEnds: builder.finish() });
 }
 
-/** To be told when the file of the text is called or encoded differently. */
+/** Called when the file of the text is called or encoded differently. */
 export function renamed(file: ProgramFile): StateEffect<unknown> {
   return setFile.of(file);
 }

@@ -12,7 +12,7 @@ import type { Diagnostic, Fix } from '../protocol/protocol';
 import { PROBLEM_WORDS } from './problem-words';
 import { ruleLink } from './rule-link';
 
-/** More squiggles than this tell nothing and cost time on every key. */
+/** More squiggles than this mean nothing and cost time on every key. */
 const SHOWN = 1000;
 
 export function lintDiagnostics(

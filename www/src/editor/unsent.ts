@@ -1,4 +1,4 @@
-// What of the text the worker has not been told yet.
+// What of the text the worker has not received yet.
 //
 // In: the changes of the editor's document. Out: what brings the worker's text up to date soonest: what changed, or all
 // of it in pieces. Must not know: the worker, or what the text is for.

@@ -41,7 +41,7 @@ export function lineEndsOf(text: string): LineEnds {
   return { most, others };
 }
 
-/** A folded text cut behind line ends; a long line stays whole. */
+/** A folded text cut after line ends; a long line stays whole. */
 export function inPieces(text: string): string[] {
   const pieces: string[] = [];
   let from = 0;

@@ -141,7 +141,7 @@ class Playback implements Panel {
     return WORDS[this.#shell.language];
   }
 
-  /** Another path has been drawn, of so many motions, with so many stops that can be passed over. */
+  /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#stop();
     for (const control of [this.#play, this.#back, this.#forward, this.#slider]) control.disabled = motions <= 0;

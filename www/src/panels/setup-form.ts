@@ -101,7 +101,7 @@ export class SetupDialog {
       make('label', { htmlFor: 'another-tool' }, texts.another), this.#word, this.#add, this.#noTool,
     );
     const elements = groups.map((group) => this.#group(group, opened));
-    // Behind the last tool, or the stock.
+    // After the last tool, or the stock.
     const last = groups.findLastIndex(({ group }) => group === 'tool' || group === 'stock');
     elements.splice(last + 1, 0, another);
     this.#groups.replaceChildren(...elements);

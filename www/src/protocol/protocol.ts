@@ -81,7 +81,7 @@ export interface TextChange {
 
 /** How the text of the worker becomes that of the editor. */
 export type TextCommand =
-  /** All of it; a piece ends behind a line end. */
+  /** All of it; a piece ends after a line end. */
   | { readonly kind: 'text'; readonly pieces: readonly string[] }
   | { readonly kind: 'edit'; readonly changes: readonly TextChange[] };
 
@@ -196,27 +196,27 @@ export interface Report {
   readonly overview: SetupOverview;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
-  /** All there is to tell; or the path, as the part takes longer; or the part that belongs to the path told before; or what was told, in another language. */
+  /** The whole report; or the path, as the part takes longer; or the part that belongs to the path reported before; or what was reported, in another language. */
   readonly stage: 'whole' | 'path' | 'part' | 'again';
   /** Why the setup that was sent last is not the one it ran under. */
   readonly setupRejected: string | undefined;
   /** Known once all material is off. */
   readonly views: ViewsState | undefined;
-  /** Known once all of the text was looked at; a long one is told of later. */
+  /** Known once all of the text was looked at; a long one is reported later. */
   readonly switches: SwitchesInText | undefined;
 }
 
 /** What was painted; a picture that has not changed is left out. */
 export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 
-/** What is told of the worker itself. */
+/** What is reported of the worker itself. */
 export type LifeEvent =
   | { readonly kind: 'ready' }
   | { readonly kind: 'load-failed'; readonly reason: string }
   /** The interpreter threw: this worker is of no further use. */
   | { readonly kind: 'crashed'; readonly reason: string };
 
-/** What is told of a run. */
+/** What is reported of a run. */
 export type RunEvent =
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */

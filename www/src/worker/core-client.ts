@@ -46,7 +46,7 @@ export class CoreClient {
   #ready = false;
   #ended = false;
   #watch: ReturnType<typeof setTimeout> | undefined;
-  /** The run that the page wants, and the last one the worker was told of. */
+  /** The run that the page wants, and the last one the worker has received. */
   #run = ++newestRun;
   #told = 0;
   /** Messages sent that may change what is shown. */
@@ -64,7 +64,7 @@ export class CoreClient {
     return this.#run;
   }
 
-  /** Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker is told a little later. */
+  /** Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker hears of it a little later. */
   outdate(): void {
     if (this.#run === this.#told) this.#run = ++newestRun;
     this.#listener.unsettled();
@@ -84,7 +84,7 @@ export class CoreClient {
   }
 
   /**
-   * The promise stays open for ever when the worker is lost: whoever waits is told by `lost`. What is asked about a run is
+   * The promise stays open for ever when the worker is lost: whoever waits hears of it by `lost`. What is asked about a run is
    * answered with `undefined` once there is another one.
    */
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K>> {
@@ -127,7 +127,7 @@ export class CoreClient {
         return;
       }
       case 'pictures':
-        // A change that the worker has not been told of yet leaves the last picture as it is.
+        // A change that the worker has not received yet leaves the last picture as it is.
         if (event.run === this.#told) this.#listener.pictures(event.pictures);
         else close(event.pictures);
         this.send({ kind: 'shown' });

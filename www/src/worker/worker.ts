@@ -30,7 +30,7 @@ const SHOW_PATH_AFTER_MS = 300;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
-/** How long something has been going on, and when that was told last. */
+/** How long something has been going on, and when that was reported last. */
 interface Going {
   readonly startedAt: number;
   lastProgressAt: number;
@@ -312,7 +312,7 @@ function removeMaterial(playground: Playground, machining: Stage & { kind: 'mach
     wantDraw('now');
     return;
   }
-  // What takes longer than a blink is told of when it is there.
+  // What takes longer than a blink is reported when it is there.
   if (!machining.pathTold) {
     machining.pathTold = true;
     report(playground, 'path');
@@ -403,7 +403,7 @@ function describe(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** Whatever is told of a run names it. */
+/** Whatever is reported of a run names it. */
 function tell(event: RunEvent, images: ImageBitmap[] = []): void {
   self.postMessage({ ...event, run }, { transfer: images });
 }
