@@ -590,7 +590,8 @@ impl Run {
             self.sorted.extend(setup.rules.graded(diagnostic));
         } else {
             let reading = self.interpreter.reading();
-            lint::plausible::compare(&self.text, motions, reading, setup, &mut self.sorted);
+            let list = self.interpreter.code_list();
+            lint::plausible::compare(&self.text, motions, reading, list, setup, &mut self.sorted);
         }
         if self.begun {
             self.report_decimal_rule();

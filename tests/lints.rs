@@ -62,3 +62,41 @@ fn without_lints_the_control_reports_its_own_faults() {
         assert!(!lint(slug), "{slug} is of the control");
     }
 }
+
+/// The slugs of what is reported for a program under a G-code system.
+fn reported(system: &str, text: &str) -> Vec<&'static str> {
+    let setup =
+        format!(r#"{{"dialect": {{"gSystem": "{system}"}}, "stock": {{"diameter": 60, "length": 80}}}}"#);
+    let setup = Setup::from_json(&setup).expect("a setup");
+    let told = run(text.as_bytes(), &setup, Lints::On).diagnostics;
+    told.iter().map(|one| one.message.slug()).collect()
+}
+
+#[test]
+fn a_lost_minus_is_found_in_a_cycle_of_every_system() {
+    let program = |cycle: &str, per_turn: &str| {
+        format!(
+            "{per_turn}\nT0101 M03 S800\nG00 X62 Z2\n{cycle} X56 Z-20 F0.2\nX52 Z20\nX48 Z-20\nX44\nG00 X100 Z50\nM30"
+        )
+    };
+    for (system, cycle, per_turn) in [("A", "G90", "G99"), ("B", "G77", "G95"), ("C", "G20", "G95")] {
+        let found = reported(system, &program(cycle, per_turn));
+        assert!(found.contains(&"minus-missing"), "{system}: {found:?}");
+    }
+}
+
+#[test]
+fn a_contour_holds_the_codes_of_its_system() {
+    let program = |between: &str| {
+        format!(
+            "G95\nT0101 M03 S800\nG00 X62 Z2\nG71 U2 R1\nG71 P1 Q2 U0.5 W0.1 F0.2\nN1 G00 X20\n{between}\nG01 Z-10\nN2 G01 X60\n\
+             G70 P1 Q2\nG00 X100 Z50\nM30"
+        )
+    };
+    let absolute = reported("B", &program("G90"));
+    assert!(!absolute.iter().any(|slug| slug.contains("contour")), "{absolute:?}");
+    let cycle = reported("B", &program("G77 X40 Z-5"));
+    assert!(cycle.contains(&"contour-reaches-over-other-cycle"), "{cycle:?}");
+    let of_a = reported("A", &program("G90 X40 Z-5").replace("G95", "G99"));
+    assert!(of_a.contains(&"contour-reaches-over-other-cycle"), "{of_a:?}");
+}

@@ -9,14 +9,19 @@ mod passes;
 mod points;
 mod signs;
 
+use std::collections::BTreeSet;
+
+use crate::control::codes::{self, G, MotionMode, Multiple};
 use crate::control::words::Reading;
+use crate::cycles::single::Single;
 use crate::message::{Diagnostic, Message};
 use crate::motion::{Motion, Motions};
 use crate::setup::Setup;
-use crate::setup::dialect::DecimalRule;
+use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Parser;
+use crate::units::Unit;
 
 /// A word with a number, where it stands.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +68,8 @@ struct Row {
     moves_at_rapid: bool,
     /// It stands in a contour, P to Q.
     contour: bool,
+    /// Its cycle roughs a contour.
+    reads_contour: bool,
     /// Its sequence number.
     sequence: Option<u32>,
     /// A tool is called, or the program ends: what stands after has nothing to do with what stood before.
@@ -81,19 +88,22 @@ struct Program<'a> {
     decimal: DecimalRule,
     /// A least increment, mm.
     increment: f64,
+    /// It changes between inches and millimetres.
+    has_both_units: bool,
 }
 
 /// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was reported of it.
-/// `reading`: how its numbers are read at its end.
+/// `reading`: how its numbers are read at its end; `list`: the codes in force.
 pub fn compare(
     text: &[u8],
     motions: &Motions,
     reading: Reading,
+    list: CodeList,
     setup: &Setup,
     reported: &mut Vec<Diagnostic>,
 ) {
     let sound = !reported.iter().any(Diagnostic::is_error);
-    let diagnostics = remarks(text, motions, reading, sound, setup.limits.compared_blocks);
+    let diagnostics = remarks(text, motions, reading, list, sound, setup.limits.compared_blocks);
     let diagnostics = diagnostics.into_iter().map(|diagnostic| diagnostic.in_unit(reading.unit));
     // One fault, one message.
     let known = |new: &Diagnostic| reported.iter().any(|old| old.is_about(new.span));
@@ -124,10 +134,17 @@ fn follows(diagnostic: &Diagnostic) -> bool {
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
 /// read at its end. Of a program that is not
 /// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
-fn remarks(text: &[u8], motions: &Motions, reading: Reading, sound: bool, blocks: usize) -> Vec<Diagnostic> {
-    let Some(program) = Program::read(text, motions, reading, blocks) else { return Vec::new() };
+fn remarks(
+    text: &[u8],
+    motions: &Motions,
+    reading: Reading,
+    list: CodeList,
+    sound: bool,
+    blocks: usize,
+) -> Vec<Diagnostic> {
+    let Some(program) = Program::read(text, motions, reading, list, blocks) else { return Vec::new() };
     let mut diagnostics = program.leading_zeros();
-    if program.has_both_units() {
+    if program.has_both_units {
         // Numbers of inches and of millimetres are not to be compared.
         return diagnostics;
     }
@@ -156,29 +173,109 @@ const LENGTHS: &[u8] = b"XYZUVWIJKRCA";
 /// More of them are a consequence of something else.
 const MOST: usize = 50;
 
-const MULTIPLE: std::ops::RangeInclusive<u64> = 70..=76;
-/// G04, G10, G28, G30, G50, G52, G53, G65, G66.
-const SETTINGS: [u64; 9] = [4, 10, 28, 30, 50, 52, 53, 65, 66];
+/// What the codes of a block, and those in force, make of its words.
+#[derive(Clone, Copy)]
+struct BlockCodes {
+    role: Role,
+    /// Its cycle is one of G74 to G76.
+    is_multiple: bool,
+    /// Its cycle roughs a contour.
+    reads_contour: bool,
+    /// It switches to inches, or to millimetres.
+    inch: Option<bool>,
+    arc: bool,
+    /// A thread is in force.
+    thread: bool,
+    /// It moves at rapid, as far as the text shows.
+    rapid: bool,
+}
+
+impl BlockCodes {
+    /// At the beginning of a program.
+    const START: Self = Self {
+        role: Role::Place,
+        is_multiple: false,
+        reads_contour: false,
+        inch: None,
+        arc: false,
+        thread: false,
+        rapid: true,
+    };
+
+    /// Takes in a code of the block; nothing for one that is not known.
+    fn read(&mut self, code: Option<G>) {
+        let Some(code) = code else { return };
+        match code {
+            G::Motion(mode) => {
+                self.thread = matches!(
+                    mode,
+                    MotionMode::Thread
+                        | MotionMode::VariableThread
+                        | MotionMode::Tapping
+                        | MotionMode::Cycle(Single::Threading)
+                );
+                self.rapid = mode == MotionMode::Rapid;
+                self.arc |= matches!(mode, MotionMode::Arc(_));
+            }
+            G::Dwell
+            | G::Data
+            | G::Home
+            | G::OtherHome
+            | G::Setting
+            | G::LocalFrame
+            | G::Machine
+            | G::MacroCall(_) => self.role = Role::Other,
+            G::Multiple(Multiple::FacePecking | Multiple::Grooving | Multiple::Threading) => {
+                (self.role, self.is_multiple) = (Role::Deep, true);
+            }
+            G::Multiple(cycle) => {
+                self.role = Role::Other;
+                self.reads_contour = cycle != Multiple::Finishing;
+            }
+            // R and Q of a hole are no places.
+            G::Hole(_) => self.role = Role::Deep,
+            G::Unit(unit) => self.inch = Some(unit == Unit::Inch),
+            G::Plane(_)
+            | G::CheckHome
+            | G::FromHome
+            | G::EndOfData
+            | G::Distance { .. }
+            | G::HoleReturn(_)
+            | G::NoHole
+            | G::NoModalMacro
+            | G::Compensation(_)
+            | G::Frame(_)
+            | G::ExtendedFrame
+            | G::Polar(_)
+            | G::Cylinder
+            | G::SurfaceSpeed
+            | G::ConstantSpeed
+            | G::Feed(_)
+            | G::Idle
+            | G::NotSupported => {}
+        }
+    }
+}
 
 impl<'a> Program<'a> {
-    /// Whether the program changes between inches and millimetres.
-    fn has_both_units(&self) -> bool {
-        let has = |code: f64| self.words.iter().any(|word| word.address == b'G' && word.value == code);
-        has(20.0) && has(21.0)
-    }
-
-    fn read(text: &'a [u8], motions: &'a Motions, reading: Reading, most: usize) -> Option<Self> {
+    fn read(
+        text: &'a [u8],
+        motions: &'a Motions,
+        reading: Reading,
+        list: CodeList,
+        most: usize,
+    ) -> Option<Self> {
         let mut parser = Parser::new(text);
         let mut block = Block::default();
         let (mut rows, mut words) = (Vec::new(), Vec::new());
-        let (mut rapid, mut thread) = (true, false);
+        let mut state = BlockCodes::START;
+        let mut units = BTreeSet::new();
         while parser.next_block(&mut block) {
             if rows.len() >= most {
                 return None;
             }
             let first = words.len();
-            let mut role = Role::Place;
-            let mut arc = false;
+            state = BlockCodes { rapid: state.rapid, thread: state.thread, ..BlockCodes::START };
             let has = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
             for word in &block.words {
                 let Value::Number { number, negative } = word.value else { continue };
@@ -193,23 +290,9 @@ impl<'a> Program<'a> {
                 let value = if fine { number.value() * reading.unit.increment() } else { number.value() };
                 let value = if negative { -value } else { value };
                 let decimals = number.has_point().then_some(number.decimals);
-                if word.address == b'G' && number.decimals == 0 {
-                    match number.mantissa {
-                        32 | 33 | 92 => thread = true,
-                        0..=3 | 90 | 94 => thread = false,
-                        _ => {}
-                    }
-                    match number.mantissa {
-                        code if SETTINGS.contains(&code) => role = Role::Other,
-                        74..=76 if has(b"XZ") => role = Role::Deep,
-                        // R and Q of a hole are no places.
-                        83 | 84 | 85 | 87 | 88 | 89 => role = Role::Deep,
-                        code if MULTIPLE.contains(&code) => role = Role::Other,
-                        0 => rapid = true,
-                        1 | 32 | 34 | 90 | 92 | 94 => rapid = false,
-                        2 | 3 => (arc, rapid) = (true, false),
-                        _ => {}
-                    }
+                if word.address == b'G' {
+                    let key = number.tenths();
+                    state.read(key.and_then(|key| codes::g_code(key, list)).map(|found| found.code));
                 }
                 words.push(Word {
                     address: word.address,
@@ -229,9 +312,16 @@ impl<'a> Program<'a> {
             };
             let parts =
                 block.program.is_some() || block.kind != BlockKind::Words || block.words.iter().any(ends);
+            let mut role = state.role;
+            if role == Role::Deep && state.is_multiple && !has(b"XZ") {
+                // The first block of a pair.
+                role = Role::Other;
+            }
             if block.kind != BlockKind::Words || block.is_broken() {
                 role = Role::Other;
             }
+            units.extend(state.inch);
+            let BlockCodes { rapid, thread, arc, reads_contour, .. } = state;
             rows.push(Row {
                 span: block.span,
                 role,
@@ -242,13 +332,15 @@ impl<'a> Program<'a> {
                 rapid,
                 moves_at_rapid: rapid && role == Role::Place && has(b"XZUW"),
                 contour: false,
+                reads_contour,
                 sequence: block.sequence,
                 parts,
             });
         }
         let (unit, decimal) = (reading.unit.millimetres(), reading.decimal);
         let increment = reading.unit.increment() * unit;
-        let mut program = Self { text, rows, words, motions, unit, decimal, increment };
+        let has_both_units = units.len() > 1;
+        let mut program = Self { text, rows, words, motions, unit, decimal, increment, has_both_units };
         program.match_motions();
         program.find_contours();
         Some(program)
@@ -277,7 +369,7 @@ impl<'a> Program<'a> {
     fn find_contours(&mut self) {
         for index in 0..self.rows.len() {
             let words = self.words_of(&self.rows[index]);
-            let cycle = words.iter().any(|word| word.address == b'G' && (71.0..=73.0).contains(&word.value));
+            let cycle = self.rows[index].reads_contour;
             let named =
                 |address: u8| words.iter().find(|word| word.address == address).map(|word| word.value as u32);
             let (true, Some(first), Some(last)) = (cycle, named(b'P'), named(b'Q')) else { continue };

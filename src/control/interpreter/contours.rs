@@ -6,7 +6,7 @@
 use super::calls::Here;
 use super::request::Request;
 use super::{Flow, Interpreter, shortened};
-use crate::control::codes::{Compensation, MotionMode, Plane};
+use crate::control::codes::{self, Compensation, G, MotionMode, Plane};
 use crate::control::contour::{FirstBlock, Landmarks, Purpose};
 use crate::control::events::{ContourCall, Event, Observer};
 use crate::control::modal::{PathMove, State};
@@ -380,22 +380,45 @@ impl Interpreter {
         for word in &block.words {
             let Value::Number { number, .. } = word.value else { continue };
             let quoted = || quote(text, word.span);
-            let (message, severity) = match (word.address, number.decimals, number.mantissa) {
-                (b'M', _, 98 | 99) | (b'G', 0, 65 | 66) => {
-                    (Message::ContourCall { word: quoted() }, Severity::Error)
+            let illegal = |severity| (Message::ContourIllegal { word: quoted() }, severity);
+            let (message, severity) = match word.address {
+                b'M' => match number.mantissa {
+                    98 | 99 => (Message::ContourCall { word: quoted() }, Severity::Error),
+                    // The program would end in the middle of the cycle.
+                    2 | 30 => illegal(Severity::Error),
+                    _ => continue,
+                },
+                b'G' => {
+                    let key = number.tenths();
+                    let found = key.and_then(|key| codes::g_code(key, self.dialect.code_list()));
+                    match found.map(|found| found.code) {
+                        Some(
+                            G::Motion(MotionMode::Rapid | MotionMode::Line | MotionMode::Arc(_))
+                            | G::Dwell
+                            | G::Plane(Plane::Zx)
+                            | G::Compensation(_)
+                            | G::Distance { .. }
+                            | G::HoleReturn(_)
+                            | G::SurfaceSpeed
+                            | G::ConstantSpeed
+                            | G::Feed(_),
+                        ) => continue,
+                        Some(G::MacroCall(_)) => (Message::ContourCall { word: quoted() }, Severity::Error),
+                        // G70 repeats blocks: some use it to drill a hole again.
+                        Some(G::Hole(_) | G::NoHole)
+                            if skips && self.contours.purpose == Some(Purpose::Finishing) =>
+                        {
+                            let message = Message::ContourIllegal { word: quoted() };
+                            self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
+                            continue;
+                        }
+                        Some(G::Multiple(_) | G::Motion(MotionMode::Cycle(_)) | G::Hole(_)) => {
+                            return InContour::OtherOperation(quoted());
+                        }
+                        _ if skips => illegal(Severity::Warning),
+                        _ => illegal(Severity::Error),
+                    }
                 }
-                // The program would end in the middle of the cycle.
-                (b'M', _, 2 | 30) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
-                (b'G', 0, 0..=4 | 18 | 40..=42 | 96..=99) => continue,
-                // G70 repeats blocks: some use it to drill a hole again.
-                (b'G', _, 80..=89) if skips && self.contours.purpose == Some(Purpose::Finishing) => {
-                    let message = Message::ContourIllegal { word: quoted() };
-                    self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
-                    continue;
-                }
-                (b'G', _, 70..=76 | 81..=90 | 92 | 94) => return InContour::OtherOperation(quoted()),
-                (b'G', ..) if skips => (Message::ContourIllegal { word: quoted() }, Severity::Warning),
-                (b'G', ..) => (Message::ContourIllegal { word: quoted() }, Severity::Error),
                 _ => continue,
             };
             self.report(Diagnostic::new(message, word.span).graded(severity));
