@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::clean;
 use super::options::{ControlName, Destination, Form, Input, Texts, TurretName, ViewName, With};
-use super::{clean, export};
+use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
 #[derive(Parser)]
@@ -90,7 +91,7 @@ pub(super) enum Command {
     Export {
         /// What to write.
         #[arg(value_enum)]
-        format: export::FileFormat,
+        format: FileFormat,
         #[command(flatten)]
         input: Input,
         #[command(flatten)]

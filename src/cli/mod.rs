@@ -27,11 +27,9 @@ use crate::api::{self, Places};
 use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
+use crate::scene;
 use crate::scene::face::Face;
-use crate::scene::path_index::PathIndex;
 use crate::scene::svg::SvgOptions;
-use crate::scene::work::Work;
-use crate::scene::{self, Scene};
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
@@ -143,7 +141,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
             Ok(status(&program.analysis))
         }
         Command::Export { format, input, texts, to } => {
-            let program = program_run(&input, |run| format.begin(run))?;
+            let program = program_run(&input, |run| if format.needs_trace() { run.traced() } else { run })?;
             save(to.file(), &export::file(&program, format, texts.language())?)?;
             Ok(status(&program.analysis))
         }
@@ -182,9 +180,8 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let simulation = program.analysis.simulate();
     match view {
         ViewName::Section => {
-            let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
-            let scene = Scene::new(motions, &path_index, work.as_ref());
-            Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
+            let options = SvgOptions { x_plus: turret.into(), ..SvgOptions::default() };
+            Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {
             let face = Face::of(motions, &simulation).ok_or_else(|| {
