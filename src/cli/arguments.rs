@@ -7,7 +7,9 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::clean;
-use super::options::{ControlName, Destination, Form, Input, Texts, TurretName, ViewName, With};
+use super::options::{
+    ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
+};
 use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
@@ -94,8 +96,9 @@ pub(super) enum Command {
         format: FileFormat,
         #[command(flatten)]
         input: Input,
-        #[command(flatten)]
-        texts: Texts,
+        /// Language of the texts in `svg` and `card`, English when left out; the other formats take none.
+        #[arg(long, visible_alias = "language", value_enum)]
+        lang: Option<LanguageName>,
         #[command(flatten)]
         to: Destination,
     },

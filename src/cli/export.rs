@@ -4,6 +4,9 @@
 
 use std::cell::OnceCell;
 
+use clap::ValueEnum;
+
+use super::options::LanguageName;
 use super::{Program, encoded};
 use crate::export::file::{Exportable, FileFormat, file as export};
 use crate::machine::SimulationResult;
@@ -12,6 +15,29 @@ use crate::scene::camera::XPlus;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
+
+/// The language of a file; an error where one is chosen for a format without texts.
+pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Result<Language, String> {
+    match chosen {
+        Some(_) if !format.has_texts() => {
+            let name = |format: FileFormat| {
+                format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+            };
+            let with: Vec<String> = FileFormat::value_variants()
+                .iter()
+                .copied()
+                .filter(|format| format.has_texts())
+                .map(name)
+                .collect();
+            Err(format!(
+                "`--lang` has no effect on `export {}`: only {} contain texts in a language",
+                name(format),
+                with.join(" and ")
+            ))
+        }
+        chosen => Ok(chosen.map_or(Language::English, LanguageName::language)),
+    }
+}
 
 /// A file made from a program.
 pub(super) fn file(program: &Program, format: FileFormat, language: Language) -> Result<Vec<u8>, String> {

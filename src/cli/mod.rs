@@ -140,9 +140,10 @@ fn run(command: Command) -> Result<ExitCode, String> {
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Export { format, input, texts, to } => {
+        Command::Export { format, input, lang, to } => {
+            let language = export::language(format, lang)?;
             let program = program_run(&input, |run| if format.needs_trace() { run.traced() } else { run })?;
-            save(to.file(), &export::file(&program, format, texts.language())?)?;
+            save(to.file(), &export::file(&program, format, language)?)?;
             Ok(status(&program.analysis))
         }
         Command::Compare { first, second, with, form, output } => {

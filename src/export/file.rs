@@ -47,6 +47,14 @@ impl FileFormat {
         }
     }
 
+    /// Whether it contains texts in a language.
+    pub fn has_texts(self) -> bool {
+        match self {
+            Self::Svg | Self::Card => true,
+            Self::Csv | Self::Dxf | Self::Stl | Self::Program => false,
+        }
+    }
+
     /// Whether [`Exportable::expanded`] is called: it needs a run that keeps the blocks it carries out.
     pub fn needs_trace(self) -> bool {
         match self {
