@@ -23,7 +23,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::api::{self, Places};
+use crate::api::{self, InFile, Places};
 use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
@@ -212,20 +212,14 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
 
 /// Writes the messages of a program.
 fn tell(out: &mut dyn Write, program: &Program, language: Language, format: Format) -> io::Result<()> {
-    #[derive(Serialize)]
-    struct Row<'a> {
-        file: &'a str,
-        #[serde(flatten)]
-        diagnostic: api::Diagnostic,
-    }
     let found = &program.analysis.diagnostics;
     match format {
         Format::Json => {
             let lines = LineIndex::new(&program.text);
             let places = Places { text: &program.text, lines: &lines };
             for diagnostic in found {
-                let diagnostic = places.diagnostic(diagnostic, language);
-                write_row(out, &Row { file: &program.name, diagnostic })?;
+                let row = places.diagnostic(diagnostic, language);
+                write_row(out, &InFile { file: &program.name, row })?;
             }
             Ok(())
         }

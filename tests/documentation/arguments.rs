@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The values of each argument that takes only some: of an option by its long name, of positionals under `""`.
+/// The values of each argument that takes only some: of an option by its long name, of arguments without a name under `""`.
 pub type Values = BTreeMap<String, BTreeSet<String>>;
 
 /// What the long help of a command names.

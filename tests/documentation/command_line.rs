@@ -56,7 +56,7 @@ fn the_reference_lists_every_option_of_the_command_line() {
     assert!(lacking.is_empty(), "options that the reference does not show:\n{}", lacking.join("\n"));
 }
 
-/// The values that positionals and options take, in both directions.
+/// The values that arguments with and without a name take, in both directions.
 #[test]
 fn the_reference_lists_the_values_of_every_argument() {
     let values = |cell: &str| -> BTreeSet<String> { cell.split_whitespace().map(str::to_owned).collect() };
