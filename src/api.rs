@@ -1,12 +1,14 @@
 //! The shapes in which results leave the crate: rows for JavaScript and for the command line's JSON.
 //!
 //! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
-//! columns in UTF-16 units. The only `Serialize` of the project; the TypeScript types are made from these.
+//! columns in UTF-16 units. No other room derives `Serialize`, but for `units::Diameter`, which stands in these rows
+//! (`tests/rooms.rs`). The TypeScript types are made from these.
 
 mod inferred_stock;
 pub mod paste;
 mod readout;
 mod rewrite;
+mod rules;
 pub mod setup;
 
 use serde::Serialize;
@@ -14,6 +16,7 @@ use serde::Serialize;
 pub use inferred_stock::{InferredStock, StockRow};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
+pub use rules::Rule;
 
 use crate::control::codes;
 use crate::geometry::Point;
@@ -74,6 +77,16 @@ pub struct Diagnostic {
     pub alarm: Option<String>,
     /// Repairs.
     pub fixes: Vec<Fix>,
+}
+
+/// A row about a file, with the name of the file first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InFile<'a, T> {
+    /// The file, as it was named.
+    pub file: &'a str,
+    /// The row.
+    #[serde(flatten)]
+    pub row: T,
 }
 
 /// A repair of a fault.

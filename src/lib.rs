@@ -1,8 +1,8 @@
 //! A lathe G-code playground: program text in, tool motions and messages out.
 //!
 //! ```text
-//! text ──► tokens ──► blocks ──► motions ──► scene ──► canvas / SVG
-//!      text              control, cycles     scene
+//! text ──► tokens ──► blocks ──► path ──► motions ──► part, time, dangers ──► scene ──► canvas / SVG
+//!      what was written      what the control does    what happens at the machine   what you see
 //! ```
 //!
 //! [`analyze`] is the whole way in one call; [`run::Run`] the same in slices, for a page that must not block.

@@ -355,6 +355,14 @@ fn export_writes_files_for_other_programs() {
     assert!(export("stl", &[]).len() > 84 + 50 * 100);
     assert_eq!(export("program", &[]), run(&["expand", "-"], program).stdout);
     assert_eq!(run(&["export", "png", "-"], program).status.code(), Some(2));
+    // These files contain no texts in a language; `expand` has no `--lang` either.
+    for format in ["csv", "dxf", "stl", "program"] {
+        let refused = run(&["export", format, "-", "--language", "ru"], program);
+        assert_eq!(refused.status.code(), Some(2), "{format}");
+        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(said.contains(&format!("no effect on `export {format}`")), "{said}");
+        assert!(refused.stdout.is_empty(), "{format}");
+    }
     let nothing = run(&["export", "stl", "-"], b"M30");
     assert_eq!(nothing.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&nothing.stderr).contains("no blank"));

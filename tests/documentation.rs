@@ -2,6 +2,10 @@
 //! figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "documentation/arguments.rs"]
+mod arguments;
+#[path = "documentation/command_line.rs"]
+mod command_line;
 #[path = "documentation/diameters.rs"]
 mod diameters;
 #[path = "documentation/documents.rs"]
@@ -290,48 +294,6 @@ fn every_call_of_the_command_line_works() {
         }
     }
     assert!(failed.is_empty(), "{}", failed.join("\n"));
-}
-
-#[test]
-fn the_reference_lists_every_option_of_the_command_line() {
-    let lines: Vec<String> = commands()
-        .into_iter()
-        .filter_map(|(document, line)| {
-            (document == "www/docs/command-line.md")
-                .then(|| line.strip_prefix("gcode-playground ").map(str::to_owned))?
-        })
-        .collect();
-    let help = |words: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_gcode-playground"))
-            .args(words)
-            .arg("--help")
-            .output()
-            .expect("help");
-        String::from_utf8(output.stdout).expect("UTF-8")
-    };
-    let names = |text: &str, after: &str| -> Vec<String> {
-        let rest = text.split(after).nth(1).unwrap_or_default();
-        let lines = rest.lines().skip(1).take_while(|line| line.starts_with(' '));
-        lines.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect()
-    };
-    let all = names(&help(&[]), "Commands:");
-    assert!(all.len() > 5, "{all:?}");
-    let mut lacking = Vec::new();
-    for name in all.iter().filter(|name| *name != "help") {
-        let told = help(&[name]);
-        let usage: String = lines.iter().filter(|line| line.starts_with(name.as_str())).cloned().collect();
-        assert!(!usage.is_empty(), "the reference does not show `{name}`");
-        let options = told.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
-        for option in options.filter(|line| !line.starts_with("-h")) {
-            // `-o, --output <FILE>`: one of its names is enough.
-            let mut names = option.split_whitespace().map(|word| word.trim_end_matches(','));
-            let shown = names.any(|name| name.starts_with('-') && usage.contains(name));
-            if !shown {
-                lacking.push(format!("{name}: {option}"));
-            }
-        }
-    }
-    assert!(lacking.is_empty(), "options that the reference does not show:\n{}", lacking.join("\n"));
 }
 
 // ---- snippets -------------------------------------------------------------------------------------

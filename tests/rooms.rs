@@ -80,6 +80,35 @@ fn files_name_what_they_import() {
     assert!(found.is_empty(), "`use super::*` in {found:?}");
 }
 
+/// Whether a text derives or implements `Serialize` (`Deserialize` is another word).
+fn serialises(text: &str) -> bool {
+    let code = text.lines().map(|line| line.trim_start()).filter(|line| !line.starts_with("//"));
+    let code: String = code.collect::<Vec<_>>().join(" ");
+    let names =
+        |list: &str| list.split(|letter: char| !letter.is_alphanumeric()).any(|word| word == "Serialize");
+    let derives = code.split("derive(").skip(1).filter_map(|rest| rest.split(')').next()).any(names);
+    derives || code.contains("Serialize for ")
+}
+
+/// Whatever leaves the crate as JSON or as an object is a row of `api`; only a diameter, which stands in the rows, is below it.
+#[test]
+fn only_the_rows_of_api_are_serialised() {
+    let found: Vec<String> = sources()
+        .into_iter()
+        .filter(|(module, text)| module.first().is_none_or(|room| room != "api") && serialises(text))
+        .map(|(module, _)| module.join("/"))
+        .collect();
+    assert_eq!(found, ["units"]);
+}
+
+#[test]
+fn what_serialises_would_be_found() {
+    assert!(serialises("#[derive(Clone, Serialize)] struct A;"));
+    assert!(serialises("#[cfg_attr(test, derive(\n    Debug,\n    serde::Serialize))]"));
+    assert!(serialises("impl Serialize for A {}"));
+    assert!(!serialises("// derive(Serialize)\n#[derive(Deserialize)] fn f(row: &impl Serialize) {}"));
+}
+
 /// A small house: module and text of each file.
 fn house(files: &[(&str, &str)], rooms: &[&str]) -> House {
     let split = |path: &str| path.split('/').filter(|name| !name.is_empty()).map(str::to_owned).collect();

@@ -6,8 +6,11 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use super::options::{ControlName, Destination, Form, Input, Texts, TurretName, ViewName, With};
-use super::{clean, export};
+use super::clean;
+use super::options::{
+    ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
+};
+use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
 #[derive(Parser)]
@@ -90,11 +93,12 @@ pub(super) enum Command {
     Export {
         /// What to write.
         #[arg(value_enum)]
-        format: export::FileFormat,
+        format: FileFormat,
         #[command(flatten)]
         input: Input,
-        #[command(flatten)]
-        texts: Texts,
+        /// Language of the texts in `svg` and `card`, English when left out; the other formats take none.
+        #[arg(long, visible_alias = "language", value_enum)]
+        lang: Option<LanguageName>,
         #[command(flatten)]
         to: Destination,
     },

@@ -5,10 +5,8 @@
 
 use std::io::{self, Write};
 
-use serde::Serialize;
-
 use super::{Format, Program, write_row};
-use crate::api::InferredStock;
+use crate::api::{InFile, InferredStock};
 use crate::sentences::Language;
 
 /// Writes that the stock is inferred.
@@ -18,15 +16,9 @@ pub(super) fn write(
     language: Language,
     format: Format,
 ) -> io::Result<()> {
-    #[derive(Serialize)]
-    struct Row<'a> {
-        file: &'a str,
-        #[serde(flatten)]
-        inferred: InferredStock,
-    }
     let Some(inferred) = InferredStock::of(&program.analysis, language) else { return Ok(()) };
     match format {
-        Format::Json => write_row(out, &Row { file: &program.name, inferred }),
+        Format::Json => write_row(out, &InFile { file: &program.name, row: inferred }),
         Format::Text => writeln!(out, "{}: {}", program.name, inferred.message),
     }
 }

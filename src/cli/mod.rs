@@ -23,15 +23,13 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::api::{self, Places};
+use crate::api::{self, InFile, Places};
 use crate::machine::SimulationResult;
 use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
+use crate::scene;
 use crate::scene::face::Face;
-use crate::scene::path_index::PathIndex;
 use crate::scene::svg::SvgOptions;
-use crate::scene::work::Work;
-use crate::scene::{self, Scene};
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
@@ -142,9 +140,10 @@ fn run(command: Command) -> Result<ExitCode, String> {
             })?;
             Ok(status(&program.analysis))
         }
-        Command::Export { format, input, texts, to } => {
-            let program = program_run(&input, |run| format.begin(run))?;
-            save(to.file(), &export::file(&program, format, texts.language())?)?;
+        Command::Export { format, input, lang, to } => {
+            let language = export::language(format, lang)?;
+            let program = program_run(&input, |run| if format.needs_trace() { run.traced() } else { run })?;
+            save(to.file(), &export::file(&program, format, language)?)?;
             Ok(status(&program.analysis))
         }
         Command::Compare { first, second, with, form, output } => {
@@ -182,9 +181,8 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let simulation = program.analysis.simulate();
     match view {
         ViewName::Section => {
-            let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
-            let scene = Scene::new(motions, &path_index, work.as_ref());
-            Ok(scene::svg::svg(&scene, &SvgOptions { x_plus: turret.into(), ..SvgOptions::default() }))
+            let options = SvgOptions { x_plus: turret.into(), ..SvgOptions::default() };
+            Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {
             let face = Face::of(motions, &simulation).ok_or_else(|| {
@@ -214,20 +212,14 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
 
 /// Writes the messages of a program.
 fn tell(out: &mut dyn Write, program: &Program, language: Language, format: Format) -> io::Result<()> {
-    #[derive(Serialize)]
-    struct Row<'a> {
-        file: &'a str,
-        #[serde(flatten)]
-        diagnostic: api::Diagnostic,
-    }
     let found = &program.analysis.diagnostics;
     match format {
         Format::Json => {
             let lines = LineIndex::new(&program.text);
             let places = Places { text: &program.text, lines: &lines };
             for diagnostic in found {
-                let diagnostic = places.diagnostic(diagnostic, language);
-                write_row(out, &Row { file: &program.name, diagnostic })?;
+                let row = places.diagnostic(diagnostic, language);
+                write_row(out, &InFile { file: &program.name, row })?;
             }
             Ok(())
         }

@@ -41,11 +41,7 @@ pub(super) struct Texts {
 impl Texts {
     /// The language that is asked for.
     pub fn language(&self) -> Language {
-        match self.lang {
-            LanguageName::En => Language::English,
-            LanguageName::Zh => Language::Chinese,
-            LanguageName::Ru => Language::Russian,
-        }
+        self.lang.language()
     }
 }
 
@@ -90,10 +86,20 @@ impl ControlName {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum LanguageName {
+pub(super) enum LanguageName {
     En,
     Zh,
     Ru,
+}
+
+impl LanguageName {
+    pub fn language(self) -> Language {
+        match self {
+            Self::En => Language::English,
+            Self::Zh => Language::Chinese,
+            Self::Ru => Language::Russian,
+        }
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -4,21 +4,10 @@
 
 use std::io::{self, Write};
 
-use serde::Serialize;
-
 use super::{Format, write_row};
+use crate::api;
 use crate::message::{Levels, RULES};
 use crate::sentences::{Language, labels};
-
-/// A row of JSON.
-#[derive(Serialize)]
-struct Row<'a> {
-    slug: &'a str,
-    codes: &'a [&'a str],
-    severity: &'a str,
-    kind: &'a str,
-    alarms: &'a [&'a str],
-}
 
 /// Writes the list, in the order of the slugs.
 pub(super) fn write(
@@ -31,10 +20,7 @@ pub(super) fn write(
         let (slug, codes, alarms) = (rule.slug, rule.codes, rule.alarms);
         let level = levels.of(slug).unwrap_or(rule.severity);
         match format {
-            Format::Json => {
-                let (severity, kind) = (level.name(), rule.kind.name());
-                write_row(out, &Row { slug, codes, severity, kind, alarms })?;
-            }
+            Format::Json => write_row(out, &api::Rule::new(rule, level))?,
             Format::Text => {
                 let (severity, kind) =
                     (labels::severity(level, language), labels::category(rule.kind, language));

@@ -7,15 +7,18 @@
 use std::fmt::Write;
 
 use crate::geometry::{Arc, Point, Turn};
+use crate::machine::SimulationResult;
 use crate::machine::compare::Side;
 use crate::machine::resolved_setup::Basis;
+use crate::motion::Motions;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
 use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
+use super::path_index::PathIndex;
 use super::ruler::{MILLIMETRE, Tick, TickWeight, ticks};
-use super::work::{Outlines, closed, edges};
+use super::work::{Outlines, Work, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 
 mod compared;
@@ -73,6 +76,13 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let mut drawing = Drawing { text: String::new(), camera };
     drawing.all(scene, options);
     drawing.text
+}
+
+/// The half-section of a whole program as an SVG file; the work is left out where there is no simulation.
+pub fn section(motions: &Motions, simulation: Option<&SimulationResult>, options: &SvgOptions) -> String {
+    let path_index = PathIndex::of(motions);
+    let work = simulation.and_then(|simulation| Work::of(simulation, motions, None));
+    svg(&Scene::new(motions, &path_index, work.as_ref()), options)
 }
 
 /// A file in the making.
@@ -433,7 +443,6 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::path_index::PathIndex;
     use super::super::tests::Path;
     use super::*;
 

@@ -1,62 +1,47 @@
-//! What leaves the page as a file, and the part as a body: the exporters for JavaScript.
+//! What leaves the page as a file, and the part as a body, for JavaScript.
 //!
-//! In: the program as it has run. Out: texts, bytes, a painted canvas.
+//! In: the program as it has run. Out: bytes, a painted canvas.
 
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::Error as ValueError;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
 use super::{Playground, to_js};
 use crate::api;
-use crate::export::card::{self, Card};
-use crate::export::{csv, dxf, stl};
+use crate::current::Current;
+use crate::expand::expand;
+use crate::export::file::{Exportable, FileFormat, file};
+use crate::machine::SimulationResult;
+use crate::motion::Motions;
+use crate::scene::Plane;
+use crate::scene::camera::XPlus;
 use crate::scene::canvas::{Painter, Progress};
-use crate::scene::path_index::PathIndex;
 use crate::scene::source::Picture;
-use crate::scene::svg::{Ground, SvgOptions, svg};
-use crate::scene::work::Work;
-use crate::scene::{Plane, Scene};
-use crate::sentences::labels;
-use crate::setup::fields::Unit;
+use crate::setup::Setup;
+use crate::setup::dialect::CodeList;
 
 #[wasm_bindgen]
 impl Playground {
-    /// The drawing as an SVG file, all of it.
-    pub fn svg(&mut self) -> String {
+    /// The bytes of a file, in the language of the messages; nothing where there is no part to put into it.
+    #[wasm_bindgen(js_name = exportFile)]
+    pub fn export_file(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
+    ) -> Result<Option<Vec<u8>>, JsValue> {
+        let format = file_format(format)?;
         self.current.finish_part();
-        self.drawing(Ground::AsSystem)
+        Ok(file(format, &Ran { current: &self.current, given: &self.setup }, self.language))
     }
 
-    /// All motions as a table.
-    pub fn csv(&self) -> String {
-        csv::csv(self.current.motions(), &self.current.run().setup().machine)
-    }
-
-    /// The setup sheet as an HTML file to print, in the language of the messages.
-    pub fn card(&mut self) -> String {
-        self.current.finish_part();
-        let run = self.current.run();
-        let motions = run.motions();
-        let drawing = (motions.len() <= card::MOST_DRAWN).then(|| self.drawing(Ground::Paper));
-        let card = Card {
-            text: run.text(),
-            motions,
-            setup: run.setup(),
-            codes: run.code_list(),
-            drawing: drawing.as_deref(),
-        };
-        card.html(self.language)
-    }
-
-    /// The profile of the finished part as a DXF file; nothing where there is no part.
-    pub fn dxf(&mut self) -> Option<String> {
-        self.current.finish_part();
-        dxf::dxf(self.current.part()?)
-    }
-
-    /// The finished part as an STL file; nothing where there is no part.
-    pub fn stl(&mut self) -> Option<Vec<u8>> {
-        self.current.finish_part();
-        stl::stl(self.current.part()?)
+    /// What the name of such a file ends in.
+    #[wasm_bindgen(js_name = fileEnding)]
+    pub fn file_ending(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
+    ) -> Result<String, JsValue> {
+        Ok(file_format(format)?.ending().to_owned())
     }
 
     /// Paints the picture as it is shown on another canvas, so many device pixels a CSS pixel.
@@ -81,13 +66,44 @@ impl Playground {
     }
 }
 
-impl Playground {
-    fn drawing(&self, ground: Ground) -> String {
-        let motions = self.current.motions();
-        let path_index = PathIndex::of(motions);
-        let work = self.current.simulation().and_then(|simulation| Work::of(simulation, motions, None));
-        let millimetre = labels::unit(Unit::Millimetre, self.language);
-        let options = SvgOptions { ground, millimetre, ..SvgOptions::default() };
-        svg(&Scene::new(motions, &path_index, work.as_ref()), &options)
+fn file_format(name: &str) -> Result<FileFormat, JsValue> {
+    FileFormat::deserialize(name.into_deserializer())
+        .map_err(|problem: ValueError| JsValue::from_str(&problem.to_string()))
+}
+
+/// The current program, all of its material off.
+struct Ran<'a> {
+    current: &'a Current,
+    /// The setup that was handed in.
+    given: &'a Setup,
+}
+
+impl Exportable for Ran<'_> {
+    fn text(&self) -> &[u8] {
+        self.current.run().text()
+    }
+
+    fn motions(&self) -> &Motions {
+        self.current.motions()
+    }
+
+    fn setup(&self) -> &Setup {
+        self.current.run().setup()
+    }
+
+    fn codes(&self) -> CodeList {
+        self.current.run().code_list()
+    }
+
+    fn simulation(&self) -> Option<&SimulationResult> {
+        self.current.simulation()
+    }
+
+    fn expanded(&self) -> Vec<u8> {
+        expand(self.text(), self.given).into_bytes()
+    }
+
+    fn x_plus(&self) -> XPlus {
+        XPlus::Up
     }
 }

@@ -6,11 +6,8 @@ use gcode_playground::findings;
 use gcode_playground::machine::{Simulation, SimulationResult};
 use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
-use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::path_index::PathIndex;
-use gcode_playground::scene::svg::{SvgOptions, svg};
-use gcode_playground::scene::work::Work;
+use gcode_playground::scene::svg::{SvgOptions, section, svg};
 use gcode_playground::setup::Setup;
 
 use crate::format::page::Stop;
@@ -71,7 +68,6 @@ impl Outcome {
             let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };
             return Some(svg(&face.scene(work.as_ref()), &options));
         }
-        let (path_index, work) = (PathIndex::of(motions), Work::of(&simulation, motions, None));
-        Some(svg(&Scene::new(motions, &path_index, work.as_ref()), &options))
+        Some(section(motions, Some(&simulation), &options))
     }
 }

@@ -8,14 +8,9 @@ import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { bytesToSave, download } from '../editor/program-files';
-import { FILE_FORMATS, type FileFormat } from '../protocol/protocol';
+import type { ExportFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 import exportsStyles from './exports.css?inline';
-
-/** What the name of each kind of file ends in, after that of the program. */
-const ENDINGS: Readonly<Record<FileFormat, string>> = {
-  svg: '.svg', png: '.png', card: '-setup-sheet.html', csv: '.csv', dxf: '.dxf', stl: '.stl', program: '-plain.nc',
-};
 
 export const exports: PanelKind = { styles: exportsStyles, make: (shell) => new Exports(shell) };
 
@@ -25,13 +20,13 @@ class Exports implements Panel {
     type: 'button', className: 'export-button quiet outlined', 'aria-haspopup': 'menu', 'aria-expanded': 'false',
   });
   readonly #element = make('div', { className: 'menu', part: 'export-menu', role: 'menu', popover: 'auto' });
-  readonly #items: readonly { readonly format: FileFormat; readonly button: HTMLButtonElement }[];
+  readonly #items: readonly { readonly format: ExportFormat; readonly button: HTMLButtonElement }[];
 
   readonly places = { foot: [this.#button], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
     this.#shell = shell;
-    this.#items = FILE_FORMATS.map((format) => {
+    this.#items = FORMATS.map((format) => {
       const button = make('button', { type: 'button', role: 'menuitem', tabIndex: -1 });
       button.addEventListener('click', () => {
         this.#element.hidePopover();
@@ -72,16 +67,19 @@ class Exports implements Panel {
     if (!available && this.#element.matches(':popover-open')) this.#element.hidePopover();
   }
 
-  async #export(format: FileFormat): Promise<void> {
+  async #export(format: ExportFormat): Promise<void> {
     const { editor, language } = this.#shell;
     this.#shell.flush();
-    const content = await this.#shell.ask('export', { format });
-    if (content === undefined) {
+    const exported = await this.#shell.ask('export', { format });
+    // Without a worker the page reports that itself.
+    if (exported === undefined) return;
+    if (exported.kind === 'no-part') {
       this.#shell.service('notice')(WORDS[language].noPartToExport);
       return;
     }
+    const { content, ending } = exported;
     const { file } = editor;
-    const name = exportName(file?.name, format);
+    const name = exportName(file?.name, format, ending);
     // A program is written in the encoding of its file, as "Save file" does.
     const asProgram = file !== undefined && format === 'program';
     download(name, asProgram ? bytesToSave(new TextDecoder().decode(content), { ...file, name }).bytes : content);
@@ -125,10 +123,10 @@ class Exports implements Panel {
 }
 
 /** The name of an exported file, after that of the program. */
-function exportName(program: string | undefined, format: FileFormat): string {
+function exportName(program: string | undefined, format: ExportFormat, ending: string): string {
   const stem = (program ?? '').replace(/\.[^.]*$/, '');
   if (stem === '' && format === 'card') return 'setup-sheet.html';
-  return `${stem === '' ? 'program' : stem}${ENDINGS[format]}`;
+  return `${stem === '' ? 'program' : stem}${ending}`;
 }
 
 const WORDS = words({
@@ -137,7 +135,7 @@ const WORDS = words({
     exportOf: {
       card: 'Setup sheet to print (HTML)', svg: 'Drawing (SVG)', png: 'Picture as shown (PNG)', csv: 'Motions as a table (CSV)',
       dxf: 'Profile of the part (DXF)', stl: 'Part as a solid (STL)', program: 'Expanded program (NC)',
-    },
+    } satisfies Record<ExportFormat, string>,
     noPartToExport: 'There is no part to export: nothing is left of the blank, or it is not known.',
   },
   zh: {
@@ -157,3 +155,6 @@ const WORDS = words({
     noPartToExport: 'Нечего экспортировать: от заготовки ничего не осталось, или она неизвестна.',
   },
 });
+
+/** All formats, in the order of the menu. */
+const FORMATS = Object.keys(WORDS.en.exportOf) as ExportFormat[];

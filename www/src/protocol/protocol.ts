@@ -7,7 +7,7 @@
 // Must not know: how either side does its work.
 
 import type {
-  Codes, Comparison, Diagnostic, Dimension, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Comparison, Diagnostic, Dimension, FileFormat, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
 } from '../../pkg/gcode_playground.js';
 
@@ -94,9 +94,14 @@ export interface WrittenOut {
   readonly tokens: Uint32Array;
 }
 
-/** The kinds of files the page can save, in the order of its menu. */
-export const FILE_FORMATS = ['card', 'svg', 'png', 'csv', 'dxf', 'stl', 'program'] as const;
-export type FileFormat = (typeof FILE_FORMATS)[number];
+/** The formats the page can export: those of the interpreter, and the picture as it is shown. */
+export type ExportFormat = FileFormat | 'png';
+
+/** An exported file. `ending` follows the name of the program. */
+export type Exported =
+  | { readonly kind: 'file'; readonly content: Uint8Array<ArrayBuffer>; readonly ending: string }
+  /** The format is about the part, and there is none. */
+  | { readonly kind: 'no-part' };
 
 /** Every question with what it asks and what it is answered. */
 export interface Questions {
@@ -125,8 +130,7 @@ export interface Questions {
   /** What can be written as a cycle; offsets of the reader's selection. */
   rewritings: { ask: { readonly from: number; readonly to: number }; answer: readonly Rewriting[] };
   codes: { ask: undefined; answer: Codes };
-  /** The bytes of a file; none where there is nothing to put into it. */
-  export: { ask: { readonly format: FileFormat }; answer: Uint8Array<ArrayBuffer> | undefined };
+  export: { ask: { readonly format: ExportFormat }; answer: Exported };
   /** The half-section of the part at the moment that is shown. */
   section: { ask: undefined; answer: readonly SectionPiece[] };
   /** The programs found in a text, and one of them in pieces. */

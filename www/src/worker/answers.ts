@@ -5,7 +5,7 @@
 
 import { Playground } from '../../pkg/gcode_playground.js';
 import type { QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
-import { fileOf } from './exports';
+import { exported } from './exports';
 import { piecesOf, programsIn } from './paste';
 import { toolAnswers } from './tool';
 
@@ -39,7 +39,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   rewritings: { answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { answer: (core) => core.codes() },
   // A file of a part of a program would pass for all of it.
-  export: { waits: 'for-the-part', answer: (core, { format }) => fileOf(core, format) },
+  export: { waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
   section: { answer: (core) => core.section() },
   'programs-in': { answer: (_, { text }) => programsIn(text) },
   'pieces-of': { answer: (_, { program, language }) => piecesOf(program, language) },

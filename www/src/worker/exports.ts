@@ -1,41 +1,23 @@
 // The files the page saves, made in the interpreter's own thread.
 //
-// In: the `Playground` and the kind of file. Out: its bytes. Must not know: what the files hold.
+// In: the `Playground` and the format. Out: the bytes of the file. Must not know: what the files contain.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
-import type { FileFormat } from '../protocol/protocol';
+import type { Exported, ExportFormat } from '../protocol/protocol';
 
 /** Device pixels of a PNG to each CSS pixel of the drawing. */
 const PNG_PIXELS = 2;
 
-type File = Uint8Array<ArrayBuffer>;
-
-export function fileOf(playground: Playground, format: FileFormat): File | undefined | Promise<File> {
-  switch (format) {
-    case 'card':
-      return bytes(playground.card());
-    case 'svg':
-      return bytes(playground.svg());
-    case 'png':
-      return png(playground);
-    case 'csv':
-      return bytes(playground.csv());
-    case 'dxf':
-      return bytes(playground.dxf());
-    case 'stl':
-      return playground.stl() as File | undefined;
-    case 'program':
-      return bytes(playground.expand());
-  }
+export function exported(playground: Playground, format: ExportFormat): Exported | Promise<Exported> {
+  // The interpreter makes every file but this one: a PNG needs a canvas.
+  if (format === 'png') return png(playground);
+  const content = playground.exportFile(format) as Uint8Array<ArrayBuffer> | undefined;
+  return content === undefined ? { kind: 'no-part' } : { kind: 'file', content, ending: playground.fileEnding(format) };
 }
 
-function bytes(text: string | undefined): File | undefined {
-  return text === undefined ? undefined : new TextEncoder().encode(text);
-}
-
-async function png(playground: Playground): Promise<File> {
+async function png(playground: Playground): Promise<Exported> {
   const canvas = new OffscreenCanvas(1, 1);
   playground.paint(canvas, PNG_PIXELS);
   const image = await canvas.convertToBlob({ type: 'image/png' });
-  return new Uint8Array(await image.arrayBuffer());
+  return { kind: 'file', content: new Uint8Array(await image.arrayBuffer()), ending: '.png' };
 }

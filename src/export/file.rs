@@ -1,0 +1,119 @@
+//! A file of any format: the one way out of this room for the page and the command line.
+//!
+//! In: a format, a program that was run, a language. Out: the bytes of the file. A new format is a variant of [`FileFormat`];
+//! the compiler names what else it needs. Must not know: where the file is written, or its name.
+
+use super::card::{self, Card};
+use super::{csv, dxf, stl};
+use crate::machine::SimulationResult;
+use crate::machine::region::Region;
+use crate::motion::Motions;
+use crate::scene::camera::XPlus;
+use crate::scene::svg::{Ground, SvgOptions, section};
+use crate::sentences::{Language, labels};
+use crate::setup::Setup;
+use crate::setup::dialect::CodeList;
+use crate::setup::fields::Unit;
+
+/// What can be written as a file. Its name on the command line and in JavaScript is the variant in lower case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
+#[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
+pub enum FileFormat {
+    /// The drawing, as SVG.
+    Svg,
+    /// All motions, as a table.
+    Csv,
+    /// The setup sheet, as HTML that prints well.
+    Card,
+    /// The profile of the part, for drawing programs.
+    Dxf,
+    /// The part as a solid, for other programs.
+    Stl,
+    /// The program with every cycle expanded.
+    Program,
+}
+
+impl FileFormat {
+    /// What the name of such a file ends in, after the name of the program.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => ".svg",
+            Self::Csv => ".csv",
+            Self::Card => "-setup-sheet.html",
+            Self::Dxf => ".dxf",
+            Self::Stl => ".stl",
+            Self::Program => "-plain.nc",
+        }
+    }
+
+    /// Whether it contains texts in a language.
+    pub fn has_texts(self) -> bool {
+        match self {
+            Self::Svg | Self::Card => true,
+            Self::Csv | Self::Dxf | Self::Stl | Self::Program => false,
+        }
+    }
+
+    /// Whether [`Exportable::expanded`] is called: it needs a run that keeps the blocks it carries out.
+    pub fn needs_trace(self) -> bool {
+        match self {
+            Self::Program => true,
+            Self::Svg | Self::Csv | Self::Card | Self::Dxf | Self::Stl => false,
+        }
+    }
+}
+
+/// A program that was run, as the files need it. What takes time is worked out when it is asked for.
+pub trait Exportable {
+    /// Its text.
+    fn text(&self) -> &[u8];
+    /// All its motions.
+    fn motions(&self) -> &Motions;
+    /// The setup it was run under.
+    fn setup(&self) -> &Setup;
+    /// The G codes it was read with.
+    fn codes(&self) -> CodeList;
+    /// The program at the machine, with all its material off.
+    fn simulation(&self) -> Option<&SimulationResult>;
+    /// The program with every cycle expanded, in the encoding of the file to be written.
+    fn expanded(&self) -> Vec<u8>;
+    /// Which way X+ is drawn.
+    fn x_plus(&self) -> XPlus;
+}
+
+/// The file of a format; nothing where there is no part to put into it.
+pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -> Option<Vec<u8>> {
+    match format {
+        FileFormat::Svg => Some(drawing(program, Ground::AsSystem, language).into_bytes()),
+        FileFormat::Csv => Some(csv::csv(program.motions(), &program.setup().machine).into_bytes()),
+        FileFormat::Card => Some(card(program, language).into_bytes()),
+        FileFormat::Dxf => dxf::dxf(&part(program)?).map(String::into_bytes),
+        FileFormat::Stl => stl::stl(&part(program)?),
+        FileFormat::Program => Some(program.expanded()),
+    }
+}
+
+/// The setup sheet, with a drawing unless that has too many strokes.
+fn card(program: &impl Exportable, language: Language) -> String {
+    let motions = program.motions();
+    let drawing = (motions.len() <= card::MOST_DRAWN).then(|| drawing(program, Ground::Paper, language));
+    let card = Card {
+        text: program.text(),
+        motions,
+        setup: program.setup(),
+        codes: program.codes(),
+        drawing: drawing.as_deref(),
+    };
+    card.html(language)
+}
+
+fn drawing(program: &impl Exportable, ground: Ground, language: Language) -> String {
+    let millimetre = labels::unit(Unit::Millimetre, language);
+    let options = SvgOptions { ground, x_plus: program.x_plus(), millimetre, ..SvgOptions::default() };
+    section(program.motions(), program.simulation(), &options)
+}
+
+fn part(program: &impl Exportable) -> Option<Region> {
+    program.simulation()?.finished()
+}
