@@ -1,8 +1,8 @@
 //! The shapes in which results leave the crate: rows for JavaScript and for the command line's JSON.
 //!
-//! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from 1,
-//! columns in UTF-16 units. No other room derives `Serialize`, but for `units::Diameter`, which stands in these rows
-//! (`tests/rooms.rs`). The TypeScript types are made from these.
+//! In: motions and messages. Out: plain data in the units people read: X a diameter, lines and columns from
+//! 1, columns in UTF-16 units. No other room derives `Serialize`, but for `units::Diameter`, which stands in
+//! these rows (`tests/rooms.rs`). The TypeScript types are made from these.
 
 mod inferred_stock;
 pub mod paste;
@@ -858,8 +858,8 @@ fn rounded(value: f64) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-/// One line on what numbers without a decimal point count in a run, where that was concluded or looks wrong: the message
-/// of it as plain text.
+/// One line on what numbers without a decimal point count in a run, where that was concluded or looks wrong:
+/// the message of it as plain text.
 pub fn decimal_notice(run: &Run, language: Language) -> Option<String> {
     let sentence = run.decimal_message()?.message.sentence(language).message;
     Some(sentence.trim_end_matches(['.', '。']).replace('`', ""))

@@ -1,10 +1,11 @@
 //! The run that is current, with all that is known of it, and how it is looked at.
 //!
-//! In: the text, its edits and the setup; slices of time; where the reader looks and what the reader picks out. Out:
-//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one run: all that is
-//! worked out of a run is one value, `Derived`, which `Current::begin` replaces as a whole when the next run begins; and
-//! nothing of the part is there before all its material is off ([`crate::machine::Simulation`]). Must not know of canvases, nor
-//! of JavaScript.
+//! In: the text, its edits and the setup; slices of time; where the reader looks and what
+//! the reader picks out. Out:
+//! [`Current`]: the motions, the part, and the [`Picture`]s that a painter draws. A picture is made of one
+//! run: all that is worked out of a run is one value, `Derived`, which `Current::begin` replaces as a whole
+//! when the next run begins; and nothing of the part is there before all its material is off
+//! ([`crate::machine::Simulation`]). Must not know of canvases, nor of JavaScript.
 
 mod machined;
 pub mod per_plane;
@@ -57,7 +58,8 @@ struct Derived {
 
 /// What belongs to the reader, and stays from one run to the next.
 struct ViewState {
-    /// How each picture is looked at. What is picked out and where the tool is stands in that of the section; the face follows.
+    /// How each picture is looked at. What is picked out and where the tool is stands in that of the
+    /// section; the face follows.
     views: PerPlane<View>,
     /// Place of the cursor, UTF-16 offset.
     cursor: Option<u32>,
@@ -110,15 +112,16 @@ impl Current {
         self.begin(|run, _| run.set_setup(setup));
     }
 
-    /// Decides what numbers without a point count anew, for the text as it is; the run begins again where that is
-    /// something else.
+    /// Decides what numbers without a point count anew, for the text as it is; the run begins again
+    /// where that is something else.
     pub fn decide_decimal_rule(&mut self) {
         self.begin(|run, _| {
             run.decide_again();
         });
     }
 
-    /// Begins a run of the text with `from..to` (UTF-16 offsets) replaced; what ran before that place is taken over.
+    /// Begins a run of the text with `from..to` (UTF-16 offsets) replaced; what ran before
+    /// that place is taken over.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
         let text = self.run.text();
         let start = self.lines().byte_at_utf16(text, from) as usize;
@@ -131,7 +134,8 @@ impl Current {
         });
     }
 
-    /// The only way from one run to the next: what is known of the run goes, what belongs to the reader stays.
+    /// The only way from one run to the next: what is known of the run goes, what
+    /// belongs to the reader stays.
     fn begin(&mut self, change: impl FnOnce(&mut Run, &mut OnceCell<LineIndex>)) {
         change(&mut self.run, &mut self.lines);
         self.derived = Derived::default();
@@ -316,8 +320,8 @@ impl Current {
         change(view, &scene);
     }
 
-    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool is there, given as
-    /// in the section.
+    /// The motion whose stroke is within `reach` of a place of a picture, both CSS pixels, and where the tool
+    /// is there, given as in the section.
     pub fn pick(&mut self, plane: Plane, at: Pixel, reach: f64) -> Option<(usize, Point)> {
         let Picture { scene, view, .. } = self.picture(plane)?;
         let found = pick(&scene, view.camera(), at, reach, &view.highlight)?;

@@ -1,12 +1,13 @@
-//! A program with every cycle, corner, compensation, subprogram and macro expanded to plain G00, G01, G02, G03
-//! and G32 blocks.
+//! A program with every cycle, corner, compensation, subprogram and macro expanded to plain G00,
+//! G01, G02, G03 and G32 blocks.
 //!
-//! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same motions to
-//! 0.001 mm under G40, at the same feed and speed. It is written in the order of execution: a subprogram stands where it
-//! was called, a loop as often as it ran. Blocks that are plain already stay as they were typed, but that their lengths
-//! get a point where other moves are expanded with one; what a cycle block commands besides (S, T, M, other G
-//! codes) stays on a line of its own, and so does what the blocks of its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that
-//! was ignored is left out; a cycle that could not run stays as it is.
+//! In: a program, its motions and the blocks that were carried out. Out: a program that makes the same
+//! motions to 0.001 mm under G40, at the same feed and speed. It is written in the order of execution: a
+//! subprogram stands where it was called, a loop as often as it ran. Blocks that are plain already stay as
+//! they were typed, but that their lengths get a point where other moves are expanded with one; what a cycle
+//! block commands besides (S, T, M, other G codes) stays on a line of its own, and so does what the blocks of
+//! its contour command. What lies between G12.1 and G13.1 stays as it is. A contour that was ignored is left
+//! out; a cycle that could not run stays as it is.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -37,7 +38,8 @@ pub fn expand(text: &[u8], setup: &Setup) -> String {
 pub fn write_out(text: &[u8], analysis: &Analysis) -> String {
     let as_typed = write_with(text, analysis, Points::AsTyped);
     if as_typed.any_written {
-        // Numbers with a point and numbers without one in one program look like a slip, and may be read as one.
+        // Numbers with a point and numbers without one in one program look like a
+        // slip, and may be read as one.
         let rule = Dialect::new(&analysis.setup.dialect).decimal;
         return write_with(text, analysis, Points::Everywhere(rule)).out;
     }
@@ -146,8 +148,8 @@ fn write_with<'a>(text: &'a [u8], analysis: &'a Analysis, points: Points) -> Wri
     writer
 }
 
-/// The motions of each block that was carried out. Motions may wait for a later block, but keep their order; where a
-/// block is carried out again, what came before belongs to the first time.
+/// The motions of each block that was carried out. Motions may wait for a later block, but keep their order;
+/// where a block is carried out again, what came before belongs to the first time.
 pub(crate) fn motions_of(trace: &[Executed], motions: &Motions) -> Vec<Range<usize>> {
     let mut again = BTreeMap::new();
     let mut limits = vec![motions.len(); trace.len()];
@@ -356,7 +358,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The letters of a copied block whose numbers get a point: those of the lengths, where all it does is to move.
+    /// The letters of a copied block whose numbers get a point: those of the lengths,
+    /// where all it does is to move.
     fn lengths_of(&self, block: &Block, own: Range<usize>) -> &'static [u8] {
         let path = |code| {
             matches!(
@@ -414,8 +417,8 @@ impl Writer<'_> {
         out
     }
 
-    /// Writes what leads from the feed, spindle and tool of the text so far to those of the program, each on a line of
-    /// its own: what blocks of a contour command, and the turning back of a tap.
+    /// Writes what leads from the feed, spindle and tool of the text so far to those of the program, each on
+    /// a line of its own: what blocks of a contour command, and the turning back of a tap.
     fn follow(&mut self, process: &Process, units: Units) {
         let Some(now) = self.process.replace(*process) else { return };
         let unit = if self.inch { Unit::Inch } else { Unit::Millimetre };

@@ -1,7 +1,7 @@
 //! Messages about what happens at the machine.
 //!
-//! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the motions, one for each block and danger: a cycle
-//! that runs into something does so in every pass.
+//! In: the findings of the machine, the levels that are asked for. Out: messages at the blocks that made the
+//! motions, one for each block and danger: a cycle that runs into something does so in every pass.
 
 use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
@@ -11,7 +11,8 @@ use crate::motion::Motions;
 use crate::source::Span;
 use crate::units::Diameter;
 
-/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`: what the run has reported.
+/// The messages of all findings, of a bound that was met, and of what was not looked at. `run`:
+/// what the run has reported.
 pub fn diagnostics(
     simulation: &SimulationResult,
     motions: &Motions,
@@ -47,7 +48,8 @@ pub fn diagnostics(
     told.into_iter().filter_map(|found| levels.graded(found)).collect()
 }
 
-/// What is not taken off and not looked at after a block that was not carried out, at the first motion after it.
+/// What is not taken off and not looked at after a block that was not carried out, at
+/// the first motion after it.
 fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<Diagnostic> {
     let first = motions.first_incomplete().filter(|_| simulation.limit().is_none())?;
     let cuts = motions.uncertain_cuts();
@@ -57,8 +59,8 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
-/// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each tool that is not known, at
-/// its first cut. Nothing where no part could be shown anyway.
+/// What the part is not made of: cuts in a work frame whose zero nobody gave, reported at the first; and each
+/// tool that is not known, at its first cut. Nothing where no part could be shown anyway.
 pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);

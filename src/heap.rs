@@ -1,7 +1,8 @@
 //! Heap reserved ahead of need, in a browser.
 //!
-//! A browser counts the memory of a module as its own garbage collector's: beyond some 64 MB it collects at each growth,
-//! and the allocator grows the memory by 64 kB at a time. A long program would spend most of its time on that.
+//! A browser counts the memory of a module as its own garbage collector's: beyond some 64 MB it collects
+//! at each growth, and the allocator grows the memory by 64 kB at a time. A long program would spend
+//! most of its time on that.
 
 #[cfg(target_arch = "wasm32")]
 pub use wasm::reserve_ahead;
@@ -30,7 +31,8 @@ mod wasm {
             return;
         }
         let mut reserve: Vec<u8> = Vec::new();
-        // What the allocator was given once, it keeps. Where there is no more, the program itself may still fit.
+        // What the allocator was given once, it keeps. Where there is no more, the
+        // program itself may still fit.
         let _ = reserve.try_reserve_exact(pages / SHARE * PAGE);
         drop(black_box(reserve));
         SEEN.store(memory_size::<0>(), Ordering::Relaxed);

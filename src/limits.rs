@@ -1,7 +1,8 @@
 //! Every bound in one place, so that no program can hang a page or exhaust its memory. Each has its message.
 //!
-//! Those in [`Limits`] can be set (`limits` of the setup): lower as one likes, higher up to what memory and the numbers
-//! that count things have room for. The constants are those of the controls, or of how things are kept.
+//! Those in [`Limits`] can be set (`limits` of the setup): lower as one likes, higher up to what
+//! memory and the numbers that count things have room for. The constants are those of the controls,
+//! or of how things are kept.
 
 use serde::Deserialize;
 
@@ -16,16 +17,19 @@ pub struct Limits {
     /// Most moves of one cycle call, and of the contour it reads. A bar of 1 m diameter roughed by 0.02 mm
     /// takes half as many; more is a slip of the point, and is refused as a whole.
     pub moves_per_cycle: usize,
-    /// Most steps spent on what leaves no motion: each block of a contour read again (a long one takes several), each
-    /// move of a cycle that is refused or leads nowhere. Keeps many cheap calls of a dear cycle from adding up.
+    /// Most steps spent on what leaves no motion: each block of a contour read again (a long one takes
+    /// several), each move of a cycle that is refused or leads nowhere. Keeps many cheap calls of a
+    /// dear cycle from adding up.
     pub cycle_work: usize,
-    /// Most blocks that are carried out through jumps, loops and calls; those run straight through do not count.
+    /// Most blocks that are carried out through jumps, loops and calls; those run
+    /// straight through do not count.
     pub repeated_blocks: usize,
     /// Most bytes of blocks that are carried out so: a block can be as long as the text.
     pub repeated_text: usize,
     /// Most rounds of loops (`END` back to `WHILE` or `DO`) and of calls (L), all together.
     pub rounds: usize,
-    /// Most macro statements, and words with an expression, that are worked out through jumps, loops and calls.
+    /// Most macro statements, and words with an expression, that are worked out
+    /// through jumps, loops and calls.
     pub macro_steps: usize,
     /// Most subprograms called one within the other (0i-D and later).
     pub call_depth: usize,
@@ -33,14 +37,15 @@ pub struct Limits {
     pub macro_depth: usize,
     /// Most messages that are kept.
     pub messages: usize,
-    /// Most motions of a program whose material is taken off the blank; of a longer one only the path is shown.
+    /// Most motions of a program whose material is taken off the blank; of a longer
+    /// one only the path is shown.
     pub part_motions: usize,
     /// Most corners of what is left of the blank.
     pub part_corners: usize,
     /// Most blocks of a program whose numbers are compared with each other, and a tenth of its motions.
     pub compared_blocks: usize,
-    /// Motions from one snapshot to the next: after a change of the text, at least so many run again. It changes nothing
-    /// that can be seen, so it is no setting.
+    /// Motions from one snapshot to the next: after a change of the text, at least so many run again. It
+    /// changes nothing that can be seen, so it is no setting.
     #[serde(skip)]
     pub stride: usize,
 }

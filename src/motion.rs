@@ -303,7 +303,8 @@ pub struct Process {
     pub uncertain: bool,
     /// An earlier block could not be carried out: what is left of the material is not known.
     pub incomplete: bool,
-    /// In another work frame than the first cut, and nobody has said where its zero is: a second clamping, or the sub spindle.
+    /// In another work frame than the first cut, and nobody has said where its zero is: a second
+    /// clamping, or the sub spindle.
     pub elsewhere: bool,
 }
 
@@ -363,8 +364,8 @@ pub struct Rotary {
     pub from: f64,
     /// Where it ends.
     pub to: f64,
-    /// The move as it was programmed under polar or cylindrical interpolation; the motion's own points are then
-    /// those of the machine.
+    /// The move as it was programmed under polar or cylindrical interpolation; the motion's own points are
+    /// then those of the machine.
     pub virtual_move: Option<VirtualMove>,
 }
 
@@ -775,8 +776,8 @@ impl Motions {
         &self.chunks
     }
 
-    /// For each chunk a number that no other chunk has. A chunk keeps it when text before it moves it along, so what
-    /// was worked out from its motions need not be worked out again.
+    /// For each chunk a number that no other chunk has. A chunk keeps it when text before it moves it along,
+    /// so what was worked out from its motions need not be worked out again.
     pub fn ids(&self) -> &[u64] {
         &self.ids
     }

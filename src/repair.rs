@@ -1,7 +1,7 @@
 //! All safe repairs of a program at once.
 //!
-//! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs that have to be
-//! asked for are left to the reader.
+//! In: a text and its messages. Out: the text with the first safe repair of each, and what was done. Repairs
+//! that have to be asked for are left to the reader.
 
 use crate::message::{Diagnostic, Edit, Fix, Repair};
 use crate::rewrite::{applied, before_edits};
@@ -52,7 +52,8 @@ pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
     Repaired { text, taken }
 }
 
-/// The first safe repair of each message, in order of place. Of those that touch the same text the first is taken.
+/// The first safe repair of each message, in order of place. Of those that touch the
+/// same text the first is taken.
 pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
     let safe = diagnostics.iter().filter_map(|found| found.fixes.iter().find(|fix| fix.safe));
     let mut fixes: Vec<(Span, &Fix)> = safe

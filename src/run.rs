@@ -52,8 +52,8 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first call and kept, so setup
-    /// and motions must not change after that.
+    /// Tools and blank: given by the setup, or concluded from the motions. They are worked out at the first
+    /// call and kept, so setup and motions must not change after that.
     pub fn resolved_setup(&self) -> &ResolvedSetup {
         self.resolved.get_or_init(|| ResolvedSetup::new(&self.motions, &self.setup))
     }
@@ -63,8 +63,8 @@ impl Analysis {
         SimulationResult::of_resolved(self.resolved_setup().clone(), &self.motions, &self.setup)
     }
 
-    /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a machine is given to hold it
-    /// against, and which tools are not known.
+    /// Adds what is to be reported about what happens at the machine: what runs into what, where a blank or a
+    /// machine is given to hold it against, and which tools are not known.
     pub fn check_at_machine(&mut self) {
         if danger::can_be_found(&self.setup) {
             let simulation = self.simulate();
@@ -135,8 +135,8 @@ pub struct Run {
     given: Setup,
     /// What the text adds.
     notes: Notes,
-    /// What numbers without a point count, where the setup leaves it to the program. It is decided once, for a text that
-    /// is handed in; what is typed after that does not change it.
+    /// What numbers without a point count, where the setup leaves it to the program. It is decided once, for
+    /// a text that is handed in; what is typed after that does not change it.
     decided: Option<DecimalRule>,
     /// What the numbers of the text show, once they are looked at.
     numbers: Option<DecimalEvidence>,
@@ -178,13 +178,14 @@ impl Recognised {
 }
 
 impl Run {
-    /// Begins a run. Where the setup leaves the decimal rule to the program, it is decided here, for all edits to come.
+    /// Begins a run. Where the setup leaves the decimal rule to the program, it is decided
+    /// here, for all edits to come.
     pub fn new(text: Vec<u8>, given: Setup) -> Self {
         Self::begin(text, given, None)
     }
 
-    /// Begins a run of a text whose decimal rule has been decided before: it holds where the setup leaves the rule to the
-    /// program.
+    /// Begins a run of a text whose decimal rule has been decided before: it holds where the setup
+    /// leaves the rule to the program.
     pub fn with_decimal_rule(text: Vec<u8>, given: Setup, rule: DecimalRule) -> Self {
         Self::begin(text, given, Some(rule))
     }
@@ -276,13 +277,14 @@ impl Run {
         self.decided
     }
 
-    /// Begins a run of the same text under another setup. A decimal rule that was decided for the program stays.
+    /// Begins a run of the same text under another setup. A decimal rule that was
+    /// decided for the program stays.
     pub fn set_setup(&mut self, given: Setup) {
         *self = Self::begin(self.take_text(), given, self.decided);
     }
 
-    /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one. True: it has begun
-    /// again.
+    /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one.
+    /// True: it has begun again.
     pub fn decide_again(&mut self) -> bool {
         let Some(before) = self.decided else { return false };
         let rule = provenance::numbers(&self.text).rule();
@@ -293,14 +295,16 @@ impl Run {
         true
     }
 
-    /// What is to be reported about numbers without a decimal point; nothing where nothing has to be reported.
+    /// What is to be reported about numbers without a decimal point; nothing where
+    /// nothing has to be reported.
     pub fn decimal_message(&self) -> Option<Diagnostic> {
         let (bare, rule) = (self.bare_number()?, self.decimal_rule());
         let message = bare.message(rule, words::quote(&self.text, bare.span));
         Some(Diagnostic::new(message, bare.span))
     }
 
-    /// A number of the text that shows what numbers without a point count; nothing where none has to be reported.
+    /// A number of the text that shows what numbers without a point count; nothing
+    /// where none has to be reported.
     fn bare_number(&self) -> Option<NumberWithoutPoint> {
         let numbers = self.numbers.unwrap_or_else(|| provenance::numbers(&self.text));
         match self.decimal_rule() {

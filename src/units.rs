@@ -1,6 +1,7 @@
 //! Units of length: millimetre and inch, radius and diameter; and how numbers are shown.
 //!
-//! In: a unit, or a value. Out: its size in millimetres, its least input increment, the value as text. Knows no words.
+//! In: a unit, or a value. Out: its size in millimetres, its least input increment, the
+//! value as text. Knows no words.
 
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +29,8 @@ impl Unit {
         10f64.powi(-i32::from(self.decimals()))
     }
 
-    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (FANUC 16/18-T B-62754EN p. 127).
+    /// Metres in the length that the S of G96 counts a minute: a metre, under G20 a foot (FANUC
+    /// 16/18-T B-62754EN p. 127).
     pub fn surface_metres(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,
@@ -45,8 +47,9 @@ impl Unit {
     }
 }
 
-/// A length across the spindle axis as people write it: a diameter, mm. Inside, X is a radius ([`Point`](crate::geometry::Point));
-/// this type is the only way from one to the other, so neither can be taken for the other.
+/// A length across the spindle axis as people write it: a diameter, mm. Inside, X is a radius
+/// ([`Point`](crate::geometry::Point)); this type is the only way from one to the other, so neither
+/// can be taken for the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Deserialize, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(transparent)]

@@ -69,8 +69,9 @@ impl Playground {
     }
 
     /// Room for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
-    /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again with more bytes, it
-    /// holds what it held. Each view dies when any call makes the memory grow: fill it before the next one.
+    /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again
+    /// with more bytes, it holds what it held. Each view dies when any call makes the memory grow:
+    /// fill it before the next one.
     #[wasm_bindgen(js_name = textBuffer)]
     pub fn text_buffer(&mut self, capacity: usize) -> Uint8Array {
         self.incoming.resize(capacity, 0);
@@ -91,8 +92,8 @@ impl Playground {
         self.begin(bytes);
     }
 
-    /// Replaces the text `from..to` (UTF-16 offsets) and runs on from there: what ran before it is kept. Of several
-    /// changes of one text the last in the text comes first.
+    /// Replaces the text `from..to` (UTF-16 offsets) and runs on from there: what ran before it is kept. Of
+    /// several changes of one text the last in the text comes first.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) {
         self.current.edit(from, to, insert);
     }
@@ -112,7 +113,8 @@ impl Playground {
         self.current.lines().line_of(self.current.lines().byte_at_utf16(self.current.run().text(), offset))
     }
 
-    /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is wrong, such as an unknown key.
+    /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is
+    /// wrong, such as an unknown key.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
@@ -132,8 +134,8 @@ impl Playground {
         self.current.advance(blocks as usize)
     }
 
-    /// Takes the material of at most so many motions off the blank, once the run has ended; true when there is no more to
-    /// do. Messages about what runs into what come with it.
+    /// Takes the material of at most so many motions off the blank, once the run has ended; true when there
+    /// is no more to do. Messages about what runs into what come with it.
     #[wasm_bindgen(js_name = removeMaterial)]
     pub fn remove_material(&mut self, motions: u32) -> bool {
         self.current.remove_material(motions as usize)
@@ -257,16 +259,17 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 /// JavaScript's view of bytes that it is to fill.
 #[allow(unsafe_code)]
 fn view_to_fill(bytes: &mut [u8]) -> Uint8Array {
-    // SAFETY: the bytes are initialised and stay where they are until the next call into the module; until then only
-    // JavaScript's single thread has them. What a stale view does is its own: it never reaches memory it has not.
+    // SAFETY: the bytes are initialised and stay where they are until the next call into the module;
+    // until then only JavaScript's single thread has them. What a stale view does is its own: it never
+    // reaches memory it has not.
     unsafe { Uint8Array::view_mut_raw(bytes.as_mut_ptr(), bytes.len()) }
 }
 
 /// JavaScript's views of the columns of a chunk.
 #[allow(unsafe_code)]
 fn view_of(chunk: &Chunk) -> MotionChunkView {
-    // SAFETY: nothing moves the columns before the next call into the module, until which the views are said to hold;
-    // JavaScript reads only, and any bits are a number.
+    // SAFETY: nothing moves the columns before the next call into the module, until which the views are said
+    // to hold; JavaScript reads only, and any bits are a number.
     unsafe {
         MotionChunkView {
             kind: Uint8Array::view(chunk.kinds()),

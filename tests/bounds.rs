@@ -250,8 +250,8 @@ fn loops_without_end_are_told() {
     }
 }
 
-/// G70 in a main program does not find the contour that a macro has roughed: it would go on in the middle of the macro,
-/// whose M99 would then look for the main program again and again.
+/// G70 in a main program does not find the contour that a macro has roughed: it would go on in the middle of
+/// the macro, whose M99 would then look for the main program again and again.
 #[test]
 fn finishing_stays_in_its_own_program() {
     let macro_call = "M3 S500\nF.2\nG0 X50 Z2\nG65 P2\nG70 P1 Q2\nM30\n";

@@ -1,5 +1,6 @@
-//! The table of supported codes: the one in the reference is the registry's, every row has its words in every language, and
-//! the interpreter recognises what stands in it and nothing else. `UPDATE=1 cargo test --test codes` writes it.
+//! The table of supported codes: the one in the reference is the registry's, every row has its words in every
+//! language, and the interpreter recognises what stands in it and nothing else.
+//! `UPDATE=1 cargo test --test codes` writes it.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::HashSet;

@@ -1,8 +1,10 @@
-//! The cycles over random contours, program text in and motions out, judged by plain geometry of this file's own.
+//! The cycles over random contours, program text in and motions out, judged by plain
+//! geometry of this file's own.
 //!
-//! Programs are written in the plane of one quadrant and rendered in any: `P` is the axis the depth is measured
-//! along, `L` the axis of the cut, both radius values in micrometres. As they stand, P is X and L is Z, the work
-//! lies towards -P and the cut goes towards -L. A [`Frame`] exchanges the axes, mirrors them and moves the zero.
+//! Programs are written in the plane of one quadrant and rendered in any: `P` is the axis the depth is
+//! measured along, `L` the axis of the cut, both radius values in micrometres. As they stand, P is X
+//! and L is Z, the work lies towards -P and the cut goes towards -L. A [`Frame`] exchanges the axes,
+//! mirrors them and moves the zero.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;
@@ -920,8 +922,9 @@ impl Path {
     }
 }
 
-/// The door of the second property: after roughing the contour stands off by the allowance and nothing is left on
-/// it, after finishing the contour itself; no rapid goes through the stock, a bar that ends level with A.
+/// The door of the second property: after roughing the contour stands off by the allowance and
+/// nothing is left on it, after finishing the contour itself; no rapid goes through the stock, a
+/// bar that ends level with A.
 #[track_caller]
 fn check_cleared(shape: &Shape, allowance: [i64; 2], program: &Program, frame: Frame) {
     let text = program.text(frame);

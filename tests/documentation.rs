@@ -1,5 +1,5 @@
-//! The documents keep what they promise: every command is called, every snippet read, every file, key, attribute and
-//! figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
+//! The documents keep what they promise: every command is called, every snippet read, every file, key,
+//! attribute and figure found where it should be. What no test can run stands in [`NOT_RUN`] with the reason.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "documentation/arguments.rs"]
@@ -32,8 +32,8 @@ use markdown::Document;
 use project::{ROOT, files, source};
 use serde_json::Value;
 
-/// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which reads the same
-/// documents.
+/// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
+/// reads the same documents.
 const NOT_RUN: [(&str, &str); 8] = [
     (
         "cargo install --path .",
@@ -80,8 +80,8 @@ fn not_run(text: &str) -> bool {
 
 // ---- files ----------------------------------------------------------------------------------------
 
-/// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is that of a
-/// file or a folder. A name may begin at any folder, and leave out the ending of a module.
+/// Whether a name such as `sentences/labels.rs`, `interpreter/path`, `src/cycles/` or `pages/<slug>.md` is
+/// that of a file or a folder. A name may begin at any folder, and leave out the ending of a module.
 fn is_there(name: &str, files: &[String]) -> bool {
     let name = name.split('#').next().unwrap_or_default().trim_end_matches('/');
     let wanted: Vec<&str> = name.split('/').collect();
@@ -198,7 +198,8 @@ fn commands() -> BTreeSet<(&'static str, String)> {
     found
 }
 
-/// Whether the words of a call of Playwright name an engine and a file of browser tests, which `cargo xtask test` runs.
+/// Whether the words of a call of Playwright name an engine and a file of browser tests,
+/// which `cargo xtask test` runs.
 fn names_browser_tests(words: &[&str]) -> bool {
     let config = source("www/playwright.config.ts");
     let is_engine = |word: &&str| {
@@ -473,7 +474,8 @@ fn in_lines(words: &str) -> Vec<String> {
 fn every_figure_is_held_by_something() {
     let mut unheld = Vec::new();
     for (document, parts) in documents() {
-        // Of the past; of measurements, whose table is made in the same run; of sources that are no files here.
+        // Of the past; of measurements, whose table is made in the same run; of
+        // sources that are no files here.
         if ["CHANGELOG.md", "tests/programs/README.md", "tests/speed/README.md"].contains(&document) {
             continue;
         }

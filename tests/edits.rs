@@ -1,4 +1,5 @@
-//! After a change of the text only a part of the program runs again; motions and messages are those of a whole run.
+//! After a change of the text only a part of the program runs again; motions and messages
+//! are those of a whole run.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[allow(dead_code, reason = "only the programs are needed here")]
@@ -123,7 +124,8 @@ impl Change {
     }
 }
 
-/// Makes changes one after the other; with `patience` the run goes on for so many blocks only before the next.
+/// Makes changes one after the other; with `patience` the run goes on for so many
+/// blocks only before the next.
 fn change_again_and_again(text: Vec<u8>, setup: &Setup, stride: usize, changes: &[(Change, Option<usize>)]) {
     let limits = Limits { stride, messages: 40, motions: 20_000, ..Limits::default() };
     let setup = &Setup { limits, ..setup.clone() };
@@ -255,7 +257,8 @@ fn a_changed_comment_of_rules_counts_for_the_whole_program() {
     }
 }
 
-/// What numbers without a point count is decided for a text that is handed in, and stays while somebody types.
+/// What numbers without a point count is decided for a text that is handed in, and
+/// stays while somebody types.
 #[test]
 fn the_decimal_rule_is_not_decided_anew_while_typing() {
     let program = "G20 M3 S500 F.01\nG0 X2. Z.1\nG1 X1. F.016\nZ-1.\nX2.\n";
@@ -291,7 +294,8 @@ fn the_decimal_rule_is_not_decided_anew_while_typing() {
     assert_eq!(last(&run), -8000.0 * 25.4);
 }
 
-/// A keystroke in a long program runs two stretches of it at most, wherever it is, and even if it makes an error.
+/// A keystroke in a long program runs two stretches of it at most, wherever it is, and
+/// even if it makes an error.
 #[test]
 fn a_change_costs_no_more_than_its_surroundings() {
     let setup = Setup { limits: Limits { stride: 512, ..Limits::default() }, ..Setup::default() };

@@ -1,5 +1,5 @@
-//! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same tool, the
-//! spindle turning the same way; and nothing more is reported.
+//! What `expand` writes does what the program does: the same motions at the same feed and speed, by the same
+//! tool, the spindle turning the same way; and nothing more is reported.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[allow(dead_code, reason = "texts and setups alone are read here")]

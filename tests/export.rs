@@ -31,7 +31,8 @@ fn parts() -> Vec<(String, Region)> {
     parts
 }
 
-/// Parted off with grooving inserts whose corners are round, ball ends and points: each ends on the axis or beside it.
+/// Parted off with grooving inserts whose corners are round, ball ends and points: each ends
+/// on the axis or beside it.
 fn at_the_axis() -> Vec<(String, String, String)> {
     let tool = |tool: &str| {
         format!(r#"{{"stock": {{"diameter": 30, "length": 60}}, "tools": {{"T0101": {{{tool}}}}}}}"#)
@@ -143,13 +144,14 @@ fn a_drawing_has_the_area_of_the_part_and_closes() {
             around.filter_map(|(x, z)| ends.get(&(at.0 + x, at.1 + z))).sum()
         };
         assert!(ends.keys().all(|at| near(at) % 2 == 0), "{id}: an end hangs loose");
-        // Area over the axis: below chains that run to -Z, less what is below those that run back. An arc's direction in
-        // the file says nothing of that; the side of the material does.
+        // Area over the axis: below chains that run to -Z, less what is below those that run back. An arc's
+        // direction in the file says nothing of that; the side of the material does.
         let length: f64 = part.edges().map(|(a, b)| a.distance(b)).sum();
         let mut area = 0.0;
         for entity in &profile {
             let [a, b] = entity.ends();
-            // The file turns all arcs counter-clockwise; a clockwise one runs the other way round the material.
+            // The file turns all arcs counter-clockwise; a clockwise one runs the
+            // other way round the material.
             let middle = Point::new((a.x + b.x) / 2.0, (a.z + b.z) / 2.0);
             let (dx, dz) = ((b.x - a.x) / a.distance(b), (b.z - a.z) / a.distance(b));
             let on_arc = match entity.kind.as_str() {

@@ -1,9 +1,11 @@
-//! The glossary: `www/docs/glossary.md` is complete, and the words that it lists as "not" to be used are looked for in all
-//! texts: documents, rule files, messages, strings and comments.
+//! The glossary: `www/docs/glossary.md` is complete, and the words that it lists as "not" to be used are
+//! looked for in all texts: documents, rule files, messages, strings and comments.
 //!
-//! `tests/glossary/left.tsv` states how often each of these words may still be found. The test fails when there are more,
-//! and when there are fewer until the number is lowered: `UPDATE=1 cargo test --test glossary` lowers it, and raises none.
-//! Without the file `UPDATE=1` writes it with the counts of today. `SHOW=word cargo test --test glossary -- --nocapture` lists the places of a word.
+//! `tests/glossary/left.tsv` states how often each of these words may still be found. The test
+//! fails when there are more, and when there are fewer until the number is lowered:
+//! `UPDATE=1 cargo test --test glossary` lowers it, and raises none. Without the file `UPDATE=1`
+//! writes it with the counts of today. `SHOW=word cargo test --test glossary -- --nocapture`
+//! lists the places of a word.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "glossary/phrase.rs"]

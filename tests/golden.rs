@@ -1,5 +1,5 @@
-//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test golden` writes them anew; look at each
-//! that has changed before it is committed.
+//! The pictures of the gallery as they were last looked at. `UPDATE=1 cargo test --test golden` writes them
+//! anew; look at each that has changed before it is committed.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::path::PathBuf;

@@ -38,7 +38,8 @@ fn motions_and_errors_of_the_programs_are_the_same_without_lints() {
     }
 }
 
-/// The examples of each rule show whose it is: without lints those of the lints are silent, those of the control are not.
+/// The examples of each rule show whose it is: without lints those of the lints are silent,
+/// those of the control are not.
 #[test]
 fn without_lints_the_control_reports_its_own_faults() {
     let mut of_lints = Vec::new();

@@ -31,7 +31,8 @@ fn check_diameters(part: &Region, z: f64, expected: &[(f64, f64)]) {
 }
 
 /// Seed 001, case 6.3, with sharp tools. Outside, N240 goes from X45.4 Z3 to X50 Z-20: at Z-10 it is at
-/// 45.4 + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at 31 − 11 × 13 / 33 = 26.667.
+/// 45.4 + 4.6 × 13 / 23 = 48. Inside, N320 goes from X31 Z3 to X20 Z-30: at Z-10 it is at
+/// 31 − 11 × 13 / 33 = 26.667.
 #[test]
 fn o6003_has_the_diameters_of_its_drawing() {
     let (program, setup) = folder("s001-o6003");
@@ -145,7 +146,8 @@ fn the_tailstock_stands_in_front_of_the_face() {
     check_danger_with(tailstock, "T0101\nG00 X6 Z5", &[("IntoTailstock", 2)]);
 }
 
-/// Real programs change tools after a bare G28, which moves nothing here, and are cut with inserts that nobody has named.
+/// Real programs change tools after a bare G28, which moves nothing here, and are cut with
+/// inserts that nobody has named.
 #[test]
 fn what_nobody_knows_is_no_danger() {
     let changed = "T0101\nG00 X62 Z2\nG01 X58 F1\nZ-20\nG00 X62\nZ2\nX10\nT0404\nG00 X64 Z-30\nX62";
@@ -162,7 +164,8 @@ fn what_nobody_knows_is_no_danger() {
     assert_eq!(findings("G00 X64 Z2\nG00 X57\nG00 Z-5"), 1);
 }
 
-/// M20×2.5 with a relief groove from Z-22 to Z-25 in front of a shoulder of ⌀42; thread core 20 − 1.2269 × 2.5.
+/// M20×2.5 with a relief groove from Z-22 to Z-25 in front of a shoulder of ⌀42;
+/// thread core 20 − 1.2269 × 2.5.
 const TO_A_SHOULDER: &str = "O0020
 T0101
 G97 S800 M03

@@ -59,8 +59,8 @@ fn check_fix(before: &str, after: &str) {
     assert_eq!(text, after);
 }
 
-/// Two balls side by side touch in a valley of 180°: no nose reaches its bottom, whichever way it comes and wherever the
-/// turret stands.
+/// Two balls side by side touch in a valley of 180°: no nose reaches its bottom, whichever way it comes and
+/// wherever the turret stands.
 #[test]
 fn a_nose_does_not_fit_between_two_arcs_that_touch() {
     let there = "G42 G0 X32 Z2\nG1 Z0 F100\nG3 X28 Z-2 R2\n   G3 X34 Z-5 R3\n// ^^^^^^^^^^^^^ PS0041\nG1 Z-9\nG40 G0 X50";

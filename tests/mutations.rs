@@ -1,8 +1,9 @@
-//! The faults people make, put into every correct program of `tests/programs` at every word they fit: does the first
-//! message stand where the fault is, and does its repair bring the motions back?
+//! The faults people make, put into every correct program of `tests/programs` at every word they fit: does
+//! the first message stand where the fault is, and does its repair bring the motions back?
 //!
-//! `cargo test --test mutations -- --nocapture` prints the table; with `CLASS=minus` of some classes only, and with
-//! `MISSES=file` every program whose message stands elsewhere or whose repair is another is written there.
+//! `cargo test --test mutations -- --nocapture` prints the table; with `CLASS=minus` of some classes
+//! only, and with `MISSES=file` every program whose message stands elsewhere or whose repair is
+//! another is written there.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "mutations/classes.rs"]
@@ -83,7 +84,8 @@ impl Correct {
     fn new(id: String, text: String, setup: &str) -> Self {
         let mut setup = Setup::from_json(setup).expect(&id);
         let first = run(&text, &setup);
-        // A reader who wants to know of collisions gives the blank; what the program shows of it is given here.
+        // A reader who wants to know of collisions gives the blank; what the program
+        // shows of it is given here.
         setup.stock = setup.stock.or(InferredSetup::of(&first.analysis.motions).stock);
         let mut ran = run(&text, &setup);
         ran.analysis.check_at_machine();
@@ -206,7 +208,8 @@ fn the_first_message_stands_at_the_fault() {
     let only = std::env::var("CLASS").ok();
     let fixtures = fixtures::all().into_iter().filter(|program| !WRONG.contains(&program.id.as_str()));
     let programs = fixtures.map(|program| Correct::new(program.id, program.text, &program.setup));
-    // The corrected programs of the rule pages are fixtures as well; not those about bounds, which are set low there.
+    // The corrected programs of the rule pages are fixtures as well; not those about
+    // bounds, which are set low there.
     let rules = format::all().into_iter().filter_map(|(_, rule)| rule.ok());
     let rules = rules.filter(|rule| !rule.page.setup.contains("limits"));
     let corrected = rules.map(|rule| Correct::new(rule.slug, rule.page.right, &rule.page.setup));

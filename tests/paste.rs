@@ -153,8 +153,8 @@ fn a_lost_minus_is_asked_for_and_never_guessed() {
     assert_eq!(asked[0].choices, ["Z?20.0", "Z-20.0", "Z20.0"]);
 }
 
-/// A setup sheet that was read column by column: the numbers in a column of their own, descriptions between the blocks,
-/// the head again where the table goes on, and no minus left anywhere.
+/// A setup sheet that was read column by column: the numbers in a column of their own, descriptions between
+/// the blocks, the head again where the table goes on, and no minus left anywhere.
 const CARD: &str = "表 6-9 程序号 N010 N020 N030 N040 编程原点 实训车间 O6003 FANUC 编程系统 程序 简要说明 G50 X200 Z200 建立工件坐标系 \
 M03 S475 T0101 选择 1 号外圆刀 G99 设定 mm/r G00 X70 Z3 距端面 3 mm G94 X0 Z0.5 F0.1 加工端面 Z0 G90 X62 Z43 F0.3 粗加工 X60.4 \
 G90 X58.4 Z20 R2.3 粗加工外锥面 G00 X13 Z3 定位\n续 表\n数控车床的程序卡在下一页上继续,请注意\n说明文字很长的一行说明文字很长的一行\n刀具 T01\n\

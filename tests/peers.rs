@@ -1,5 +1,5 @@
-//! What users of other viewers and controls complained about, one complaint a test. Each is cited by the project
-//! and the number of its thread.
+//! What users of other viewers and controls complained about, one complaint a test. Each is cited by the
+//! project and the number of its thread.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::time::{Duration, Instant};
@@ -58,7 +58,8 @@ fn assert_near(found: f64, expected: f64, what: &str) {
 
 // linuxcnc#2948: cycle R word ignores diameter mode.
 
-/// R is a radius: the cut begins 2·R from the diameter where it ends, wherever that is and however X is written.
+/// R is a radius: the cut begins 2·R from the diameter where it ends, wherever that is
+/// and however X is written.
 #[test]
 fn linuxcnc_2948_r_of_g90_and_g92_is_a_radius_whatever_x_is() {
     for end in [20.0, 50.0, 200.0] {
@@ -328,7 +329,8 @@ fn linuxcnc_1785_g42_with_g70_stays_outside_the_profile() {
     }
 }
 
-// TinyG#120, bCNC#241, webgcode#19: G18 arcs turn the wrong way round. Candle#9: arcs drawn as straight lines.
+// TinyG#120, bCNC#241, webgcode#19: G18 arcs turn the wrong way round. Candle#9:
+// arcs drawn as straight lines.
 
 /// Signed area that a motion sweeps around its centre in the picture of a rear turret (Z to the right, X up):
 /// positive for counter-clockwise.

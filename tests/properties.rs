@@ -340,8 +340,8 @@ const SMALL: Limits = Limits {
 /// Runs a program within small bounds, `slice` blocks at a time, and checks that it ends.
 fn run_small(text: &str, setup: &Setup, slice: usize) -> Run {
     let mut run = Run::new(text.as_bytes().to_vec(), Setup { limits: SMALL, ..setup.clone() });
-    // Each block is read straight through, and once more for the mistakes of what was jumped over; both again when
-    // the program that was begun turns out to be a subprogram.
+    // Each block is read straight through, and once more for the mistakes of what was jumped over; both again
+    // when the program that was begun turns out to be a subprogram.
     let most = 2 * (SMALL.repeated_blocks + 2 * text.len() + 4);
     let mut slices = most / slice + 1;
     while !run.advance(slice) {

@@ -1,5 +1,5 @@
-//! Plain moves written as a cycle: what becomes of each shape, the nearest cases that must stay as they are, and that no
-//! motion changes.
+//! Plain moves written as a cycle: what becomes of each shape, the nearest cases that must stay as they are,
+//! and that no motion changes.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[allow(dead_code, reason = "only the programs are needed here")]
@@ -44,8 +44,8 @@ fn check_none_with(setup: &str, program: &str) {
     assert_eq!(offers(program.as_bytes(), &setup, None), [], "\n{program}");
 }
 
-/// What a machine does, apart from how it was asked to: kind, ends, centre, feed or lead, speed and tool of each motion.
-/// Worked out again here, so that the comparison in the crate is held against another one.
+/// What a machine does, apart from how it was asked to: kind, ends, centre, feed or lead, speed and tool of
+/// each motion. Worked out again here, so that the comparison in the crate is held against another one.
 #[track_caller]
 fn same(before: &str, after: &str, setup: &Setup) {
     let rows = |text: &str| -> Vec<(MotionKind, Vec<i64>, String)> {

@@ -1,8 +1,9 @@
-//! The rooms of `src` stand in one order, which is the picture in ARCHITECTURE.md: no file imports from a room above its own,
-//! and no files of a room import each other in a circle.
+//! The rooms of `src` stand in one order, which is the picture in ARCHITECTURE.md: no file imports from a
+//! room above its own, and no files of a room import each other in a circle.
 //!
-//! A path counts for the file that defines what it names; re-exports are followed, and tests are left out. The paths of a
-//! parent module to the modules below it do not count: a parent declares, re-exports and calls its children.
+//! A path counts for the file that defines what it names; re-exports are followed, and tests are left
+//! out. The paths of a parent module to the modules below it do not count: a parent declares,
+//! re-exports and calls its children.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "rooms/circle.rs"]
@@ -18,8 +19,8 @@ use std::collections::BTreeMap;
 
 use house::{House, Module};
 
-/// The rooms in the picture of ARCHITECTURE.md, the lowest first: the first words of the lines of the first drawing under
-/// the heading.
+/// The rooms in the picture of ARCHITECTURE.md, the lowest first: the first words of the lines of the first
+/// drawing under the heading.
 fn rooms(document: &str) -> Vec<&str> {
     let section = document.split("\n## ").find(|part| part.starts_with("The rooms\n")).expect("a section");
     let picture = section.lines().skip_while(|line| !line.starts_with("    "));
@@ -90,7 +91,8 @@ fn serialises(text: &str) -> bool {
     derives || code.contains("Serialize for ")
 }
 
-/// Whatever leaves the crate as JSON or as an object is a row of `api`; only a diameter, which stands in the rows, is below it.
+/// Whatever leaves the crate as JSON or as an object is a row of `api`; only a diameter, which stands
+/// in the rows, is below it.
 #[test]
 fn only_the_rows_of_api_are_serialised() {
     let found: Vec<String> = sources()

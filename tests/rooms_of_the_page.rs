@@ -1,6 +1,8 @@
-//! The layers of the page's TypeScript, as ARCHITECTURE.md lists them: no import leads to a higher layer, none forms a circle.
+//! The layers of the page's TypeScript, as ARCHITECTURE.md lists them: no import leads to a higher
+//! layer, none forms a circle.
 //!
-//! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`, scripts of workers included.
+//! In: the list in ARCHITECTURE.md and the relative imports of every file of `www/src`,
+//! scripts of workers included.
 
 #[path = "rooms/circle.rs"]
 mod circle;
@@ -22,7 +24,8 @@ fn layers(architecture: &str) -> Vec<String> {
     rows.filter_map(|row| row.split('`').nth(1)).map(str::to_owned).collect()
 }
 
-/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')` and the scripts of workers.
+/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')`
+/// and the scripts of workers.
 fn imports(file: &str, text: &str) -> BTreeSet<String> {
     let before = ["from '", "import '", "import('", "new URL('"];
     let quoted = before.iter().flat_map(|before| text.split(before).skip(1));

@@ -1,4 +1,5 @@
-//! The pages of the rules: every rule has one, its examples do what it says, and the HTML made of them holds together.
+//! The pages of the rules: every rule has one, its examples do what it says, and the HTML
+//! made of them holds together.
 //!
 //! All errors of all pages are reported together. `RULE_PAGES=slug,slug` looks at these only.
 #![cfg(not(target_arch = "wasm32"))]

@@ -1,4 +1,5 @@
-//! Setups: what is written as comments is read again, whatever is given leaves a picture, the reference lists every field.
+//! Setups: what is written as comments is read again, whatever is given leaves a picture, the
+//! reference lists every field.
 #![cfg(not(target_arch = "wasm32"))]
 
 use gcode_playground::analyze;
@@ -103,7 +104,8 @@ prop_compose! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 
-    /// What is written as comments, or as JSON, is read as the same setup, and writing it again changes nothing.
+    /// What is written as comments, or as JSON, is read as the same setup, and writing
+    /// it again changes nothing.
     #[test]
     fn written_and_read_again(setup in setup(), head in "(%\n)?(O[0-9]{1,4}( \\(PART\\))?\n)?(\\(STOCK D=1 L=2\\)\n)?") {
         let mut text = format!("{head}G0 X50 Z2\n").into_bytes();

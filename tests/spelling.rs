@@ -1,7 +1,8 @@
 //! The spelling of the texts in English and Russian, by hunspell and its dictionaries `en_GB` and `ru_RU`.
 //!
-//! Words that a dictionary lacks stand in `tests/spelling/en.txt` and `tests/spelling/ru.txt`, sorted, one in a line: terms,
-//! abbreviations, names. A word in lower case there is right with any capital letters. A word that no text uses does not stay.
+//! Words that a dictionary lacks stand in `tests/spelling/en.txt` and `tests/spelling/ru.txt`, sorted, one in
+//! a line: terms, abbreviations, names. A word in lower case there is right with any capital letters. A word
+//! that no text uses does not stay.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "spelling/hunspell.rs"]

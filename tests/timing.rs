@@ -255,7 +255,8 @@ fn speeds_and_feeds_at_a_place() {
     assert_eq!(speed_at(&process, &machine, 10.0), None);
 }
 
-/// Tool 1: 60 mm at 120 mm/min and 0.5 s; tool 2: a cut whose time is not known. Back to tool 1: 20 mm in 10 s.
+/// Tool 1: 60 mm at 120 mm/min and 0.5 s; tool 2: a cut whose time is not known. Back
+/// to tool 1: 20 mm in 10 s.
 #[test]
 fn times_are_added_up_for_each_tool() {
     let program = "G98\nT0101\nG00 X40 Z0\nG01 Z-60 F120\nG04 X0.5\nT0202\nG00 X30 Z0\nG99 G01 Z-10 F0.1\nT0101\n\

@@ -218,7 +218,8 @@ fn what_is_no_argument_is_a_fault_in_a_macro_as_in_every_program() {
         let found = codes(&run(r#"{"initial": {"x": 100, "z": 50}}"#, program));
         assert!(found.contains(&"macro-division-by-zero"), "{program}\n{found:?}");
     };
-    // It sets the zero itself; no letter stands for the variable; it is a main program, which has its end or its tools.
+    // It sets the zero itself; no letter stands for the variable; it is a main program, which
+    // has its end or its tools.
     division("#1=0\n#4=5/#1\nM99");
     division("#5=#2\n#1=0\n#4=5/#1\nM99");
     division("#4=5/#10\nM99");

@@ -295,7 +295,8 @@ fn a_change_of_the_text_makes_another_part() {
     assert!(first.contains("[0,50]") && second.contains("[0,40]"), "{first} {second}");
 }
 
-/// While material is taken off there is no part, and what is asked for meanwhile changes nothing of the part in the end.
+/// While material is taken off there is no part, and what is asked for meanwhile changes
+/// nothing of the part in the end.
 #[wasm_bindgen_test]
 fn there_is_no_part_before_all_material_is_off() {
     let text = |value: Result<JsValue, JsValue>| {

@@ -1,7 +1,8 @@
-// Browser tests: the built page in three engines, found by role and text. Run `cargo xtask play --no-open` first, until it says "ready".
-// tests/browser/README.md says which tests run where, and how to run one of them in one engine.
-// PLAYGROUND_TEST_PORT is the port of the page, where 4317 is taken. PLAYGROUND_CHROMIUM names an installed Chrome or Chromium; without it Playwright's own is used. The variables of the other engines
-// are in tests/browser/engines/programs.ts.
+// Browser tests: the built page in three engines, found by role and text. Run `cargo xtask play --no-open`
+// first, until it says "ready". tests/browser/README.md says which tests run where, and how to run one of
+// them in one engine. PLAYGROUND_TEST_PORT is the port of the page, where 4317 is taken. PLAYGROUND_CHROMIUM
+// names an installed Chrome or Chromium; without it Playwright's own is used. The variables of the other
+// engines are in tests/browser/engines/programs.ts.
 import { defineConfig } from '@playwright/test';
 import type { WorkerOptions } from '../tests/browser/engines/options';
 

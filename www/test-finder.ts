@@ -1,4 +1,5 @@
-// Bundles what finds elements in the page in engines that Playwright does not drive, into one script: test-build/finder.js.
+// Bundles what finds elements in the page in engines that Playwright does not drive, into one
+// script: test-build/finder.js.
 import { build } from 'vite';
 import { fileURLToPath } from 'node:url';
 

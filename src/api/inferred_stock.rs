@@ -36,7 +36,8 @@ pub struct StockRow {
 }
 
 impl InferredStock {
-    /// That of a program; nothing where its setup names a stock, nothing is cut, or a tool is not known and no part is shown.
+    /// That of a program; nothing where its setup names a stock, nothing is cut, or a tool is not
+    /// known and no part is shown.
     pub fn of(analysis: &Analysis, language: Language) -> Option<Self> {
         if analysis.setup.stock.is_some() {
             return None;

@@ -1,7 +1,7 @@
 //! The rows of the programs found in a text: a list, and each of them as pieces to be shown.
 //!
-//! In: what was found. Out: rows in a language. What is left out is quoted short; what is kept and what stands there now is
-//! whole, so that the text put together from a program's pieces is the cleaned program.
+//! In: what was found. Out: rows in a language. What is left out is quoted short; what is kept and what
+//! stands there now is whole, so that the text put together from a program's pieces is the cleaned program.
 
 use serde::Serialize;
 

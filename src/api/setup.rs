@@ -1,6 +1,7 @@
 //! The rows of the setup form: what is given, what is assumed, what is wrong with what was entered.
 //!
-//! In: a setup as it was given, the inferred one, the entries of a form. Out: rows for a page that knows nothing of tools and stock.
+//! In: a setup as it was given, the inferred one, the entries of a form. Out: rows for a page that knows
+//! nothing of tools and stock.
 
 use std::collections::BTreeMap;
 
@@ -313,7 +314,8 @@ impl Subject<'_> {
         }
     }
 
-    /// What of the page's setup the comments take the place of: it stays, so that undo in the editor brings it back.
+    /// What of the page's setup the comments take the place of: it stays, so that undo in
+    /// the editor brings it back.
     fn covered(&self, written: &Setup) -> Setup {
         let page = self.page;
         let machine = if written.machine == Machine::default() { Machine::default() } else { page.machine };

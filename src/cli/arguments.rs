@@ -33,7 +33,8 @@ pub(super) enum Command {
         texts: Texts,
         #[command(flatten)]
         form: Form,
-        /// Make all repairs that do not change what the program does, and write the files back; what is left is reported.
+        /// Make all repairs that do not change what the program does, and write the files back;
+        /// what is left is reported.
         #[arg(long)]
         fix: bool,
         /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
@@ -51,7 +52,8 @@ pub(super) enum Command {
         #[command(flatten)]
         to: Destination,
     },
-    /// Write plain moves that form a cycle as that cycle (the four moves of a G90, say); the motions stay the same.
+    /// Write plain moves that form a cycle as that cycle (the four moves of a G90, say);
+    /// the motions stay the same.
     Rewrite {
         #[command(flatten)]
         input: Input,

@@ -1,7 +1,7 @@
 //! `clean`: the programs inside a text, listed or saved one by one.
 //!
-//! In: a file of any kind of text. Out: the cleaned program; on standard error what was changed and what only the reader
-//! can know.
+//! In: a file of any kind of text. Out: the cleaned program; on standard error what was changed and what
+//! only the reader can know.
 
 use std::io::{self, Write};
 use std::path::PathBuf;

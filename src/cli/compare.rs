@@ -1,6 +1,7 @@
 //! Two programs' parts laid over each other, as text, JSON or a picture.
 //!
-//! In: two programs that were run. Out: what only one of the parts has, measured. Diameters are reported as X.
+//! In: two programs that were run. Out: what only one of the parts has, measured.
+//! Diameters are reported as X.
 
 use std::io::{self, Write};
 

@@ -1,9 +1,10 @@
 //! The encodings of program files: bytes to UTF-8 and back, without loss.
 //!
-//! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte order mark
-//! and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as Chinese, Russian and
-//! Western text, and the reading that surprises least is taken. `www/src/files/encoding-guess.ts` does the same on the page, with
-//! the same table; `tests/encodings.json` holds both to it. Must not know: what stands in a program.
+//! In: the bytes of a file. Out: its text as UTF-8, and the encoding to write it in again. Files with a byte
+//! order mark and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
+//! Chinese, Russian and Western text, and the reading that surprises least is taken.
+//! `www/src/files/encoding-guess.ts` does the same on the page, with the same table; `tests/encodings.json`
+//! holds both to it. Must not know: what stands in a program.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -135,8 +136,8 @@ static PLAUSIBLE: LazyLock<Plausible> = LazyLock::new(|| {
     serde_json::from_str(include_str!("plausible.json")).expect("plausible.json is well formed")
 });
 
-/// Whether what is valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody has in a
-/// program, in UTF-8, that are common characters in GB18030.
+/// Whether what is valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody
+/// has in a program, in UTF-8, that are common characters in GB18030.
 fn is_rather_chinese(bytes: &[u8]) -> bool {
     let of_far_alphabet = |&byte: &u8| matches!(byte, 0xC6..=0xCD | 0xD2..=0xDF);
     let pairs = bytes.iter().filter(|byte| !byte.is_ascii()).count() / 2;
@@ -160,7 +161,8 @@ const COMMON: f64 = 9.8;
 
 // How much each reading surprises: natural logarithms of one over a rough probability, added up.
 
-/// Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and Latin neighbours are not.
+/// Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and
+/// Latin neighbours are not.
 fn russian(bytes: &[u8]) -> f64 {
     let table = byte_table(WINDOWS_1251, |ch| {
         let small = ch.to_lowercase().next();
@@ -218,7 +220,8 @@ fn western(bytes: &[u8]) -> f64 {
     total
 }
 
-/// Pairs of bytes, those of the characters of a workshop most likely; one that is no pair at all rules it out.
+/// Pairs of bytes, those of the characters of a workshop most likely; one that is no
+/// pair at all rules it out.
 fn chinese(bytes: &[u8]) -> f64 {
     let (common, _, _) = GB18030.encode(&PLAUSIBLE.hanzi);
     let common: HashSet<&[u8]> = common.chunks(2).collect();

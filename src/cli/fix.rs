@@ -1,6 +1,7 @@
 //! `check --fix`: all safe repairs, files written back in their encoding.
 //!
-//! What was repaired goes to standard error, by the lines of the file as it was; then what is left is reported.
+//! What was repaired goes to standard error, by the lines of the file as it was; then
+//! what is left is reported.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

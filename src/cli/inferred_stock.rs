@@ -1,7 +1,7 @@
 //! What was inferred of a program, and therefore not checked: reported after the messages.
 //!
-//! In: a program that was run. Out: a line of text, or a JSON object with `note`; nothing where the setup names a stock, or
-//! nothing is cut.
+//! In: a program that was run. Out: a line of text, or a JSON object with `note`; nothing where the setup
+//! names a stock, or nothing is cut.
 
 use std::io::{self, Write};
 

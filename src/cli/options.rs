@@ -1,4 +1,5 @@
-//! Options that several commands share: a program, what it is run with, a language, a form of output, a destination.
+//! Options that several commands share: a program, what it is run with, a language, a form
+//! of output, a destination.
 //!
 //! In: what is typed. Out: one group of options for each. Must not know the commands.
 

@@ -1,6 +1,7 @@
 //! The centre of a G02 or G03 arc from R or from I and K.
 //!
-//! In: start, end and the words of the block, in mm. Out: the centre, or what is wrong (FANUC 16/18-T B-62754EN p. 67, GSK980TDb p. 72).
+//! In: start, end and the words of the block, in mm. Out: the centre, or what is wrong (FANUC 16/18-T
+//! B-62754EN p. 67, GSK980TDb p. 72).
 
 use crate::geometry::{Point, SAME, Turn};
 

@@ -1,7 +1,7 @@
 //! G and M codes.
 //!
-//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. Which codes there are,
-//! and how each list of G codes writes them, stands in `registry`; here is what they can ask for.
+//! In: the number of a G or M word. Out: what it asks for, and the modal group it belongs to. Which codes
+//! there are, and how each list of G codes writes them, stands in `registry`; here is what they can ask for.
 
 mod registry;
 
@@ -15,7 +15,8 @@ use crate::setup::dialect::{CodeList, FeedMode};
 use crate::text::block::Word;
 use crate::units::Unit;
 
-/// Whether a code, ten times its number, is of modal group 01 on a control of list A or of GSK: a block has only one of those.
+/// Whether a code, ten times its number, is of modal group 01 on a control of list A or of GSK: a
+/// block has only one of those.
 pub fn is_of_motion_group(key: u64) -> bool {
     [CodeList::A, CodeList::Gsk].iter().any(|&list| g_code(key, list).is_some_and(|code| code.group == 1))
 }

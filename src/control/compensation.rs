@@ -1,14 +1,16 @@
 //! Tool nose radius compensation: G41, G42, G40.
 //!
-//! In: the programmed moves of one plane, one after the other. Out: the same moves as the tip shows them while the
-//! nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is given out when the next one is known,
-//! for its end depends on the corner between them. Works in millimetres in any plane whose first axis is called
-//! `z` (to the right) and whose second is called `x` (upwards): Z and X radius for turning, the virtual X and C of
-//! polar interpolation with tip 0. Knows nothing of words, blocks and offset tables.
+//! In: the programmed moves of one plane, one after the other. Out: the same moves as the tip shows them
+//! while the nose, a circle, rolls along the programmed path (FANUC 16/18-T B-62754EN p. 224). A move is
+//! given out when the next one is known, for its end depends on the corner between them. Works in millimetres
+//! in any plane whose first axis is called `z` (to the right) and whose second is called `x` (upwards): Z and
+//! X radius for turning, the virtual X and C of polar interpolation with tip 0. Knows nothing of words,
+//! blocks and offset tables.
 //!
-//! Outside compensation the imaginary tip is the programmed point; inside, the *centre* of the nose follows the path
-//! offset by the radius, and the tip is the centre less [`Nose::vector`]. All geometry is done with the vector from
-//! a programmed point to the centre there, as the control does; radius 0 gives the programmed path back exactly.
+//! Outside compensation the imaginary tip is the programmed point; inside, the *centre* of the nose follows
+//! the path offset by the radius, and the tip is the centre less [`Nose::vector`]. All geometry is done with
+//! the vector from a programmed point to the centre there, as the control does; radius 0 gives the
+//! programmed path back exactly.
 
 mod clearance;
 mod corner;
@@ -69,14 +71,14 @@ pub enum Reason {
         /// The element before.
         before: u32,
     },
-    /// The offset element would run against its programmed direction: a groove narrower than the nose, an element
-    /// shorter than what the corners take away. PS0041.
+    /// The offset element would run against its programmed direction: a groove narrower than the nose, an
+    /// element shorter than what the corners take away. PS0041.
     Overcut {
         /// How far it would run backwards, mm.
         backwards: f64,
     },
-    /// The nose would cut into this element or the one or two before it: a valley whose sides touch, a gap narrower
-    /// than the nose. PS0041.
+    /// The nose would cut into this element or the one or two before it: a valley whose sides touch, a gap
+    /// narrower than the nose. PS0041.
     CutsIn {
         /// How deep, mm.
         depth: f64,
@@ -143,8 +145,8 @@ enum Begin {
 }
 
 impl Compensator {
-    /// Compensation from the next move on, with the tip at `at`, on the programmed point. A negative radius is
-    /// for the caller to turn into the other side.
+    /// Compensation from the next move on, with the tip at `at`, on the programmed point. A negative radius
+    /// is for the caller to turn into the other side.
     pub fn start(side: Side, nose: Nose, at: Point) -> Self {
         Self { side, nose, tip: at, stage: Stage::Commanded, behind: [None; 2] }
     }
@@ -226,8 +228,8 @@ impl Compensator {
         }
     }
 
-    /// No further element is known: end of program, start of a cycle, two blocks without a move. The centre goes
-    /// perpendicular to the end of the last element (§4.3); a later element begins from there.
+    /// No further element is known: end of program, start of a cycle, two blocks without a move. The centre
+    /// goes perpendicular to the end of the last element (§4.3); a later element begins from there.
     pub fn flush(&mut self, out: &mut impl FnMut(Outcome)) {
         match std::mem::replace(&mut self.stage, Stage::Standing) {
             Stage::Commanded => self.stage = Stage::Commanded,
@@ -244,14 +246,15 @@ impl Compensator {
         self.behind = [None; 2];
     }
 
-    /// G41 for G42 or back without a G40: the elements to come have the nose on the other side. The last element
-    /// keeps its own; the nose crosses the path between the two.
+    /// G41 for G42 or back without a G40: the elements to come have the nose on the other side. The last
+    /// element keeps its own; the nose crosses the path between the two.
     pub fn change_side(&mut self, side: Side) {
         self.side = side;
     }
 
-    /// G40: the last element ends with the centre perpendicular to its end; the move of the G40 block, if it has one,
-    /// ends with the tip on the programmed point. Without one the tip stays beside the path until the next move.
+    /// G40: the last element ends with the centre perpendicular to its end; the move of the G40 block,
+    /// if it has one, ends with the tip on the programmed point. Without one the tip stays beside the
+    /// path until the next move.
     pub fn cancel(mut self, element: Option<Element>, out: &mut impl FnMut(Outcome)) {
         self.flush(out);
         let Some(element) = element else { return };
@@ -294,9 +297,10 @@ impl Compensator {
         self.stage = Stage::Waiting(Waiting { element, side: self.side, begin });
     }
 
-    /// Whether the nose, on its way along a waiting element and around the corner at its end, keeps clear of the next
-    /// element, and on the way around of those before; whether the cut before keeps clear of the next. Rapids cut no
-    /// contour, and a nose that changes its side crosses the path. The cut that the waiting element becomes, if it is one.
+    /// Whether the nose, on its way along a waiting element and around the corner at its end, keeps clear of
+    /// the next element, and on the way around of those before; whether the cut before keeps clear of the
+    /// next. Rapids cut no contour, and a nose that changes its side crosses the path. The cut that the
+    /// waiting element becomes, if it is one.
     fn clear_of(&self, waiting: &Waiting, corner: &Corner, next: &Element) -> Result<Option<Cut>, Reason> {
         let element = waiting.element;
         let cuts = element.travel == Travel::Feed && next.travel == Travel::Feed && waiting.side == self.side;
@@ -321,15 +325,15 @@ impl Compensator {
         }
     }
 
-    /// Whether a contour ends with this element where it began. What leads to it and away from it lies beside both of
-    /// its ends, and is no contour.
+    /// Whether a contour ends with this element where it began. What leads to it and away from it lies beside
+    /// both of its ends, and is no contour.
     fn closes(&self, element: &Element) -> bool {
         let begins = self.behind.iter().flatten().map(|cut| cut.element.from);
         begins.chain([element.from]).any(|begin| begin.is_same(element.to))
     }
 
-    /// The way of the centre along a waiting element that ends at `end` from its programmed end; none for one that
-    /// the control had not seen, or that would run backwards.
+    /// The way of the centre along a waiting element that ends at `end` from its programmed end; none for one
+    /// that the control had not seen, or that would run backwards.
     fn way_along(&self, waiting: &Waiting, end: Vector) -> Option<Way> {
         let Waiting { element, side, begin: Begin::OnPath(begin) } = *waiting else { return None };
         let length = Track::new(&element, side).length_between(begin, end);
@@ -337,8 +341,8 @@ impl Compensator {
         (length >= -SAME).then(|| Way { from: begin.from(element.from), to: end.from(element.to), shape })
     }
 
-    /// Begins an element the control had not seen when the one before ended: a line goes straight from where the
-    /// nose stands to its own end; to an arc a straight move leads.
+    /// Begins an element the control had not seen when the one before ended: a line goes straight from where
+    /// the nose stands to its own end; to an arc a straight move leads.
     fn enter(&mut self, element: Element, out: &mut impl FnMut(Outcome)) {
         let stands = Vector::between(element.from, self.tip) + self.nose.offset();
         let begin = Track::new(&element, self.side).start_normal() * self.nose.radius;
@@ -352,7 +356,8 @@ impl Compensator {
         }
     }
 
-    /// Gives out a waiting element whose centre ends at `end` from its programmed end; returns whether it could.
+    /// Gives out a waiting element whose centre ends at `end` from its programmed end;
+    /// returns whether it could.
     fn finish(&mut self, waiting: &Waiting, end: Vector, out: &mut impl FnMut(Outcome)) -> bool {
         let element = &waiting.element;
         let begin = match waiting.begin {
@@ -416,8 +421,8 @@ impl Compensator {
     }
 }
 
-/// A whole path at once: compensation starts with its first element, from the tip at `from`, and its last element
-/// ends perpendicular. The first fault ends it.
+/// A whole path at once: compensation starts with its first element, from the tip at `from`, and its last
+/// element ends perpendicular. The first fault ends it.
 pub fn compensate_path(
     side: Side,
     nose: Nose,
@@ -449,9 +454,9 @@ pub enum Axis {
     Z,
 }
 
-/// How far, mm, the tip path of a G90 or G94 cut from `from` to `to` is moved along an axis so that the nose touches
-/// the programmed line (§4.4); 0 for a cylinder or face cut with the matching tip. `None` when the line runs along
-/// that axis, or has no length.
+/// How far, mm, the tip path of a G90 or G94 cut from `from` to `to` is moved along an axis so that the nose
+/// touches the programmed line (§4.4); 0 for a cylinder or face cut with the matching tip. `None` when the
+/// line runs along that axis, or has no length.
 pub fn cycle_shift(side: Side, nose: Nose, from: Point, to: Point, along: Axis) -> Option<f64> {
     if from.is_same(to) {
         return None;

@@ -1,8 +1,8 @@
-//! What is not known after something that could not be carried out: a refused block, an unsupported code, a call of a
-//! program that is missing.
+//! What is not known after something that could not be carried out: a refused block, an unsupported code, a
+//! call of a program that is missing.
 //!
-//! Only what depends on it is uncertain: each axis until a program names its place again, the kind of a move until a code of
-//! group 01. Plain values, part of [`super::modal::State`].
+//! Only what depends on it is uncertain: each axis until a program names its place again, the kind of a move
+//! until a code of group 01. Plain values, part of [`super::modal::State`].
 
 /// One thing that may be other than the state says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

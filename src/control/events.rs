@@ -1,8 +1,8 @@
 //! What happens while a program runs, for whoever listens: the lints.
 //!
-//! In: the interpreter says what it does, at the moment it does it. Out: what the listener reports. The control carries the
-//! listener along in its state, so that it is kept, compared and moved with it, and knows nothing of what it remembers. A
-//! run without a listener makes no events.
+//! In: the interpreter says what it does, at the moment it does it. Out: what the listener reports. The
+//! control carries the listener along in its state, so that it is kept, compared and moved with it, and knows
+//! nothing of what it remembers. A run without a listener makes no events.
 
 use std::any::Any;
 use std::fmt;
@@ -49,8 +49,8 @@ impl Moment<'_> {
         Reading { unit: self.state.unit, decimal: self.dialect.decimal }
     }
 
-    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at the axis without a
-    /// limit.
+    /// Speed of the spindle with the tip at a radius, mm, rpm; no faster than the machine turns. `None` at
+    /// the axis without a limit.
     pub fn spindle_speed(&self, radius: f64) -> Option<f64> {
         self.state.spindle.speed_within(radius, self.setup.machine.max_speed)
     }
@@ -181,8 +181,8 @@ pub struct ThreadingCall<'a> {
     pub one_block: bool,
 }
 
-/// Something that happens. Where a code or word changes the state, the event comes before the change, unless it says
-/// otherwise.
+/// Something that happens. Where a code or word changes the state, the event comes before the change,
+/// unless it says otherwise.
 #[derive(Clone, Copy)]
 #[allow(missing_docs, reason = "the fields are named in the line of their event")]
 pub enum Event<'a> {
@@ -212,8 +212,8 @@ pub enum Event<'a> {
     Tool { word: &'a Word, before: (u16, u16), goes_home: bool },
     /// M05 takes effect.
     SpindleStops { block: &'a Block, moved: bool },
-    /// A cut at a feed rate greater than zero begins. Not announced where nothing has happened since the cut before that
-    /// matters for it.
+    /// A cut at a feed rate greater than zero begins. Not announced where nothing has happened since the cut
+    /// before that matters for it.
     Cut { block: &'a Block, words: &'a Words<'a>, feed: f64 },
     /// A cut begins before any F.
     CutWithoutFeed { block: &'a Block },
@@ -221,7 +221,8 @@ pub enum Event<'a> {
     Rapid,
     /// A move in a straight line at feed while compensation is on, mm.
     CompensatedLine { block: &'a Block, to: Point },
-    /// A move in a straight line, at rapid or feed, from a point on the axis of the spindle, where a drill or tap stands. mm.
+    /// A move in a straight line, at rapid or feed, from a point on the axis of the spindle, where
+    /// a drill or tap stands. mm.
     FromAxis { block: &'a Block, to: Point },
     /// The F in force is taken as the lead of a thread, mm.
     LeadOfFeed { block: &'a Block, code: &'static str, feed: f64 },

@@ -63,8 +63,8 @@ impl CycleMemory {
     pub const EMPTY: Self = Self { x: Target::Stay, z: Target::Stay, taper: 0.0, passes: 0 };
 }
 
-/// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values here
-/// before any first block are the defaults).
+/// What the first blocks of the multiple cycles set, until set again (parameters 5132 to 5143; the values
+/// here before any first block are the defaults).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CycleParameters {
     /// Depth of a pass of G71 (radius) and G72 (length), mm.
@@ -113,7 +113,8 @@ pub struct PathMove {
     pub words: Span,
     /// Line of its block, from 0.
     pub line: u32,
-    /// In a virtual plane, whose points the motion then has: where it begins and ends along the third axis, mm.
+    /// In a virtual plane, whose points the motion then has: where it begins and ends
+    /// along the third axis, mm.
     pub third: Option<(f64, f64)>,
     /// No motion at all: the program stops here (M00, M01).
     pub stop: Option<StopKind>,
@@ -124,8 +125,8 @@ pub struct PathMove {
 pub struct VirtualPlane {
     /// The plane.
     pub surface: Surface,
-    /// Along the axis that is not in the plane, mm: where the last move began and ended. Z on the face, X as a
-    /// radius on the cylinder.
+    /// Along the axis that is not in the plane, mm: where the last move began and ended. Z on the face, X as
+    /// a radius on the cylinder.
     pub third: (f64, f64),
     /// Angle of C after what was given out, degrees; not brought back to one turn.
     pub angle: f64,
@@ -274,7 +275,8 @@ pub struct Spindle {
     pub still: bool,
     /// A live tool turns.
     pub live_tool: bool,
-    /// An M code of the machine's own with S or P has run since M05: it may turn this spindle, another one or a tool.
+    /// An M code of the machine's own with S or P has run since M05: it may turn this
+    /// spindle, another one or a tool.
     pub by_maker: bool,
 }
 
@@ -516,8 +518,8 @@ impl State {
         pending.min(compensating).min(stop)
     }
 
-    /// Moves the places of the text that it holds along, when the text before them has changed. Calls and loops under
-    /// way are not looked at.
+    /// Moves the places of the text that it holds along, when the text before them has changed. Calls and
+    /// loops under way are not looked at.
     pub fn shift(&mut self, shift: &Shift) {
         if let Some(pending) = &mut self.pending {
             pending.shift(shift);

@@ -56,7 +56,8 @@ impl Frames {
         self.cut_in.get_or_insert(self.active);
     }
 
-    /// Whether nobody has said where the zero of the frame in force is, while the first cut was made in another one.
+    /// Whether nobody has said where the zero of the frame in force is, while the first
+    /// cut was made in another one.
     #[inline]
     pub fn is_elsewhere(&self) -> bool {
         self.cut_in.is_some_and(|first| first != self.active) && !self.work.has(self.active)

@@ -1,7 +1,7 @@
 //! What a run gives: motions and messages, each up to its limit.
 //!
-//! In: motions in the coordinates of the machine, diagnostics. Out: both in lists, in the order in which they were made.
-//! Knows no block and no state of the control.
+//! In: motions in the coordinates of the machine, diagnostics. Out: both in lists, in the order in which they
+//! were made. Knows no block and no state of the control.
 
 use crate::limits::Limits;
 use crate::message::{Diagnostic, Levels, Message};
@@ -90,15 +90,15 @@ impl Sink {
         }
     }
 
-    /// Whether nothing is to be said of the block under way, or this is a consequence of a fault in its writing: one
-    /// fault, one message.
+    /// Whether nothing is to be said of the block under way, or this is a consequence of a fault in its
+    /// writing: one fault, one message.
     pub fn is_silent_about(&self, diagnostic: &Diagnostic) -> bool {
         let about_all = |fault: Span| diagnostic.span.contains(fault) && diagnostic.span != fault;
         self.muted || self.fault.is_some_and(about_all)
     }
 
-    /// Keeps a message, unless it was reported for the same place before. `repeats`: what is found now may have been
-    /// reported before, so what finds no room is not counted.
+    /// Keeps a message, unless it was reported for the same place before. `repeats`: what is found now may
+    /// have been reported before, so what finds no room is not counted.
     pub fn report(&mut self, diagnostic: Diagnostic, repeats: bool) {
         // What is off takes no room from the rest.
         let Some(diagnostic) = self.levels.graded(diagnostic) else { return };
@@ -116,7 +116,8 @@ impl Sink {
         }
     }
 
-    /// Keeps what is reported of the setup: many faults of one kind have no other place than the beginning of the text.
+    /// Keeps what is reported of the setup: many faults of one kind have no other place than
+    /// the beginning of the text.
     pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
         let graded = self.levels.graded(diagnostic);
         self.diagnostics.extend(graded.filter(|_| self.diagnostics.len() < self.limits.messages));

@@ -7,8 +7,8 @@ use super::modal::State;
 use super::offsets::Column;
 use crate::setup::{Setup, Tool};
 
-/// Radius (mm; negative where it turns the side of compensation round) and tip direction of the offset in force. What the
-/// program wrote overrides the setup.
+/// Radius (mm; negative where it turns the side of compensation round) and tip direction of the offset in
+/// force. What the program wrote overrides the setup.
 pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
     let (station, offset) = state.tool;
     if offset == 0 {
@@ -21,7 +21,8 @@ pub fn nose_entry(state: &State, setup: &Setup) -> (f64, u8) {
     (radius, written(Column::Tip).map_or(tip, |tip| tip as u8))
 }
 
-/// The offset in force where neither the setup nor the program says anything of it: the machine's own table may.
+/// The offset in force where neither the setup nor the program says anything of it:
+/// the machine's own table may.
 pub fn unknown(state: &State, setup: &Setup) -> Option<u16> {
     let (station, offset) = state.tool;
     let known = setup.tools.contains_key(&format!("T{station:02}{offset:02}"))

@@ -123,8 +123,8 @@ impl Reading {
         }
     }
 
-    /// A length, mm, never a negative zero: digits below the least increment cut off (FANUC B-64114EN §8.3). `None` for a macro
-    /// expression.
+    /// A length, mm, never a negative zero: digits below the least increment cut off (FANUC B-64114EN §8.3).
+    /// `None` for a macro expression.
     #[inline]
     pub fn length(self, word: &Word) -> Option<f64> {
         let Value::Number { number, negative } = word.value else { return None };

@@ -1,7 +1,7 @@
 //! What there is once all material of a run is off.
 //!
-//! In: the [`SimulationResult`] of a run. Out: the part and its threads, the end face, the comparison with a part that was kept, and the
-//! work as it is shown at a moment.
+//! In: the [`SimulationResult`] of a run. Out: the part and its threads, the end face, the comparison with a
+//! part that was kept, and the work as it is shown at a moment.
 
 use super::per_plane::PerPlane;
 use crate::machine::SimulationResult;

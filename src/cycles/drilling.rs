@@ -1,7 +1,7 @@
 //! Hole cycles: G83 to G85 into the face, G87 to G89 into the side.
 //!
-//! In: the points of one hole. Out: its moves, from the initial level and back to it or to the R point. One axis moves; which one
-//! follows from the points. Knows nothing of words, and nothing of C.
+//! In: the points of one hole. Out: its moves, from the initial level and back to it or to the R point. One
+//! axis moves; which one follows from the points. Knows nothing of words, and nothing of C.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};

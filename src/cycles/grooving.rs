@@ -1,8 +1,9 @@
 //! Pecking: along Z with columns side by side in X (G74), and the same with the axes exchanged (G75).
 //!
-//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. The signs alone distinguish the
-//! directions (seed 003; the steps of a column are those of GSK980TDb p. 119). Knows nothing of words: see `units` for what
-//! P and Q count. Zero-length moves are left in: whoever stores motions drops them.
+//! In: start point, end point, depth of a peck, distance of the columns. Out: the moves. The signs
+//! alone distinguish the directions (seed 003; the steps of a column are those of GSK980TDb p. 119).
+//! Knows nothing of words: see `units` for what P and Q count. Zero-length moves are left in: whoever
+//! stores motions drops them.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
@@ -56,15 +57,15 @@ pub enum FirstColumn {
 pub struct Pecking {
     /// Bottom of the last column.
     pub end: Point,
-    /// Depth of a peck, mm (X: radius), unsigned: Δk of G74, Δi of G75. `None` or zero: to the bottom in one go;
-    /// a control may stop with PS0319.
+    /// Depth of a peck, mm (X: radius), unsigned: Δk of G74, Δi of G75. `None` or zero: to the bottom in one
+    /// go; a control may stop with PS0319.
     pub peck: Option<f64>,
     /// Distance of the columns, mm (X: radius), unsigned: Δi of G74, Δk of G75. Not asked of a single column.
     pub stepover: Option<f64>,
     /// e: way back after each peck, mm (X: radius); its sign does not matter.
     pub retract: f64,
-    /// Δd: way sideways at the bottom, mm (X: radius), against the direction of the columns. Of a single column
-    /// signed: positive towards +X (G74) or +Z (G75). Zero for none.
+    /// Δd: way sideways at the bottom, mm (X: radius), against the direction of the columns. Of a single
+    /// column signed: positive towards +X (G74) or +Z (G75). Zero for none.
     pub relief: f64,
     /// What happens at the bottom of the first column.
     pub first_column: FirstColumn,
@@ -93,8 +94,8 @@ pub fn steps(way: f64, step: f64) -> f64 {
 
 /// G74 and G75: each column pecks down to the end, is relieved, goes back; a rapid to the next; rapid home.
 ///
-/// Every peck but the last ends a multiple of its depth below the start, so feeds after the first are longer by
-/// the retract; the last ends exactly at the end point, as does the last column.
+/// Every peck but the last ends a multiple of its depth below the start, so feeds after the first are longer
+/// by the retract; the last ends exactly at the end point, as does the last column.
 pub fn peck(
     start: Point,
     direction: Direction,

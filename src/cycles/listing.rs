@@ -1,7 +1,8 @@
 //! Moves as the worked examples print them: for tests only.
 //!
 //! One line a pass: `#1 R(86.5,15.5) F(36.5,6.5) A+(48.5,0.5) c(36.5,0.5) r6`, X a diameter, four decimals,
-//! moves of no length left out. `T` is a thread, `A+` G03, `A-` G02; moves outside the passes stand after `#0`.
+//! moves of no length left out. `T` is a thread, `A+` G03, `A-` G02; moves outside
+//! the passes stand after `#0`.
 
 use super::Move;
 use crate::geometry::Point;

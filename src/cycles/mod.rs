@@ -1,4 +1,5 @@
-//! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the interpreter, never the reverse.
+//! Canned cycles: one call of a cycle to its moves. Pure geometry; called by the
+//! interpreter, never the reverse.
 
 pub mod drilling;
 pub mod grooving;

@@ -1,8 +1,8 @@
 //! Pattern repeating, G73: the whole contour again and again, each time nearer to its place.
 //!
 //! In: the contour of blocks ns to nf, the relief of the first pass and the number of passes. Out: the moves.
-//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)` (GSK980TDi p. 136), arcs and all: it may have
-//! any shape. Knows nothing of words.
+//! Pass j of d is the contour moved by `allowance + relief · (d − j) / (d − 1)` (GSK980TDi p. 136), arcs and
+//! all: it may have any shape. Knows nothing of words.
 
 use super::{Contour, Move};
 use crate::geometry::Point;

@@ -8,9 +8,9 @@
 //! start point moved by the allowance. **There `x` is the depth into the work and `z` the way along a pass**,
 //! both counted from C and growing as the passes go; the contour is the bottom under the tool.
 //!
-//! One walk along the contour finds all passes: where it sinks below a level a pass at that level opens, where
-//! it rises above it the pass closes. Passes in the order in which they open are the passes in the order of
-//! cutting: each pocket to its bottom before the next one.
+//! One walk along the contour finds all passes: where it sinks below a level a pass at that level opens,
+//! where it rises above it the pass closes. Passes in the order in which they open are the passes in the
+//! order of cutting: each pocket to its bottom before the next one.
 
 use super::{Approach, Contour, Move, Piece, sign};
 use crate::geometry::{Arc, Point, SAME, Turn, within};
@@ -49,8 +49,9 @@ pub enum Shape {
 pub enum Checks {
     /// Everything that a control may raise an alarm for is a fault.
     All,
-    /// The axis of depth may turn back, arcs may bulge back along the passes, and the contour may reach beyond the start point by no more than a pass:
-    /// the passes stop at the first wall, and the rest is left to the cut along the contour.
+    /// The axis of depth may turn back, arcs may bulge back along the passes, and the contour may reach
+    /// beyond the start point by no more than a pass: the passes stop at the first wall, and the rest is left
+    /// to the cut along the contour.
     Forgiving,
 }
 

@@ -1,8 +1,9 @@
-//! The single cycles G90 (turning), G92 (thread) and G94 (facing): four moves from and back to the start point.
+//! The single cycles G90 (turning), G92 (thread) and G94 (facing): four moves from
+//! and back to the start point.
 //!
-//! In: start point A, end point E, taper R. Out: the moves. The signs alone distinguish the four quadrants, so no
-//! case table is needed (seed 000 Fig. 3-57, seeds 001 and 004). Zero-length moves are left in:
-//! whoever stores motions drops them.
+//! In: start point A, end point E, taper R. Out: the moves. The signs alone distinguish the four quadrants,
+//! so no case table is needed (seed 000 Fig. 3-57, seeds 001 and 004). Zero-length moves are left in: whoever
+//! stores motions drops them.
 
 use super::threading::Pass;
 pub use super::threading::PullOut;
@@ -70,8 +71,9 @@ pub fn threading(start: Point, end: Point, taper: f64, pull_out: Option<PullOut>
     moves
 }
 
-/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of the way `way` to the
-/// end point differ and the taper is longer (seed 000: |R| ≤ |U/2|; not asked when there is no way at all).
+/// Whether a taper makes the cut begin beyond the start point: the signs of `taper` and of the
+/// way `way` to the end point differ and the taper is longer (seed 000: |R| ≤ |U/2|; not asked
+/// when there is no way at all).
 pub fn begins_beyond_start(way: f64, taper: f64) -> bool {
     // A thousandth of a millimetre, the least increment, is forgiven.
     way != 0.0 && taper != 0.0 && (way > 0.0) != (taper > 0.0) && taper.abs() > way.abs() + 0.001

@@ -1,8 +1,9 @@
 //! Threads: one pass with its pull-out, as G92 makes it, and the many passes of G76.
 //!
-//! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E lies
-//! nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants. The passes of G76 follow
-//! seed 003 and GSK980TDb p. 138. Knows nothing of words and leads. Zero-length moves are left in: whoever stores motions drops them.
+//! In: start point A, thread end E, height and depths. Out: the depth table and the moves. External when E
+//! lies nearer to the axis than A, internal when farther; the signs alone distinguish the quadrants. The
+//! passes of G76 follow seed 003 and GSK980TDb p. 138. Knows nothing of words and leads. Zero-length moves
+//! are left in: whoever stores motions drops them.
 
 use super::{Move, sign};
 use crate::geometry::{Point, SAME};
@@ -164,9 +165,9 @@ impl MultiThread {
         }
     }
 
-    /// Where the cut of a pass begins along Z, mm from A towards E: it advances with the depth, so that one flank
-    /// is left alone. Cutting with both edges in turn, every second pass keeps to the other flank; both meet at
-    /// full depth (GSK980TDb p. 138; the zero of the shift differs between controls).
+    /// Where the cut of a pass begins along Z, mm from A towards E: it advances with the depth, so that one
+    /// flank is left alone. Cutting with both edges in turn, every second pass keeps to the other flank; both
+    /// meet at full depth (GSK980TDb p. 138; the zero of the shift differs between controls).
     fn advance(&self, number: u32, depth: f64) -> f64 {
         let across = match self.edge {
             Edge::InTurn if number.is_multiple_of(2) => 2.0 * self.height - depth,

@@ -1,7 +1,8 @@
-//! What P and Q of G74, G75 and G76 count: micrometres, as on controls (GSK980TDb pp. 119, 135), or millimetres, as in seed 003.
+//! What P and Q of G74, G75 and G76 count: micrometres, as on controls (GSK980TDb pp. 119, 135), or
+//! millimetres, as in seed 003.
 //!
-//! In: what the words would mean in least increments, and whether they were written with a point. Out: which it
-//! is, and why. Only where the setup leaves it open. Knows nothing of words.
+//! In: what the words would mean in least increments, and whether they were written with a point. Out: which
+//! it is, and why. Only where the setup leaves it open. Knows nothing of words.
 
 use super::grooving::steps;
 use crate::geometry::Point;

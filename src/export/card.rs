@@ -1,7 +1,7 @@
 //! The setup sheet: a page to print, with the blank, the tools, and every block beside what it does.
 //!
-//! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are written, not as
-//! they run: a block that runs often is described by its first time.
+//! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are
+//! written, not as they run: a block that runs often is described by its first time.
 
 mod words;
 
@@ -136,7 +136,8 @@ impl Card<'_> {
         page.heading(w.tools);
         page.begin_table("tools", &[w.tool, w.kind, w.nose, w.tip, w.speed_and_feed, w.time]);
         for own in &tools {
-            // The first cut shows what a tool is for; what never cuts (an offset called off) is no tool of the card.
+            // The first cut shows what a tool is for; what never cuts (an offset called
+            // off) is no tool of the card.
             let of_tool = |motion: &Motion| motion.process.tool == own.tool && motion.kind.cuts();
             let mut cuts = self.motions.iter().filter(of_tool).peekable();
             let Some(motion) = cuts.peek() else { continue };
@@ -357,7 +358,8 @@ fn word_number(word: &Word) -> Option<crate::text::lexer::Number> {
     }
 }
 
-/// The sequence number of a block as it is written, and the rest of it without comments and the blanks around.
+/// The sequence number of a block as it is written, and the rest of it without
+/// comments and the blanks around.
 fn as_written(text: &[u8], block: &Block) -> (String, String) {
     let mut bytes = block.span.of(text).to_vec();
     for comment in &block.comments {

@@ -1,7 +1,7 @@
 //! All motions as a table for a spreadsheet: comma-separated values (RFC 4180).
 //!
-//! In: the rows of `motions`. Out: the same rows, one line each, under a line with the names of the columns. What a motion
-//! does not have is empty.
+//! In: the rows of `motions`. Out: the same rows, one line each, under a line with the names of the columns.
+//! What a motion does not have is empty.
 
 use std::fmt::Write;
 
@@ -9,7 +9,8 @@ use crate::api;
 use crate::motion::Motions;
 use crate::setup::Machine;
 
-/// The columns, named as in the rows of `motions`; what stands inside of another there has its name before it.
+/// The columns, named as in the rows of `motions`; what stands inside of another
+/// there has its name before it.
 pub const COLUMNS: [&str; 22] = [
     "line",
     "kind",

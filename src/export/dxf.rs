@@ -1,7 +1,7 @@
 //! The profile of the part for drawing programs: DXF of AutoCAD release 12, as text, in mm.
 //!
-//! In: the half-section. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on the layer `CENTER`. X of the
-//! drawing is Z of the lathe, Y the radius.
+//! In: the half-section. Out: lines and true arcs on the layer `PROFILE`, the spindle axis on the layer
+//! `CENTER`. X of the drawing is Z of the lathe, Y the radius.
 
 use std::fmt::{Display, Write};
 

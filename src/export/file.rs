@@ -1,7 +1,8 @@
 //! A file of any format: the one way out of this room for the page and the command line.
 //!
-//! In: a format, a program that was run, a language. Out: the bytes of the file. A new format is a variant of [`FileFormat`];
-//! the compiler names what else it needs. Must not know: where the file is written, or its name.
+//! In: a format, a program that was run, a language. Out: the bytes of the file. A new format is
+//! a variant of [`FileFormat`]; the compiler names what else it needs. Must not know: where the
+//! file is written, or its name.
 
 use super::card::{self, Card};
 use super::{csv, dxf, stl};
@@ -15,7 +16,8 @@ use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
 use crate::setup::fields::Unit;
 
-/// What can be written as a file. Its name on the command line and in JavaScript is the variant in lower case.
+/// What can be written as a file. Its name on the command line and in JavaScript is
+/// the variant in lower case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]

@@ -1,7 +1,7 @@
 //! The outline of the part as lines and true arcs.
 //!
-//! In: the half-section, whose arcs are cut into chords. Out: closed chains of [`Segment`]s; neighbouring edges that lie on
-//! one circle are one arc again. Must not know what the outline is for.
+//! In: the half-section, whose arcs are cut into chords. Out: closed chains of [`Segment`]s; neighbouring
+//! edges that lie on one circle are one arc again. Must not know what the outline is for.
 
 use std::f64::consts::PI;
 
@@ -16,23 +16,26 @@ pub const FIT: f64 = 2.0 * CHORD;
 /// Edges that make an arc, at least: any three corners lie on a circle.
 const LEAST_EDGES: usize = 3;
 
-/// An arc that ends at a corner a little beside the circle may not fit, and a longer one again: so many corners are passed.
+/// An arc that ends at a corner a little beside the circle may not fit, and a longer one again:
+/// so many corners are passed.
 const MOST_MISSED: usize = 2;
 
 /// Corners nearer to the line through their neighbours are none, mm.
 const STRAIGHT: f64 = CHORD / 8.0;
 
-/// Nose and way of a tool are both cut into chords, so that their arc may turn back a little at a corner, radians.
+/// Nose and way of a tool are both cut into chords, so that their arc may turn back a
+/// little at a corner, radians.
 const WOBBLE: f64 = 0.02;
 
-/// An arc rises so much above its chord, mm, or it is a straight line: three chords of an arc rise nine times as much as one.
+/// An arc rises so much above its chord, mm, or it is a straight line: three chords of an arc rise
+/// nine times as much as one.
 const LEAST_HEIGHT: f64 = 3.0 * FIT;
 
 /// Steps in which an arc is brought to where its corners are as far outside as inside.
 const BALANCINGS: usize = 3;
 
-/// An arc turns by less than this, radians: a full circle has no ends that show which way it runs, and what is left of it must
-/// be an arc as well.
+/// An arc turns by less than this, radians: a full circle has no ends that show which way it runs, and what
+/// is left of it must be an arc as well.
 const WIDEST: f64 = 1.5 * PI;
 
 /// A corner no further from the spindle axis than this, mm, is on it: as far as the grid of areas moves one.
@@ -50,8 +53,8 @@ pub enum Segment {
     Arc(Arc),
 }
 
-/// The closed outlines of an area, those of holes among them, the material on the left. That of a solid part runs along the
-/// spindle axis; nothing is below it.
+/// The closed outlines of an area, those of holes among them, the material on the left. That of a solid part
+/// runs along the spindle axis; nothing is below it.
 pub fn outlines(region: &Region) -> Vec<Vec<Segment>> {
     let above = |at: Point| Point::new(if at.x < ON_AXIS { 0.0 } else { at.x }, at.z);
     region.outlines().map(|outline| segments(&outline.map(above).collect::<Vec<_>>())).collect()
@@ -149,7 +152,8 @@ fn arc_through(points: &[Point]) -> Option<Arc> {
         let size = if half.abs() > PI / 2.0 { PI - quarter } else { quarter };
         arc_of(start, end, half.signum() * size)
     });
-    // A nose that ends at the axis touches it there: a larger circle through the same corners would lead below it.
+    // A nose that ends at the axis touches it there: a larger circle through the same
+    // corners would lead below it.
     let lowest = points.iter().fold(0.0, |lowest: f64, point| lowest.min(point.x));
     let fits = |arc: &Arc| {
         let (least, most) = deviations(arc, points);
@@ -172,8 +176,8 @@ fn arc_of(start: Point, end: Point, half: f64) -> Option<Arc> {
     Some(Arc { start, end, center: Point::new(middle.x + beside * dz, middle.z - beside * dx), turn })
 }
 
-/// How far corners and middles of edges are outside of the circle of an arc, mm: the least (inside, where negative) and the
-/// most.
+/// How far corners and middles of edges are outside of the circle of an arc, mm: the least (inside,
+/// where negative) and the most.
 fn deviations(arc: &Arc, points: &[Point]) -> (f64, f64) {
     let radius = arc.radius();
     let middles = points
@@ -231,7 +235,8 @@ mod tests {
         Segment::Arc(Arc { start, end, center, turn })
     }
 
-    /// A shaft with a round end, a groove with a round bottom, and a radius at its shoulder, tangents on both sides.
+    /// A shaft with a round end, a groove with a round bottom, and a radius at its
+    /// shoulder, tangents on both sides.
     fn shaft() -> Vec<Segment> {
         vec![
             arc(at(0.0, 0.0), at(10.0, -10.0), at(0.0, -10.0), Turn::Counterclockwise),

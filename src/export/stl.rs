@@ -1,15 +1,15 @@
 //! The part as a solid body for other programs: binary STL, in mm.
 //!
-//! In: the half-section. Out: its outlines turned about the spindle axis, as triangles that close without a gap. Z of the
-//! file is Z of the lathe. Threads are what the section shows: rings, not screws.
+//! In: the half-section. Out: its outlines turned about the spindle axis, as triangles that close without a
+//! gap. Z of the file is Z of the lathe. Threads are what the section shows: rings, not screws.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::Point;
 use crate::machine::region::Region;
 
-/// How far the middles of the flats of a turned surface may lie inside of their corners, mm. The surface itself is between
-/// them, so that the body has the volume of the part.
+/// How far the middles of the flats of a turned surface may lie inside of their corners, mm. The surface
+/// itself is between them, so that the body has the volume of the part.
 pub const FLATNESS: f64 = 0.01;
 
 /// Flats around the axis, at least and at most.

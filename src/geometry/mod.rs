@@ -9,8 +9,8 @@ pub mod virtual_plane;
 /// Two lengths nearer than this, in mm, count as equal: binary rounding would decide otherwise.
 pub const SAME: f64 = 1e-6;
 
-/// The nearest value that is not below `low` and not above `high`. Unlike `clamp` it has no panic, which would bring the
-/// standard library's number formatting into the page's module.
+/// The nearest value that is not below `low` and not above `high`. Unlike `clamp` it has no panic, which
+/// would bring the standard library's number formatting into the page's module.
 pub fn within(value: f64, low: f64, high: f64) -> f64 {
     if value < low {
         low

@@ -1,9 +1,10 @@
-//! Polar (G12.1) and cylindrical (G07.1) interpolation: the virtual plane a program moves in, and what the machine
-//! makes of it.
+//! Polar (G12.1) and cylindrical (G07.1) interpolation: the virtual plane a program moves in, and
+//! what the machine makes of it.
 //!
-//! In: points of the virtual plane. Out: radius and length of the tool, and the angle of C. In the plane `z` is
-//! the first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for the end face (seen
-//! from the tailstock), Z and the unrolled circumference for the cylinder. Knows nothing of words and blocks.
+//! In: points of the virtual plane. Out: radius and length of the tool, and the angle of C. In the plane
+//! `z` is the first axis, to the right, and `x` the second, upwards, both in mm: X as a radius and C for
+//! the end face (seen from the tailstock), Z and the unrolled circumference for the cylinder. Knows
+//! nothing of words and blocks.
 
 use super::{Arc, Point, SAME};
 
@@ -66,8 +67,8 @@ impl Way {
         }
     }
 
-    /// Angle about the origin from the start to the end of the way, radians, counter-clockwise: all of it, once
-    /// around for a circle about the origin.
+    /// Angle about the origin from the start to the end of the way, radians, counter-clockwise: all of it,
+    /// once around for a circle about the origin.
     fn angle_about_center(&self) -> f64 {
         let (from, to) = (self.at(0.0), self.at(1.0));
         let (cross, dot) = (from.z * to.x - from.x * to.z, from.z * to.z + from.x * to.x);
@@ -90,8 +91,8 @@ impl Way {
 }
 
 impl Surface {
-    /// The point of the plane where the tool stands, with C at `c` degrees, and its place along the third axis. On
-    /// the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
+    /// The point of the plane where the tool stands, with C at `c` degrees, and its place along the third
+    /// axis. On the face the second axis counts from there, wherever C stands (FANUC 15i B-63324EN p. 80).
     pub fn enter(self, at: Point, c: f64) -> (Point, f64) {
         match self {
             Self::Face => (Point::new(0.0, at.x), at.z),
@@ -99,8 +100,8 @@ impl Surface {
         }
     }
 
-    /// Where the tool stands in the machine: radius and length, mm; `third` is the place along the axis that is not
-    /// in the plane, mm: Z on the face, X as a radius on the cylinder.
+    /// Where the tool stands in the machine: radius and length, mm; `third` is the place along the axis that
+    /// is not in the plane, mm: Z on the face, X as a radius on the cylinder.
     pub fn machine(self, plane: Point, third: f64) -> Point {
         match self {
             Self::Face => Point::new(plane.x.hypot(plane.z), third),
@@ -108,8 +109,8 @@ impl Surface {
         }
     }
 
-    /// How far C turns along a way, degrees. On the face the angle is followed from neighbour to neighbour, so that
-    /// a way around the centre turns C around as well.
+    /// How far C turns along a way, degrees. On the face the angle is followed from neighbour to neighbour,
+    /// so that a way around the centre turns C around as well.
     pub fn turn_along(self, way: &Way) -> f64 {
         match self {
             Self::Cylinder { radius, .. } => {
@@ -153,7 +154,8 @@ impl VirtualMove {
         let (first, second) = match self.way {
             Way::Line(from, to) => (Way::Line(from, point), Way::Line(point, to)),
             Way::Arc(arc) => {
-                // An arc that ends where it starts is a full circle: a part without length must not become one.
+                // An arc that ends where it starts is a full circle: a part without
+                // length must not become one.
                 let part = |arc: Arc, share: f64| match share * self.length() > SAME {
                     true => Way::Arc(arc),
                     false => Way::Line(arc.start, arc.end),
@@ -167,8 +169,8 @@ impl VirtualMove {
         )
     }
 
-    /// Points along the way as the machine goes it, from start to end, so near to one another that straight lines
-    /// between them miss the true curve by no more than `chord` mm.
+    /// Points along the way as the machine goes it, from start to end, so near to one another that straight
+    /// lines between them miss the true curve by no more than `chord` mm.
     pub fn machine_path(&self, chord: f64) -> Vec<Point> {
         let mut pieces = 4u32;
         // The curve has no more than a few bends, so doubling finds a fineness that is enough everywhere.

@@ -150,7 +150,8 @@ impl Compensations {
         }
     }
 
-    /// G90 and G94 are compensated, but only with a nose radius; and no code of compensation may stand in their block.
+    /// G90 and G94 are compensated, but only with a nose radius; and no code of compensation
+    /// may stand in their block.
     pub fn single_cycle(&mut self, pass: &SinglePass, at: &Moment, reports: &mut Vec<Diagnostic>) {
         let code = pass.cycle.cycle().code();
         if pass.lead.is_none()
@@ -198,8 +199,8 @@ fn turns_straight_back(before: &Motion, next: &Motion) -> bool {
         && across.abs() <= STRAIGHT * along.abs()
 }
 
-/// The code in force and the one that belongs to the cut, where they differ. `tip`: direction of the imaginary tip, which
-/// distinguishes outside work (3) from a bore (2).
+/// The code in force and the one that belongs to the cut, where they differ. `tip`: direction of the
+/// imaginary tip, which distinguishes outside work (3) from a bore (2).
 fn wrong_side(
     compensation: Compensation,
     tip: u8,

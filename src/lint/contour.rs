@@ -56,7 +56,8 @@ impl Contours {
         reports.extend(std::mem::take(&mut self.for_finishing).into_iter().map(|(_, diagnostic)| diagnostic));
     }
 
-    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle (seed 003, GSK980TDb p. 102).
+    /// G70 begins and ends with rapids: it wants the start point of the roughing cycle
+    /// (seed 003, GSK980TDb p. 102).
     pub fn finishing(&self, call: &FinishingCall, reports: &mut Vec<Diagnostic>) {
         let Some((own, before)) = call.landmarks.split_last() else { return };
         if own.span != call.block.span {
@@ -79,8 +80,8 @@ impl Contours {
     }
 }
 
-/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the side from which
-/// it was roughed, and the tool goes away from the work to come there.
+/// Whether rapids between `start` and the contour stay outside: it lies in front of the whole contour, on the
+/// side from which it was roughed, and the tool goes away from the work to come there.
 fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
     let ends = || call.ends.iter();
     let front = if roughed.start.z >= roughed.last.z { 1.0 } else { -1.0 };
@@ -98,7 +99,8 @@ fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
     ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
-/// Remarks about G71 or G72 before it has its passes: the first block of the contour, and allowances that point into the part.
+/// Remarks about G71 or G72 before it has its passes: the first block of the contour, and allowances
+/// that point into the part.
 pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
     let (start, first) = (call.contour.start, call.contour.first);
     let (second_named, idiom, moves, other, word) = match call.how.direction {
@@ -212,8 +214,8 @@ fn turned_before(contour: &Contour, stock: Stock, cuts: impl Iterator<Item = Mot
     cuts.filter(|cut| along(cut) && covers(cut) && outside(cut)).map(|cut| cut.to.x).reduce(f64::min)
 }
 
-/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm; `turned` the radius that cuts
-/// before have left, if any.
+/// Remarks about G73 in a bar: `relief` is the radius by which its first pass stands off, mm; `turned` the
+/// radius that cuts before have left, if any.
 fn pattern_remarks(
     contour: &Contour,
     relief: f64,

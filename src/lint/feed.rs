@@ -121,7 +121,8 @@ impl Feed {
         }
     }
 
-    /// The unit of F is reported to be wrong for what it is used for: not that the old F counts otherwise as well.
+    /// The unit of F is reported to be wrong for what it is used for: not that the old F
+    /// counts otherwise as well.
     pub fn unit_is_reported(&mut self) {
         self.is_old = false;
     }

@@ -1,9 +1,9 @@
 //! What a good instructor would say though the control runs it: one file for each family of rules.
 //!
-//! In: the events of a run (`control::events`), in one pass. Out: remarks. [`Lints`] hands each event to the families that
-//! care for it; what they remember between two events is theirs alone. Nothing here changes what the control does, so a run
-//! without lints makes the same motions. `plausible` compares the numbers of the whole program once it has run. Lints that
-//! need the part are in `findings`.
+//! In: the events of a run (`control::events`), in one pass. Out: remarks. [`Lints`] hands each event to the
+//! families that care for it; what they remember between two events is theirs alone. Nothing here changes
+//! what the control does, so a run without lints makes the same motions. `plausible` compares the numbers of
+//! the whole program once it has run. Lints that need the part are in `findings`.
 
 mod compensation;
 mod contour;

@@ -1,8 +1,8 @@
 //! Numbers that do not fit the rest of their program: a lost point, a lost minus, U where X was meant.
 //!
-//! In: the text, its motions. Out: remarks, each with repairs to choose from. A control carries all of it out; only who
-//! compares a block with the others sees it. So nothing is said of what occurs often in the same program: that is its
-//! style.
+//! In: the text, its motions. Out: remarks, each with repairs to choose from. A control carries all of it
+//! out; only who compares a block with the others sees it. So nothing is said of what occurs often in the
+//! same program: that is its style.
 
 mod increments;
 mod passes;
@@ -92,8 +92,8 @@ struct Program<'a> {
     has_both_units: bool,
 }
 
-/// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was reported of it.
-/// `reading`: how its numbers are read at its end; `list`: the codes in force.
+/// Adds remarks about the numbers of a program that has run, in the order of importance, to all that was
+/// reported of it. `reading`: how its numbers are read at its end; `list`: the codes in force.
 pub fn compare(
     text: &[u8],
     motions: &Motions,
@@ -131,9 +131,9 @@ fn follows(diagnostic: &Diagnostic) -> bool {
     matches!(diagnostic.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
 }
 
-/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`: how its numbers are
-/// read at its end. Of a program that is not
-/// `sound` (a block was not carried out) only the writing is looked at: its motions are not what was meant.
+/// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`:
+/// how its numbers are read at its end. Of a program that is not `sound` (a block was not carried out) only
+/// the writing is looked at: its motions are not what was meant.
 fn remarks(
     text: &[u8],
     motions: &Motions,
@@ -402,7 +402,8 @@ impl<'a> Program<'a> {
         })
     }
 
-    /// The places along an axis in the order of the text, with what stands before and after each in the same stretch.
+    /// The places along an axis in the order of the text, with what stands before and after
+    /// each in the same stretch.
     fn neighbours(&self, letters: &'static [u8]) -> Vec<(Option<&Word>, &Word, Option<&Word>)> {
         let own: Vec<&Word> = self.places_or_zero().filter(|word| letters.contains(&word.address)).collect();
         let together = |a: &Word, b: &Word| {

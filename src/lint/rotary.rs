@@ -1,4 +1,5 @@
-//! The C axis and live tools: whether something has connected or started them, and what is programmed in a virtual plane.
+//! The C axis and live tools: whether something has connected or started them, and what is
+//! programmed in a virtual plane.
 
 use super::once::Once;
 use crate::control::codes::Compensation;
@@ -33,14 +34,15 @@ pub struct Rotary {
 }
 
 impl Rotary {
-    /// C moves though nothing has connected it: which M code does depends on the machine. `unknown_m`: one appeared that
-    /// may have.
+    /// C moves though nothing has connected it: which M code does depends on the machine. `unknown_m`:
+    /// one appeared that may have.
     pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
         let is_new = !at.state.c_axis && !unknown_m && self.c_axis.first();
         is_new.then(|| Diagnostic::new(Message::CAxisNotConnected, span))
     }
 
-    /// A live tool should turn where the spindle only positions; which M code starts it depends on the machine.
+    /// A live tool should turn where the spindle only positions; which M code starts
+    /// it depends on the machine.
     pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
         let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
         is_new.then(|| Diagnostic::new(Message::LiveToolStopped, block.words_span()))

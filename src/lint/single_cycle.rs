@@ -1,4 +1,5 @@
-//! G90, G92 and G94: tapers, blocks without an axis, passes that cut nothing, starts that are too far from the work.
+//! G90, G92 and G94: tapers, blocks without an axis, passes that cut nothing, starts that
+//! are too far from the work.
 
 use super::once::Once;
 use super::taper;
@@ -180,7 +181,8 @@ impl SingleCycles {
     }
 }
 
-/// A block of a cycle with the word at `span`, but without an axis: no pass is made. `end`: the axis that was named last.
+/// A block of a cycle with the word at `span`, but without an axis: no pass is made. `end`: the
+/// axis that was named last.
 pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target)) -> Option<Diagnostic> {
     let (axis, target) = end;
     let letters = if axis == Axis::X { ['X', 'U'] } else { ['Z', 'W'] };
@@ -200,7 +202,8 @@ pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target))
     Some(Diagnostic::new(message, span).with(fix))
 }
 
-/// A pass that goes no deeper than one before it from the same start to the same end: what to say of its word.
+/// A pass that goes no deeper than one before it from the same start to the same
+/// end: what to say of its word.
 fn pass_not_deeper(
     cycle: Single,
     own: &DeepestPass,
@@ -228,7 +231,8 @@ fn pass_not_deeper(
     (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(message)
 }
 
-/// How deep the first pass of a taper is at its thin end, outside, where that is far deeper than a pass (radius, mm).
+/// How deep the first pass of a taper is at its thin end, outside, where that is far deeper
+/// than a pass (radius, mm).
 fn edge_depth(cycle: Single, own: &DeepestPass, surface: Option<f64>, first: bool) -> Option<f64> {
     let outside = cycle == Single::Turning && own.taper < -NEAR && own.end.x <= own.start.x + NEAR;
     let depth = surface? - (own.end.x + own.taper);

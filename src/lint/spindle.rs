@@ -1,4 +1,5 @@
-//! The spindle before a cut: whether it turns, how fast, and how fast at most; and the classroom checklist of each tool.
+//! The spindle before a cut: whether it turns, how fast, and how fast at most; and the
+//! classroom checklist of each tool.
 
 use super::once::Once;
 use crate::control::events::Moment;
@@ -38,10 +39,11 @@ struct Unclamped {
 pub struct Spindle {
     /// G96 without a highest speed, and no cut since: G50 may still give one.
     unclamped: Option<Unclamped>,
-    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck opens or closes
-    /// now, it stops or pulls the bar.
+    /// A move at feed with the spindle stopped, and the tool has not left at rapid since: where the chuck
+    /// opens or closes now, it stops or pulls the bar.
     still_move: Option<StillMove>,
-    /// An M code appeared whose meaning depends on the machine: it may have connected C or started a live tool.
+    /// An M code appeared whose meaning depends on the machine: it may have connected
+    /// C or started a live tool.
     pub unknown_m: bool,
     /// Coolant flows (M07, M08).
     coolant: bool,

@@ -21,17 +21,20 @@ const NEAR_SURFACE: f64 = 10.0;
 /// Lengths this near count as equal here, mm.
 const NEAR: f64 = 0.001;
 
-/// What may be meant by an R that is a round number at the blank's surface, while the cut leaves the blank at an odd place.
+/// What may be meant by an R that is a round number at the blank's surface, while the cut leaves
+/// the blank at an odd place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Reading {
-    /// The height of the cone on the drawing, not extended to the start point: no drawing has the other numbers.
+    /// The height of the cone on the drawing, not extended to the start point: no
+    /// drawing has the other numbers.
     HeightOnDrawing,
-    /// That, or an R worked out for the start point: the cone is a usual one, or its edge could be dimensioned.
+    /// That, or an R worked out for the start point: the cone is a usual one, or its
+    /// edge could be dimensioned.
     OrForStartPoint,
 }
 
-/// Remarks about a taper that looks like that of the drawing though the cut begins outside the blank. `span`: its word, or
-/// the block where the taper is that of a block before.
+/// Remarks about a taper that looks like that of the drawing though the cut begins outside the blank. `span`:
+/// its word, or the block where the taper is that of a block before.
 pub fn not_extended(
     cycle: Single,
     start: Point,
@@ -56,7 +59,8 @@ pub fn not_extended(
     })
 }
 
-/// Reports when R looks like the taper of the drawing though the cut begins outside the blank, and how sure that is.
+/// Reports when R looks like the taper of the drawing though the cut begins outside the
+/// blank, and how sure that is.
 fn taper_not_extended(
     cycle: Single,
     start: Point,
@@ -107,8 +111,9 @@ fn taper_not_extended(
     (coarse && !at_zero.is_some_and(is_round) || fine).then_some((diagnostic, reading))
 }
 
-/// Whether a drawing may give a cone by its slope (radius over length): a usual 1:n in the diameter (ISO 1119), or a half or whole degree to the
-/// axis. R has three decimals, so the slope is known to as many digits.
+/// Whether a drawing may give a cone by its slope (radius over length): a usual 1:n in the
+/// diameter (ISO 1119), or a half or whole degree to the axis. R has three decimals, so the slope
+/// is known to as many digits.
 fn is_usual_cone(slope: f64) -> bool {
     const RATIOS: [f64; 13] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 30.0, 50.0];
     const DIGITS: f64 = 5e-4;
@@ -141,8 +146,8 @@ pub fn shape(
     Some(Diagnostic { fixes: fix.into_iter().collect(), ..Diagnostic::new(message, span) })
 }
 
-/// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the axis, or becomes
-/// narrower toward the chuck, which only an undercut does.
+/// What is odd about a taper as it is called (R and ends as radii and lengths, mm): it begins beyond the
+/// axis, or becomes narrower toward the chuck, which only an undercut does.
 fn odd_shape(
     cycle: Single,
     start: Point,

@@ -52,7 +52,8 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// A thread begins: it needs a spindle that turns at a constant speed. `to`: its end, where the path is known.
+    /// A thread begins: it needs a spindle that turns at a constant speed. `to`: its
+    /// end, where the path is known.
     pub fn begins(
         &mut self,
         block: &Block,
@@ -206,8 +207,9 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
 }
 
-/// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle at which it starts.
-/// `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one is known. `span`: the block.
+/// Remarks about a pass: its speed, and whether it meets the pass before it. `angle`: a word gives the angle
+/// at which it starts. `starts`: of how many starts the thread is. `face`: Z of the face of the blank, if one
+/// is known. `span`: the block.
 fn remarks(
     own: &Pass,
     before: Option<&Pass>,
@@ -247,7 +249,8 @@ fn remarks(
     diagnostics
 }
 
-/// Whether a pass begins as far to the side as infeed along a flank leads it, which is up to 30° off the square.
+/// Whether a pass begins as far to the side as infeed along a flank leads it, which is
+/// up to 30° off the square.
 fn is_along_flank(moved: f64, deeper: f64) -> bool {
     const STEEPEST: f64 = std::f64::consts::FRAC_PI_6;
     moved.abs() <= deeper * STEEPEST.tan() + NEAR
@@ -280,8 +283,8 @@ fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
     (have < need).then_some(Message::ThreadRunIn { have, need })
 }
 
-/// What of the amounts of a G76 does not fit: the height of a 60° thread is 0.5 to 0.75 of its pitch, and more than the
-/// first cut. Lengths in mm, the angle in degrees.
+/// What of the amounts of a G76 does not fit: the height of a 60° thread is 0.5 to 0.75 of its pitch, and
+/// more than the first cut. Lengths in mm, the angle in degrees.
 fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
     if first > height + NEAR {
         return Some(Message::ThreadFirstDepth { first, height });

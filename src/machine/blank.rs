@@ -1,7 +1,8 @@
 //! The blank inferred from the cuts of a program.
 //!
-//! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what is cut: a wall around
-//! a bore, material on both sides of a groove, the bar left by a part-off. Must not know how tools are inferred.
+//! In: how far the cuts of each tool reach, and which kind of tool it is. Out: a [`Stock`] that shows what
+//! is cut: a wall around a bore, material on both sides of a groove, the bar left by a part-off. Must not
+//! know how tools are inferred.
 
 use super::tool::BLADE;
 use crate::geometry::{Point, SAME};
@@ -27,14 +28,15 @@ const DRILLED: f64 = 15.0;
 /// A blank is no larger than one that a setup can name, mm: what asks for more is a slip of the program.
 const LARGEST: f64 = 5000.0;
 
-/// Where rapids run along the outside of a blank, it is so much smaller all around, mm: a start point stands clear of the bar.
+/// Where rapids run along the outside of a blank, it is so much smaller all around, mm: a start
+/// point stands clear of the bar.
 const CLEAR: f64 = 1.0;
 
 /// So many motions are looked at.
 const LOOKED_AT: usize = 200_000;
 
-/// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go at the
-/// diameter of a start point.
+/// A blank without what rapids would run along: from groove to groove, and past what is to be faced, tools go
+/// at the diameter of a start point.
 pub fn clear_of_rapids(stock: Stock, motions: &Motions) -> Stock {
     let radius = stock.diameter.radius();
     let on = |at: Point| (at.x - radius).abs() <= SAME;
@@ -137,7 +139,8 @@ pub struct Cuts {
     outside: Extents,
     /// Bored, grooved and threaded inside.
     inside: Extents,
-    /// Grooves in the outside, and what is parted off: places of the tip, the left corner of the grooving insert.
+    /// Grooves in the outside, and what is parted off: places of the tip, the left
+    /// corner of the grooving insert.
     grooves: Extents,
     /// Grooves in the end face: the tip is the inner corner.
     face_grooves: Extents,
@@ -202,7 +205,8 @@ impl Cuts {
         fits.then_some(Stock { diameter, bore, face, length, grip: None })
     }
 
-    /// Z of the front face. Zero is the finished face where anything is cut on its chuck side, else the back of the part.
+    /// Z of the front face. Zero is the finished face where anything is cut on its chuck side,
+    /// else the back of the part.
     fn face(&self, all: &Extents, behind: bool) -> f64 {
         let face = if behind { 0.0 } else { all.high }.max(all.faced);
         let Extents { high, faced, .. } = self.grooves;

@@ -1,7 +1,8 @@
 //! Which of the tools that come into question for a use leaves the contour whole.
 //!
-//! In: the motions, the uses, what comments say, the blank. Out: the inferred tools, with another tool where the first
-//! would cut into the surface that all tips leave together, or the word that none is known. Must not know the text.
+//! In: the motions, the uses, what comments say, the blank. Out: the inferred tools, with another tool
+//! where the first would cut into the surface that all tips leave together, or the word that none is
+//! known. Must not know the text.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +24,8 @@ const THIN: f64 = 0.04;
 /// A cut across the axis that ends nearer to it than this, mm, faces the work or parts it off.
 const TO_AXIS: f64 = 1.0;
 
-/// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool does not go on
-/// behind it: a longer piece is parted off.
+/// What is left in front of a face is no longer than this, mm, and no longer than the other where the tool
+/// does not go on behind it: a longer piece is parted off.
 const IN_FRONT: [f64; 2] = [3.0, 0.5];
 
 /// Of so many plunges of a grooving insert that roughs for other tools one may be a groove.
@@ -33,8 +34,8 @@ const FEW: usize = 4;
 /// Beyond this, mm, a program has a slip, and no blank.
 const LONGEST: f64 = 5000.0;
 
-/// Puts the tool that does it in place of each inferred tool that would cut too deep; `tools` has one for each use. Returns the first
-/// motion of each use that no tool is known for.
+/// Puts the tool that does it in place of each inferred tool that would cut too deep; `tools` has one for
+/// each use. Returns the first motion of each use that no tool is known for.
 pub(super) fn decide(
     motions: &Motions,
     uses: &[ToolUse],
@@ -106,7 +107,8 @@ fn with_words(purpose: Purpose, inferred: &Tool, words: &Tool) -> Tool {
     tool
 }
 
-/// What comes into question for a turning use: inserts from the usual to the sharpest, then grooving inserts from the widest.
+/// What comes into question for a turning use: inserts from the usual to the sharpest, then
+/// grooving inserts from the widest.
 fn candidates(first: &Tool, own: &ToolUse, words: &Tool) -> Vec<Tool> {
     let inside = own.is_inside();
     let kind = if inside { ToolKind::Boring } else { ToolKind::Turning };
@@ -234,8 +236,8 @@ impl Led {
         Some(Self { tracks, positions, outside, inside, front })
     }
 
-    /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well. Only those may be deeper than
-    /// the surface that all tools leave.
+    /// Whether a grooving insert roughs in steps for other tools, and makes a few grooves of its own as well.
+    /// Only those may be deeper than the surface that all tools leave.
     fn grooves(&self, index: usize, own: &ToolUse, tool: &Tool) -> bool {
         let surface = self.side(own).1;
         let track = &self.tracks[index];
@@ -251,7 +253,8 @@ impl Led {
         }
     }
 
-    /// Whether an insert led as a use is leaves the surface whole, walls apart that it shifts by no more than `shift`, mm.
+    /// Whether an insert led as a use is leaves the surface whole, walls apart that it shifts by
+    /// no more than `shift`, mm.
     fn follows(&self, index: usize, own: &ToolUse, tool: &Tool, shift: f64) -> bool {
         !self.side(own).1.is_gouged(&takes(tool), &self.tracks[index], shift)
     }
@@ -273,7 +276,8 @@ impl Led {
             }
             return surface.clears_plunges(track, self.front);
         }
-        // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but a contour is made by one.
+        // Both corners of a grooving insert are led along the walls of a groove, each by its own blocks; but
+        // a contour is made by one.
         let begins_at_face = track.goes_on_behind(&self.positions, self.front);
         let is_groove = !own.contour && !begins_at_face && track.is_valley(&self.positions);
         let own_surface = Surface::of_one(track, (facing, self.positions.clone()));

@@ -1,7 +1,8 @@
 //! Two parts laid over each other: what is only in one of them, how much, and where.
 //!
-//! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s measured along and across the spindle
-//! axis. What is thinner than [`SAME_PART`] is no difference: arcs are chords. Must not know the programs' texts.
+//! In: the half-sections of two parts. Out: a [`Comparison`] with its [`Difference`]s measured along and
+//! across the spindle axis. What is thinner than [`SAME_PART`] is no difference: arcs are chords. Must not
+//! know the programs' texts.
 
 use super::SimulationResult;
 use super::region::{Piece, Region};
@@ -106,8 +107,8 @@ impl Comparison {
     }
 }
 
-/// The parts of two programs. A blank that is only inferred is that of the other program, or of two inferred ones what they have
-/// in common: else the inference would be the difference.
+/// The parts of two programs. A blank that is only inferred is that of the other program, or of two inferred
+/// ones what they have in common: else the inference would be the difference.
 pub fn parts(programs: [(&Motions, &Setup); 2]) -> [Option<Region>; 2] {
     let blanks = programs.map(|(motions, setup)| ResolvedSetup::new(motions, setup).stock());
     let [first, second] = blanks;
@@ -150,8 +151,8 @@ fn measure(side: Side, piece: Piece) -> Option<Difference> {
     is_worth_it.then_some(Difference { side, piece, area, bounds, radial, axial })
 }
 
-/// The longest straight stretch inside some edges. `split` says of a point where a line of measure crosses it and where on
-/// that line it is; `join` makes a point of the two again.
+/// The longest straight stretch inside some edges. `split` says of a point where a line of measure crosses it
+/// and where on that line it is; `join` makes a point of the two again.
 fn thickest(
     edges: &[(Point, Point)],
     split: impl Fn(Point) -> (f64, f64),

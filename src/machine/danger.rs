@@ -1,8 +1,9 @@
 //! What runs into what.
 //!
-//! In: each motion with its tool, and the work as it stands. Out: [`Finding`]s. What only touches is no finding: outlines are
-//! held against the work a hundredth of a millimetre smaller than they are. Of a tool that nobody has named only the
-//! tip counts, and nothing is found in a blank that nobody has named. Must not know messages.
+//! In: each motion with its tool, and the work as it stands. Out: [`Finding`]s. What only touches is no
+//! finding: outlines are held against the work a hundredth of a millimetre smaller than they are. Of a
+//! tool that nobody has named only the tip counts, and nothing is found in a blank that nobody has
+//! named. Must not know messages.
 
 use super::part::{Part, Turned, cut};
 use super::region::Region;
@@ -94,11 +95,12 @@ const JAW: f64 = 40.0;
 /// How far beyond the axis a tip may go without a word, mm: facing goes a little past it.
 const PAST_CENTER: f64 = 0.5;
 
-/// Material that an edge takes off beside the way of the tip and that is worth a word, mm² for each mm of way.
+/// Material that an edge takes off beside the way of the tip and that is worth a
+/// word, mm² for each mm of way.
 const BESIDE: f64 = 0.05;
 
-/// Material that may be in the way of a tool without a word, mm². An entering angle of 95° leaves a wedge of 5° at a shoulder:
-/// where the tool leaves at rapid, as many programs have it, it scrapes that off.
+/// Material that may be in the way of a tool without a word, mm². An entering angle of 95° leaves a wedge of
+/// 5° at a shoulder: where the tool leaves at rapid, as many programs have it, it scrapes that off.
 const SCRAPED: f64 = 0.25;
 
 /// Where a bore is looked at, in front of the tip, mm.
@@ -113,7 +115,8 @@ const CLEAR: f64 = 10.0;
 /// How near a rapid may come to the surface it runs along, mm.
 const ALONG: f64 = 0.001;
 
-/// How deep below the outside of the blank it is looked whether that still stands, and along how much of the way, mm.
+/// How deep below the outside of the blank it is looked whether that still stands, and
+/// along how much of the way, mm.
 const SKIN: f64 = 0.05;
 const STANDS: f64 = 0.5;
 
@@ -132,7 +135,8 @@ pub struct DangerDetector {
     missed: Vec<u16>,
     /// Station of the tool of the last motion.
     station: Option<u16>,
-    /// Axes whose place is not known, X and Z: the tool was changed at the work, and they have not moved since.
+    /// Axes whose place is not known, X and Z: the tool was changed at the work, and
+    /// they have not moved since.
     unknown: [bool; 2],
     /// The thread under way begins within the work.
     plunges: bool,
@@ -145,7 +149,8 @@ pub struct DangerDetector {
 /// Most findings that are kept.
 const MOST: usize = 1000;
 
-/// Whether the first pass of a thread goes down to its depth within the work: the tip, a little above its end, in material.
+/// Whether the first pass of a thread goes down to its depth within the work: the tip, a little
+/// above its end, in material.
 fn plunges(infeed: &Motion, part: &mut Part) -> bool {
     let (from, to) = (infeed.from, infeed.to);
     let way = to.x - from.x;
@@ -433,8 +438,8 @@ fn along_outside(stock: &Stock, motion: &Motion, part: &mut Part) -> Option<Poin
     stands.then(|| Point::new(from.x, if from.z > to.z { high } else { low }))
 }
 
-/// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for one that is straight
-/// anyway.
+/// The way of a rapid whose axes move at the same rate until the shorter one is there; nothing for
+/// one that is straight anyway.
 fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     let (from, to) = (motion.from, motion.to);
     let (dx, dz) = (to.x - from.x, to.z - from.z);

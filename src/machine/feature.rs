@@ -1,7 +1,8 @@
 //! What an edge of the part is: a cylinder, a face, a taper, an arc or a thread, with its dimensions.
 //!
-//! In: the half-section, where arcs are chords, and a place on it. Out: the [`Feature`] that the nearest edge belongs to.
-//! Neighbouring edges that lie on one line or one circle are one feature. Must not know the picture.
+//! In: the half-section, where arcs are chords, and a place on it. Out: the [`Feature`] that the
+//! nearest edge belongs to. Neighbouring edges that lie on one line or one circle are one feature.
+//! Must not know the picture.
 
 use super::region::Region;
 use super::resolved_setup::ResolvedSetup;

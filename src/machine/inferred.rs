@@ -1,7 +1,8 @@
 //! The tools and the blank that are inferred from a program where they are not given.
 //!
-//! In: the motions. Out: a [`Tool`] for each purpose of a station (`tool_use`, `choice`), and a [`Stock`] (its size: `blank`). An
-//! inferred tool is sharp and can follow every slope of its path. It is shown as inferred, and no alarm is raised because of it.
+//! In: the motions. Out: a [`Tool`] for each purpose of a station (`tool_use`, `choice`), and a [`Stock`]
+//! (its size: `blank`). An inferred tool is sharp and can follow every slope of its path. It is shown as
+//! inferred, and no alarm is raised because of it.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +20,8 @@ const LOOKED_AT: usize = 200_000;
 #[derive(Clone, Debug, Default)]
 pub struct InferredSetup {
     tools: Vec<(u16, Purpose, Tool)>,
-    /// The first motion of each use of a station that no tool is known for: with each that was tried it cuts into the contour.
+    /// The first motion of each use of a station that no tool is known for: with each that was tried
+    /// it cuts into the contour.
     pub unknown: Vec<usize>,
     /// The blank; nothing where nothing cuts.
     pub stock: Option<Stock>,
@@ -31,7 +33,8 @@ impl InferredSetup {
         Self::with(motions, &BTreeMap::new(), None)
     }
 
-    /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by station; `stock` the blank, where one is given.
+    /// Infers tools and blank of a program. `described_tools` is what its comments say of the tools, by
+    /// station; `stock` the blank, where one is given.
     pub fn with(motions: &Motions, described_tools: &BTreeMap<u16, Tool>, stock: Option<Stock>) -> Self {
         let uses = ToolUse::all(motions, described_tools, stock, Clamping::First);
         let mut tools = tools_of(&uses);
@@ -60,8 +63,8 @@ impl InferredSetup {
     }
 }
 
-/// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is what cuts
-/// before any T word.
+/// The inferred blank and tools as a setup. A tool is named as the program first calls it; `T0000` is
+/// what cuts before any T word.
 pub fn inferred_setup(motions: &Motions, given: &Setup) -> Setup {
     let inferred = InferredSetup::with(motions, &given.described_tools, given.stock);
     let mut setup = Setup { stock: inferred.stock, ..Setup::default() };

@@ -1,8 +1,8 @@
 //! What happens at the machine: the part that appears, and what runs into what.
 //!
-//! In: the motions and the setup. Out: [`Simulation`], which takes the material off in slices and can show nothing of it, and in
-//! the end the [`SimulationResult`], with the work at any moment and the findings. Comes after the control and before the picture; must
-//! not know the text of the program.
+//! In: the motions and the setup. Out: [`Simulation`], which takes the material off in slices and can show
+//! nothing of it, and in the end the [`SimulationResult`], with the work at any moment and the findings.
+//! Comes after the control and before the picture; must not know the text of the program.
 
 pub mod blank;
 mod choice;
@@ -29,7 +29,8 @@ use part::Part;
 use region::Region;
 use resolved_setup::ResolvedSetup;
 
-/// A program at the machine, once all its material is off or a bound was met: there is no half-cut part to be shown.
+/// A program at the machine, once all its material is off or a bound was met: there is no
+/// half-cut part to be shown.
 #[derive(Clone, Debug)]
 pub struct SimulationResult {
     resolved: ResolvedSetup,
@@ -58,7 +59,8 @@ pub enum SimulationLimit {
     },
 }
 
-/// A program whose material is being taken off. Nobody sees the work, or what runs into what, before all of it is off.
+/// A program whose material is being taken off. Nobody sees the work, or what runs into
+/// what, before all of it is off.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     result: SimulationResult,
@@ -188,7 +190,8 @@ impl SimulationResult {
         &self.machine
     }
 
-    /// What is left of the blank after all motions that were done; nothing where there is no blank, or a bound was met.
+    /// What is left of the blank after all motions that were done; nothing where there is no
+    /// blank, or a bound was met.
     pub fn finished(&self) -> Option<Region> {
         Some(self.part.as_ref().filter(|_| self.limit.is_none())?.finished())
     }

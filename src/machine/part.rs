@@ -1,8 +1,8 @@
 //! The work as it is machined: what is left of the blank after each motion.
 //!
-//! In: the motions, and tools and blank as they are given or inferred. Out: the half-section at any moment. Material is
-//! taken off in slices (`advance`), so that a long program holds nothing up; now and then the state is kept, so that any
-//! moment is near one that is known.
+//! In: the motions, and tools and blank as they are given or inferred. Out: the half-section at any moment.
+//! Material is taken off in slices (`advance`), so that a long program holds nothing up; now and then the
+//! state is kept, so that any moment is near one that is known.
 
 use std::cell::RefCell;
 
@@ -43,7 +43,8 @@ pub struct Part {
     kept_corners: usize,
     /// Motions from one to the next, at least.
     stride: usize,
-    /// The state that was asked for last: so many motions were done. The next one asked for is often a little later.
+    /// The state that was asked for last: so many motions were done. The next one asked
+    /// for is often a little later.
     last: RefCell<Option<Kept>>,
 }
 
@@ -55,8 +56,8 @@ struct Kept {
     region: Region,
 }
 
-/// How far the spindle is past a whole turn of the thread under way, in turns: where a thread goes on with another lead, or
-/// out of the work, its notches go on with the same turn.
+/// How far the spindle is past a whole turn of the thread under way, in turns: where a thread goes on with
+/// another lead, or out of the work, its notches go on with the same turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Turned(f64);
 
@@ -93,7 +94,8 @@ impl Part {
         self.turned = self.turned.after(motion);
         self.corners += self.waiting[before..].iter().map(Vec::len).sum::<usize>();
         self.done += 1;
-        // Passes of a thread have flanks in common: in one go they would cut each other into thousands of pieces.
+        // Passes of a thread have flanks in common: in one go they would cut each other
+        // into thousands of pieces.
         if self.corners > MOST_WAITING || self.waiting.len() > before + 1 {
             self.settle();
         }
@@ -217,7 +219,8 @@ fn turns(motion: &Motion) -> Option<f64> {
     Some(long / motion.lead?.abs()).filter(|turns| turns.is_finite())
 }
 
-/// The first part of a way of equal pieces. It keeps to the way, so that nothing it takes off is there again at the end.
+/// The first part of a way of equal pieces. It keeps to the way, so that nothing it takes off
+/// is there again at the end.
 fn first_part(mut way: Vec<Point>, share: f64) -> Vec<Point> {
     let done = share * (way.len() - 1) as f64;
     let whole = done as usize;

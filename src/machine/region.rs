@@ -1,8 +1,8 @@
 //! Areas of the half-section, and what is left when others are taken out of them.
 //!
-//! In: closed outlines in mm (`z` to the right, `x` the radius upwards). Out: areas with holes, and questions about
-//! them. The Boolean operations are those of `i_overlay`, on a grid of whole numbers: an outline comes back as it went in,
-//! and nothing depends on the size of the picture. Must not know tools, motions or stock.
+//! In: closed outlines in mm (`z` to the right, `x` the radius upwards). Out: areas with holes, and questions
+//! about them. The Boolean operations are those of `i_overlay`, on a grid of whole numbers: an outline comes
+//! back as it went in, and nothing depends on the size of the picture. Must not know tools, motions or stock.
 
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{Overlay, ShapeType};
@@ -25,8 +25,8 @@ const DUST: f64 = 1e-7;
 /// What lies no deeper, mm, only touches: twice what the grid can move a corner.
 const TOUCH: f64 = 2e-5;
 
-/// A corner no further from the line between its neighbours, mm, is none: edges that ran nearly the same way have cut each
-/// other into pieces there.
+/// A corner no further from the line between its neighbours, mm, is none: edges that ran nearly the same way
+/// have cut each other into pieces there.
 const STRAIGHT: f64 = 2e-4;
 
 /// An area of the half-section: any number of pieces, with holes.
@@ -73,8 +73,8 @@ impl Region {
         Self { shapes: overlay.overlay(OverlayRule::Difference, FillRule::NonZero) }
     }
 
-    /// Whether a convex outline, counter-clockwise, shares more with it than the edge. Much quicker than the common part:
-    /// an edge of the region runs through the outline, or the outline lies inside of all edges.
+    /// Whether a convex outline, counter-clockwise, shares more with it than the edge. Much quicker than the
+    /// common part: an edge of the region runs through the outline, or the outline lies inside of all edges.
     pub fn meets(&self, outline: &[Point]) -> bool {
         let Some(&first) = outline.first().filter(|_| outline.len() > 2) else { return false };
         let extents = outline.iter().fold(Bounds::of(first), |bounds, point| bounds.with(*point));
@@ -134,8 +134,8 @@ impl Region {
         self.in_common(&[strip]).area()
     }
 
-    /// Where a line across the spindle axis at `z` runs through it: pairs of radii, mm, from the axis outwards.
-    /// Exactly on a step, the material towards −Z counts.
+    /// Where a line across the spindle axis at `z` runs through it: pairs of radii, mm, from the axis
+    /// outwards. Exactly on a step, the material towards −Z counts.
     pub fn radii(&self, z: f64) -> Vec<(f64, f64)> {
         let crossing = self.edges().filter(|(a, b)| (a.z < z) != (b.z < z));
         let mut radii: Vec<f64> =
@@ -178,8 +178,8 @@ impl Region {
 /// Takes out corners that are none.
 fn straighten(contour: &mut Vec<IntPoint<i32>>) {
     let mut kept: Vec<IntPoint<i32>> = Vec::with_capacity(contour.len());
-    // Area between the line from the corner that was kept last and the corners taken out since: many short edges of an arc
-    // must not go one after the other because each bends so little.
+    // Area between the line from the corner that was kept last and the corners taken out since: many short
+    // edges of an arc must not go one after the other because each bends so little.
     let mut area = 0.0;
     for (index, &corner) in contour.iter().enumerate() {
         let next = contour[(index + 1) % contour.len()];
@@ -198,8 +198,8 @@ fn straighten(contour: &mut Vec<IntPoint<i32>>) {
     }
 }
 
-/// Distance of a point from the line between two others, to the left of it, and the length of that; steps of the grid. A corner
-/// that turns back is infinitely far, however narrow it is.
+/// Distance of a point from the line between two others, to the left of it, and the length of that; steps of
+/// the grid. A corner that turns back is infinitely far, however narrow it is.
 fn distance_from_line(point: IntPoint<i32>, from: IntPoint<i32>, to: IntPoint<i32>) -> (f64, f64) {
     let (dx, dy) = (f64::from(to.x) - f64::from(from.x), f64::from(to.y) - f64::from(from.y));
     let (px, py) = (f64::from(point.x) - f64::from(from.x), f64::from(point.y) - f64::from(from.y));

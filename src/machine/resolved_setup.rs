@@ -1,6 +1,8 @@
-//! Which tool and which blank a program is run with: those of the setup, and inferred ones for what it does not name.
+//! Which tool and which blank a program is run with: those of the setup, and inferred ones
+//! for what it does not name.
 //!
-//! In: the setup and the motions. Out: a shape for each motion. Says of everything whether it is given or inferred.
+//! In: the setup and the motions. Out: a shape for each motion. Says of everything
+//! whether it is given or inferred.
 
 use super::inferred::InferredSetup;
 use super::sweep::Outline;
@@ -34,10 +36,12 @@ pub struct ResolvedTool {
     pub basis: Basis,
 }
 
-/// How large the part of an inferred tool is that is held against the work, as a share of it: nothing is known of the rest.
+/// How large the part of an inferred tool is that is held against the work, as a share of it:
+/// nothing is known of the rest.
 const TIP: f64 = 0.02;
 
-/// How deep the tip of an inferred tool must be in the work to be reported, mm: what its true edges leave is not known to less.
+/// How deep the tip of an inferred tool must be in the work to be reported, mm: what its true edges
+/// leave is not known to less.
 const DEPTH: f64 = 0.5;
 
 /// Tools and blank.
@@ -100,7 +104,8 @@ impl ResolvedSetup {
         station > 0 && !self.given.is_empty() && self.given.iter().all(|given| given.0 != station)
     }
 
-    /// The first motion of each tool that is neither given nor to be inferred: each that was tried would cut into the contour.
+    /// The first motion of each tool that is neither given nor to be inferred: each that was tried
+    /// would cut into the contour.
     pub fn unknown(&self) -> &[usize] {
         &self.unknown
     }

@@ -1,8 +1,9 @@
 //! The surface that the tips of all tools leave together, and whether a tool would cut into it.
 //!
-//! In: cuts, as lines from one point to the next. Out: for the outside or the bore how deep each use of a tool goes at positions
-//! along Z, and whether an outline led along them takes off what no tip was led along. Depths are *heights*: radii for the
-//! outside, negative radii for a bore, mm; a cut makes them less. Must not know which tool is which.
+//! In: cuts, as lines from one point to the next. Out: for the outside or the bore how deep each use of a
+//! tool goes at positions along Z, and whether an outline led along them takes off what no tip was led along.
+//! Depths are *heights*: radii for the outside, negative radii for a bore, mm; a cut makes them less. Must
+//! not know which tool is which.
 
 use super::sweep::Outline;
 use super::z_positions::{Profile, ZPositions, without_narrow_peaks};
@@ -104,8 +105,8 @@ impl Track {
         self.along[positions.range(z - BESIDE, z - SAME)].iter().any(|height| height.is_finite())
     }
 
-    /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An arc that is not quite
-    /// tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
+    /// Whether along Z the surface only falls and then rises, from one end of each stretch to the other. An
+    /// arc that is not quite tangent bulges a little, and cuts that meet from two sides leave a narrow peak.
     pub fn is_valley(&self, positions: &ZPositions) -> bool {
         let heights = without_narrow_peaks(positions, &self.along, WIDEST_SHIFT);
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -123,7 +124,8 @@ impl Track {
         })
     }
 
-    /// The same without plunges where what it is led along ends: the last step of a contour may go on into the bar.
+    /// The same without plunges where what it is led along ends: the last step of a
+    /// contour may go on into the bar.
     pub fn without_last_step(&self, positions: &ZPositions) -> Self {
         let mut track = self.clone();
         if let Some(back) = self.along.iter().position(|height| height.is_finite()) {
@@ -149,8 +151,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// What the tracks leave of a blank whose surface has the height `blank` between `back` and `front`, mm; in front of that and
-    /// beyond it nothing is to remain.
+    /// What the tracks leave of a blank whose surface has the height `blank` between `back` and `front`, mm;
+    /// in front of that and beyond it nothing is to remain.
     pub fn of<'a>(
         tracks: impl Iterator<Item = &'a Track>,
         (facing, positions): (Facing, ZPositions),
@@ -180,7 +182,8 @@ impl Surface {
         Self { facing, positions, heights }
     }
 
-    /// Whether each plunge of a track behind `front` ends on or above the surface, so that no ring is left beside it.
+    /// Whether each plunge of a track behind `front` ends on or above the surface, so that
+    /// no ring is left beside it.
     pub fn clears_plunges(&self, track: &Track, front: f64) -> bool {
         let mut behind = track.plunges.iter().filter(|(z, _)| *z < front - SAME);
         behind.all(|&(z, height)| self.is_reached(z, height))
@@ -192,10 +195,11 @@ impl Surface {
         self.heights[near].iter().any(|own| *own <= height + GOUGE)
     }
 
-    /// Whether an outline led along a track takes off any of it, walls apart that it shifts by no more than `shift`, mm.
+    /// Whether an outline led along a track takes off any of it, walls apart that it shifts by
+    /// no more than `shift`, mm.
     ///
-    /// Track, surface and edge are straight between their points. So the outline is deepest in the surface where two of three meet:
-    /// a point of the track, a point of the surface, a corner of the edge.
+    /// Track, surface and edge are straight between their points. So the outline is deepest in the surface
+    /// where two of three meet: a point of the track, a point of the surface, a corner of the edge.
     pub fn is_gouged(&self, outline: &Outline, track: &Track, shift: f64) -> bool {
         // ZPositions do not show exactly where a wall is.
         let edge = Edge::of(outline, self.facing).narrowed(shift.max(self.positions.exact_to()));
@@ -206,7 +210,8 @@ impl Surface {
         self.is_below(&edge, &led) || self.is_below(&edge, &plunges) || self.is_above(&edge, track)
     }
 
-    /// Whether an edge takes off any of the surface while its tip stands at some places, in ascending order of Z.
+    /// Whether an edge takes off any of the surface while its tip stands at some
+    /// places, in ascending order of Z.
     fn is_below(&self, edge: &Edge, tips: &[(f64, f64)]) -> bool {
         let cuts_points = |side: &[Point]| {
             let (a, b) = (side[0], side[1]);

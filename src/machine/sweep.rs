@@ -1,7 +1,7 @@
 //! The area that a tool sweeps.
 //!
-//! In: the outline of a tool and the way of its tip. Out: outlines of all it touches. Straight ways are exact; arcs are
-//! cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
+//! In: the outline of a tool and the way of its tip. Out: outlines of all it touches. Straight ways are
+//! exact; arcs are cut into chords that stay within [`CHORD`] of them. Must not know what is cut.
 
 use crate::geometry::{Arc, Point};
 use crate::motion::Motion;
@@ -12,7 +12,8 @@ pub const CHORD: f64 = 0.002;
 /// Most chords of one arc.
 const MOST_CHORDS: f64 = 2000.0;
 
-/// A closed convex outline, counter-clockwise with Z to the right and X up; the tip it belongs to is at the origin.
+/// A closed convex outline, counter-clockwise with Z to the right and X up; the tip it
+/// belongs to is at the origin.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
     points: Vec<Point>,
@@ -55,8 +56,8 @@ impl Outline {
         self.points.iter().map(|point| moved(*point, tip)).collect()
     }
 
-    /// The area it sweeps while the tip goes straight; nothing of nothing: the parts of the edge that look ahead stand at the end, the others
-    /// at the start.
+    /// The area it sweeps while the tip goes straight; nothing of nothing: the parts of the edge that look
+    /// ahead stand at the end, the others at the start.
     pub fn along_line(&self, from: Point, to: Point) -> Vec<Point> {
         let (dx, dz) = (to.x - from.x, to.z - from.z);
         let count = self.points.len();
@@ -88,7 +89,8 @@ impl Outline {
         way.windows(2).map(|ends| self.along_line(ends[0], ends[1]))
     }
 
-    /// The part of it that is nearest to the tip: the same outline, so many times as large, about its nearest corner.
+    /// The part of it that is nearest to the tip: the same outline, so many times as large,
+    /// about its nearest corner.
     pub fn near_tip(&self, share: f64) -> Self {
         let from_tip = |point: &Point| point.distance(Point::default());
         let nearest = self

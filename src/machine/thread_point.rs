@@ -1,7 +1,8 @@
 //! How a threading tool looks near its point.
 //!
-//! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a usual lay-down insert: a
-//! tooth for one pitch, and little more beside it, so that it reaches a shoulder next to a relief groove.
+//! In: a [`Tool`], and the pitch it cuts. Out: measures of the insert. Where nothing is said it is a
+//! usual lay-down insert: a tooth for one pitch, and little more beside it, so that it reaches a
+//! shoulder next to a relief groove.
 
 use crate::motion::{MotionKind, Motions};
 use crate::setup::thread_insert::Hand;
@@ -13,8 +14,8 @@ const PITCH: f64 = 3.0;
 /// Thread angle of which nothing is said, degrees.
 pub(super) const THREAD: f64 = 60.0;
 
-/// From the point to the end of the insert along Z: so many times the pitch, and so much more, mm. Tables of lay-down
-/// inserts have 0.7 mm for a pitch of 1 mm, 1.5 for 2.5 (size 16) and 2.3 for 4 (size 22).
+/// From the point to the end of the insert along Z: so many times the pitch, and so much more, mm. Tables of
+/// lay-down inserts have 0.7 mm for a pitch of 1 mm, 1.5 for 2.5 (size 16) and 2.3 for 4 (size 22).
 const BESIDE: (f64, f64) = (0.55, 0.1);
 
 /// Usual lengths of a lay-down insert's edge, and the largest pitch of each, mm.
@@ -57,7 +58,8 @@ fn beside(pitch: f64) -> f64 {
     BESIDE.0 * pitch + BESIDE.1
 }
 
-/// A threading tool for the pitch that it cuts, mm, where it does not say itself what it is for; any other as it is.
+/// A threading tool for the pitch that it cuts, mm, where it does not say itself what it
+/// is for; any other as it is.
 pub fn for_pitch(tool: &Tool, pitch: Option<f64>) -> Tool {
     let says =
         tool.edge_length.is_some() || tool.thread_insert().is_some_and(|insert| insert.pitch.is_some());

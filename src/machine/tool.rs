@@ -1,7 +1,8 @@
 //! The outline of a tool: what of it cuts, and what must touch nothing.
 //!
-//! In: a [`Tool`] of the setup. Out: convex outlines about the point that follows the program (the imaginary tip), in mm, as
-//! the tool stands at the upper half of the section. Angles are measured from +Z towards +X. Must not know programs.
+//! In: a [`Tool`] of the setup. Out: convex outlines about the point that follows the program (the
+//! imaginary tip), in mm, as the tool stands at the upper half of the section. Angles are measured from +Z
+//! towards +X. Must not know programs.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -64,16 +65,16 @@ pub struct Shape {
     pub body: Option<Outline>,
     /// Nose radius, mm.
     pub nose: f64,
-    /// Of a turning or boring insert the angle of the edge behind the tip to the spindle axis, radians: no slope that
-    /// falls more steeply can be followed.
+    /// Of a turning or boring insert the angle of the edge behind the tip to the spindle axis, radians: no
+    /// slope that falls more steeply can be followed.
     pub trailing: Option<f64>,
 }
 
 /// How much smaller the core is, mm: below it a touch is a touch.
 const CORE: f64 = 0.01;
 
-/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose, as the table of tip
-/// directions in the Haas lathe manual has it.
+/// Which way the tool's body lies from its tip: from the imaginary tip to the centre of its nose, as the
+/// table of tip directions in the Haas lathe manual has it.
 fn body_direction(tip: u8) -> Vector {
     Nose { radius: 1.0, tip }.vector()
 }
@@ -183,7 +184,8 @@ fn insert(tool: &Tool, kind: ToolKind) -> (Outline, Option<Outline>) {
     (Outline::around(points.iter().map(over)), body)
 }
 
-/// Entering angle and angle between the edges of a turning or boring insert, radians; nothing for a round one.
+/// Entering angle and angle between the edges of a turning or boring insert,
+/// radians; nothing for a round one.
 fn angles(tool: &Tool) -> Option<(f64, f64)> {
     let point = match (tool.point_angle, tool.insert()) {
         (None, Some(written)) => written.point_angle?,
@@ -273,8 +275,8 @@ enum Corners {
     Four,
 }
 
-/// Corners of an insert between two edges in the directions `low` and `high`, round about `center` with radius `nose`;
-/// `length` is that of an edge from the corner it would have without a nose.
+/// Corners of an insert between two edges in the directions `low` and `high`, round about `center` with
+/// radius `nose`; `length` is that of an edge from the corner it would have without a nose.
 fn wedge(low: f64, high: f64, center: Point, nose: f64, length: f64, corners: Corners) -> Vec<Point> {
     let half = (high - low) / 2.0;
     let (sharp, left) = (sharp_corner(low, high, center, nose), length.max(1.01 * nose / half.tan()));
@@ -299,8 +301,8 @@ fn ahead(from: Point, direction: f64, length: f64) -> Point {
     Point::new(from.x + length * direction.sin(), from.z + length * direction.cos())
 }
 
-/// Points on a circle from an angle on, counter-clockwise, joined by chords that stay within half of [`CHORD`] on either side
-/// of it; the centre itself where there is no radius.
+/// Points on a circle from an angle on, counter-clockwise, joined by chords that stay within half of
+/// [`CHORD`] on either side of it; the centre itself where there is no radius.
 fn circle(center: Point, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
     if radius <= 0.0 {
         return vec![center];
@@ -385,7 +387,8 @@ mod tests {
                 low(&|point| x * point.x).abs() < 0.002 && low(&|point| z * point.z).abs() < 0.002,
                 "{tip}"
             );
-            // The nose is 0.8 mm about its centre: nothing of the insert is nearer to the imaginary tip than this.
+            // The nose is 0.8 mm about its centre: nothing of the insert is nearer to
+            // the imaginary tip than this.
             let nearest = low(&|point| point.x.hypot(point.z));
             assert!((nearest - 0.8 * (2f64.sqrt() - 1.0)).abs() < 0.01, "{tip}: {nearest}");
         }

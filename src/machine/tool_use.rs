@@ -1,7 +1,7 @@
 //! What a program uses each turret station for, as its motions show it.
 //!
-//! In: the motions, what comments say of the tools, the blank. Out: a [`ToolUse`] for each purpose of a station, and the [`Tool`] that
-//! could do it.
+//! In: the motions, what comments say of the tools, the blank. Out: a [`ToolUse`] for each purpose of a
+//! station, and the [`Tool`] that could do it.
 
 use std::collections::BTreeMap;
 
@@ -288,11 +288,13 @@ fn bores(words: Option<&Tool>) -> bool {
     words.is_some_and(|tool| tool.kind == Some(ToolKind::Boring) || tool.side == Some(Side::Inside))
 }
 
-/// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not to be seen. Between cuts it
-/// follows the contour, which may fall or rise. `along` is how far the cut before went along Z.
+/// Which way a tool leaves the work after a cut: 1 outwards, −1 inwards, 0 where that is not
+/// to be seen. Between cuts it follows the contour, which may fall or rise. `along` is how far
+/// the cut before went along Z.
 fn leaves(motion: &Motion, along: f64, next: Option<&Motion>) -> i32 {
     let (dx, dz) = (motion.to.x - motion.from.x, motion.to.z - motion.from.z);
-    // A cut to the axis faces the work; and a little back along +Z, from the bottom of a groove, it may go on either side.
+    // A cut to the axis faces the work; and a little back along +Z, from the bottom of a groove,
+    // it may go on either side.
     let faces = dx < -SAME && motion.to.x <= 1.0;
     if motion.to.z > SAME || faces || next.is_some_and(|next| next.kind.cuts()) {
         return 0;

@@ -1,8 +1,9 @@
 //! Places along Z at which a surface of revolution is sampled.
 //!
-//! In: the cuts. Out: Z positions in ascending order: an even grid, both sides of each end of a cut (there may be a wall), and the
-//! points of arcs where they are steep. However many cuts a program has, the number of positions is bounded: ends and points that lie
-//! closer together than a spacing share one, and the spacing grows until they fit.
+//! In: the cuts. Out: Z positions in ascending order: an even grid, both sides of each end of a cut (there
+//! may be a wall), and the points of arcs where they are steep. However many cuts a program has, the number
+//! of positions is bounded: ends and points that lie closer together than a spacing share one, and the
+//! spacing grows until they fit.
 
 use std::rc::Rc;
 
@@ -169,7 +170,8 @@ impl<'a> Profile<'a> {
         Some(between).filter(|height| height.is_finite())
     }
 
-    /// The positions from one place to another with their heights; `from` must not be less than that of the call before.
+    /// The positions from one place to another with their heights; `from` must not be less
+    /// than that of the call before.
     pub fn range(&mut self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
         self.skip_to(from);
         let positions = self.positions[self.next..].iter().copied();
@@ -184,8 +186,8 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// Heights without peaks that are narrower along Z than `width`, mm; walls and slopes stay where they are. Infinite heights above are
-/// left out of account, those below are nothing at all.
+/// Heights without peaks that are narrower along Z than `width`, mm; walls and slopes stay where they are.
+/// Infinite heights above are left out of account, those below are nothing at all.
 pub fn without_narrow_peaks(positions: &ZPositions, heights: &[f64], width: f64) -> Vec<f64> {
     let all = positions.all();
     let point = |index: usize| (all[index], heights[index]);
@@ -197,7 +199,8 @@ pub fn without_narrow_peaks(positions: &ZPositions, heights: &[f64], width: f64)
     (0..all.len()).map(kept).collect()
 }
 
-/// The least height from a position to the place that is `width` away, over the positions on one side of it, nearest first.
+/// The least height from a position to the place that is `width` away, over the positions on one
+/// side of it, nearest first.
 fn least_within(width: f64, from: (f64, f64), beside: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut least, mut last) = (from.1, from);
     for (z, height) in beside {

@@ -128,7 +128,8 @@ impl Fix {
         Self { title, safe: true, edits: vec![Edit { span, text: text.to_owned() }] }
     }
 
-    /// A repair that puts `text` in place of a word; whoever reads the program must say whether that was meant.
+    /// A repair that puts `text` in place of a word; whoever reads the program must
+    /// say whether that was meant.
     pub fn write(span: Span, text: String) -> Self {
         Self::replace(Repair::Write { text: text.clone() }, span, &text).asking()
     }

@@ -1,7 +1,7 @@
 //! The severity of the messages of a rule, where a setup says something else than the rule itself.
 //!
-//! In: names of rules or of groups of them, each with a level. Out: messages with the level that is asked for; those that are
-//! off are dropped. It changes what is said, never what the control does.
+//! In: names of rules or of groups of them, each with a level. Out: messages with the level that is asked
+//! for; those that are off are dropped. It changes what is said, never what the control does.
 
 use std::collections::BTreeMap;
 
@@ -42,7 +42,8 @@ impl Levels {
         (diagnostic.severity > Severity::Off).then_some(diagnostic)
     }
 
-    /// These levels with others that override them; a group that is set there overrides rules that are set here.
+    /// These levels with others that override them; a group that is set there
+    /// overrides rules that are set here.
     pub fn with(mut self, others: &Self) -> Self {
         for rule in &RULES {
             if rule.group.is_some_and(|group| others.get(group.name()).is_some()) {

@@ -1,7 +1,7 @@
 //! Messages to the user: what is wrong, where, what a control would do, and the fix.
 //!
-//! In: a message with its arguments, at a place. Out: what travels, in one list, to the page and the command line. Knows no
-//! sentence: `sentences` says it.
+//! In: a message with its arguments, at a place. Out: what travels, in one list, to the page and the command
+//! line. Knows no sentence: `sentences` says it.
 
 mod diagnostic;
 pub mod levels;

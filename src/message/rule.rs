@@ -1,6 +1,7 @@
 //! Rules: what all messages of one fault have in common.
 //!
-//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made from `src/rules/<slug>.md`.
+//! In: nothing. Out: the types of the table [`RULES`](super::RULES), which is made
+//! from `src/rules/<slug>.md`.
 
 /// The severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

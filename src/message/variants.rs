@@ -1,7 +1,8 @@
-//! Every message with its arguments, and what is the same in all languages: code, slug, severity, kind and alarm.
+//! Every message with its arguments, and what is the same in all languages: code, slug,
+//! severity, kind and alarm.
 //!
-//! In: nothing. Out: the enum [`Message`] and the table [`RULES`], which the build script makes from `src/rules/<slug>.md`. Knows
-//! no language.
+//! In: nothing. Out: the enum [`Message`] and the table [`RULES`], which the build script makes from
+//! `src/rules/<slug>.md`. Knows no language.
 
 use super::rule::{Group, Kind, Rule, Severity};
 use crate::units::Diameter;

@@ -1,7 +1,7 @@
 //! Items to blocks: which words belong together, and what stands between one block and the next.
 //!
-//! In: items. Out: [`Blocks`]. A block ends where a control ends it, and where print has lost the end: before N, before a
-//! second axis word of the same letter, before a second code of the same group.
+//! In: items. Out: [`Blocks`]. A block ends where a control ends it, and where print has lost the end: before
+//! N, before a second axis word of the same letter, before a second code of the same group.
 
 use super::items::{Item, Kind, Word, slice};
 use crate::control::codes;

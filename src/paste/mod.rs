@@ -1,8 +1,9 @@
 //! Programs inside other text: what comes out of a PDF, a slide, a forum, a chat.
 //!
-//! In: any text. Out: the programs found in it, each as [`Piece`]s: what stood there, what stands there now, and why. The
-//! pieces of a program, one after the other, are its stretch of the text without a gap, so nothing is lost unseen. What
-//! cannot be known, such as a sign that print has lost, is asked, never guessed. Knows the look of G-code, not its meaning.
+//! In: any text. Out: the programs found in it, each as [`Piece`]s: what stood there, what stands there now,
+//! and why. The pieces of a program, one after the other, are its stretch of the text without a gap, so
+//! nothing is lost unseen. What cannot be known, such as a sign that print has lost, is asked, never guessed.
+//! Knows the look of G-code, not its meaning.
 //!
 //! ```text
 //! text ──► items ──► blocks ──► programs ──► pieces
@@ -30,8 +31,8 @@ pub struct Found {
     pub more: usize,
     /// The text is longer than is looked through.
     pub too_long: bool,
-    /// The text is more than a program as a control takes it: prose stands around it, or a program had to be repaired by
-    /// more than the parser does itself.
+    /// The text is more than a program as a control takes it: prose stands around it, or a program had to be
+    /// repaired by more than the parser does itself.
     pub needs_review: bool,
 }
 

@@ -1,7 +1,7 @@
 //! A program to pieces: what stood there, what stands there now, and why.
 //!
-//! In: the blocks of a program. Out: [`Piece`]s without a gap. A block keeps its own blanks; everything else between blocks
-//! is left out, becomes a remark, or is the end of a line.
+//! In: the blocks of a program. Out: [`Piece`]s without a gap. A block keeps its own blanks; everything else
+//! between blocks is left out, becomes a remark, or is the end of a line.
 
 use super::Piece;
 use super::blocks::{Blocks, NOBODY};
@@ -14,12 +14,13 @@ use crate::source::Span;
 /// Longest text after a block that becomes a remark, characters.
 const LONGEST_REMARK: usize = 40;
 
-/// Codes besides the turning cycles that a G word may have been whose second digit cannot be read; `G0` is G00 already.
+/// Codes besides the turning cycles that a G word may have been whose second digit cannot be
+/// read; `G0` is G00 already.
 const CODES: [&str; 12] =
     ["G01", "G02", "G03", "G04", "G20", "G21", "G28", "G32", "G50", "G96", "G97", "G98"];
 
-/// All codes that begin as what can be read of one, in the order of their numbers. Hole cycles are left out: ten codes that
-/// begin alike are no choice.
+/// All codes that begin as what can be read of one, in the order of their numbers. Hole cycles are left out:
+/// ten codes that begin alike are no choice.
 fn longer_codes(read: &str) -> Vec<String> {
     let all = CODES.into_iter().map(str::to_owned).chain(codes::turning_cycles());
     let mut longer: Vec<String> =

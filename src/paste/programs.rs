@@ -1,7 +1,7 @@
 //! Blocks to programs: which of them belong together, and what the program goes by.
 //!
-//! In: blocks. Out: stretches of them. A program number begins a program and M30 ends it; blocks without either are a
-//! program when enough of them stand together, while a code in a sentence is none.
+//! In: blocks. Out: stretches of them. A program number begins a program and M30 ends it; blocks without
+//! either are a program when enough of them stand together, while a code in a sentence is none.
 
 use super::Name;
 use super::blocks::{Block, Blocks, NOBODY};

@@ -1,8 +1,8 @@
 //! Minus signs that print has lost, all of them: what is to be asked.
 //!
-//! In: the blocks of a program and its pieces. Out: questions at the words that may have been negative. A turning program
-//! whose cuts lead from the clearance at the face to larger Z, with no minus anywhere, has lost them; a program with its
-//! zero at the chuck cuts to smaller Z. Nothing is decided here.
+//! In: the blocks of a program and its pieces. Out: questions at the words that may have been negative. A
+//! turning program whose cuts lead from the clearance at the face to larger Z, with no minus anywhere, has
+//! lost them; a program with its zero at the chuck cuts to smaller Z. Nothing is decided here.
 
 use super::Piece;
 use super::blocks::Blocks;

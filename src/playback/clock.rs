@@ -1,8 +1,8 @@
 //! The clock of the playback: how far the tool has come, and when.
 //!
-//! In: the motions and the machine. Out: a [`Clock`], which says where the tool is so many seconds into the animation, and
-//! how long the machine takes up to there. Where the time of a motion is not known the animation goes at a usual pace, which
-//! is never reported as a time. Must not know what is drawn.
+//! In: the motions and the machine. Out: a [`Clock`], which says where the tool is so many seconds into the
+//! animation, and how long the machine takes up to there. Where the time of a motion is not known the
+//! animation goes at a usual pace, which is never reported as a time. Must not know what is drawn.
 
 use std::ops::Range;
 
@@ -106,7 +106,8 @@ impl Clock {
         reading
     }
 
-    /// The place of the program so many seconds into the animation: where two motions meet it is the end of the first.
+    /// The place of the program so many seconds into the animation: where two motions meet
+    /// it is the end of the first.
     pub fn place(&self, motions: &Motions, pace: f64) -> Playhead {
         if pace >= self.whole().pace {
             return Playhead::end_of(self.motions.saturating_sub(1));

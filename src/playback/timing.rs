@@ -15,7 +15,8 @@ const NO_LIMIT: f64 = 100_000.0;
 /// Pieces in which the time of an arc under G96 is added up.
 const PIECES: u32 = 32;
 
-/// Spindle speed, rpm, with the tip at a radius, mm; nothing while the spindle stands, or without a limit at the axis.
+/// Spindle speed, rpm, with the tip at a radius, mm; nothing while the spindle stands, or
+/// without a limit at the axis.
 pub fn speed_at(process: &Process, machine: &Machine, radius: f64) -> Option<f64> {
     if process.turn == SpindleTurn::Stopped {
         return None;
@@ -86,8 +87,9 @@ fn rapid(motion: &Motion, machine: &Machine) -> Option<f64> {
     Some(x.max(z))
 }
 
-/// The time of a cut whose spindle follows the radius. A straight one is added up exactly: the time of each mm grows with
-/// the radius where the speed is held, and is the same everywhere below the radius at which the limit is reached.
+/// The time of a cut whose spindle follows the radius. A straight one is added up exactly: the time of
+/// each mm grows with the radius where the speed is held, and is the same everywhere below the radius at
+/// which the limit is reached.
 fn under_surface_speed(motion: &Motion, machine: &Machine) -> Option<f64> {
     let SpindleSpeed::Surface { speed } = motion.process.speed else { return None };
     let held = 1000.0 * speed / (2.0 * PI);

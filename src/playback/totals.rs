@@ -1,7 +1,7 @@
 //! What each tool does, added up: time, cutting length, extents.
 //!
-//! In: the motions and the machine. Out: [`ToolTotals`] for each tool in the order in which the tools are first used, and the
-//! whole program.
+//! In: the motions and the machine. Out: [`ToolTotals`] for each tool in the order in which the tools are
+//! first used, and the whole program.
 
 use super::timing::Total;
 use crate::geometry::bounds::{Bounds, join};

@@ -1,6 +1,7 @@
 //! Seeing the signs of other controls and machines in the statements of a text.
 //!
-//! In: statements. Out: a [`Sign`] and its place for each thing noticed. Knows nothing of how they are weighed up.
+//! In: statements. Out: a [`Sign`] and its place for each thing noticed. Knows nothing
+//! of how they are weighed up.
 
 use super::signs::Sign;
 use super::statement::{Name, Statement, Word};

@@ -1,10 +1,10 @@
-//! What a text shows of the control it was written for: another control or machine, another G-code system of FANUC's
-//! lathes, a control that counts least increments.
+//! What a text shows of the control it was written for: another control or machine, another G-code system of
+//! FANUC's lathes, a control that counts least increments.
 //!
-//! In: the text; only its head is read. Out: the target and the place that shows it, or nothing. A program for
-//! a FANUC, GSK or Haas lathe must never be called foreign, so one uncertain sign decides nothing: signs add up, each
-//! counts once, and what only such a lathe uses counts against. The G-code system and the numbers are read as those of a
-//! FANUC lathe: check for a foreign target first.
+//! In: the text; only its head is read. Out: the target and the place that shows it, or nothing. A program
+//! for a FANUC, GSK or Haas lathe must never be called foreign, so one uncertain sign decides nothing: signs
+//! add up, each counts once, and what only such a lathe uses counts against. The G-code system and the
+//! numbers are read as those of a FANUC lathe: check for a foreign target first.
 
 mod decimal;
 mod finder;
@@ -93,7 +93,8 @@ impl Target {
         Self::Printer,
     ];
 
-    /// Least weight of its signs. Milling has no word of its own: even a lathe with a Y axis writes most of them.
+    /// Least weight of its signs. Milling has no word of its own: even a lathe with a Y
+    /// axis writes most of them.
     fn enough(self) -> i32 {
         match self {
             Self::Mill => 7,
@@ -117,7 +118,8 @@ pub struct Foreign {
 pub struct Provenance {
     /// Another control or machine, where the text is beyond doubt written for one.
     pub foreign: Option<Foreign>,
-    /// System B or C, where the text of a FANUC lathe is beyond doubt written in it; nothing is no reason to leave A.
+    /// System B or C, where the text of a FANUC lathe is beyond doubt written in it;
+    /// nothing is no reason to leave A.
     pub system: Option<(GSystem, Span)>,
     /// What its numbers show of the decimal rule.
     pub numbers: DecimalEvidence,

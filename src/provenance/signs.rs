@@ -4,7 +4,8 @@
 
 use super::Target;
 
-/// Which target a sign suggests or excludes, and how much; the weights of one target add up, each sign counting once.
+/// Which target a sign suggests or excludes, and how much; the weights of one target add
+/// up, each sign counting once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
     /// For a target.

@@ -1,7 +1,8 @@
 //! Program text as any control might have written it: statements of words, names and remarks.
 //!
-//! In: the head of a text. Out: one [`Statement`] at a time, its storage reused. Looser than `text::parser`, which
-//! reads FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no faults. Knows no code's meaning.
+//! In: the head of a text. Out: one [`Statement`] at a time, its storage reused. Looser than
+//! `text::parser`, which reads FANUC's grammar: here `CYCLE95(`, `R1=10` and `L X+10 FMAX` are no
+//! faults. Knows no code's meaning.
 
 use crate::source::Span;
 use crate::text::lexer::{Lexer, Number, Token, TokenKind};

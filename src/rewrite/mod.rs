@@ -1,8 +1,9 @@
 //! Plain moves that form a single cycle, written as that cycle.
 //!
-//! In: a program and its setup. Out: [`Offer`]s: the blocks, the cycle, and the edits that write them so. An offer is
-//! made only once the changed program has been run and made the same motions. `places` says which blocks are nothing
-//! but a move, `shape` which moves are a cycle, `write` what is written. Knows no language; the reverse is `expand`.
+//! In: a program and its setup. Out: [`Offer`]s: the blocks, the cycle, and the edits that write them so. An
+//! offer is made only once the changed program has been run and made the same motions. `places` says which
+//! blocks are nothing but a move, `shape` which moves are a cycle, `write` what is written. Knows no
+//! language; the reverse is `expand`.
 
 mod places;
 mod shape;
@@ -62,7 +63,8 @@ impl Offer {
     }
 }
 
-/// The offers for a program, in order of place. Those nearest to `near` are tried first, where there are very many.
+/// The offers for a program, in order of place. Those nearest to `near` are tried first,
+/// where there are very many.
 pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     let before = traced(text, setup);
     let mut candidates = candidates(text, &before);
@@ -90,12 +92,13 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
     found
 }
 
-/// The program with all offers taken, and what was taken, in order: the blocks of this program, which the edits of
-/// a later round do not know.
+/// The program with all offers taken, and what was taken, in order: the blocks of this program, which the
+/// edits of a later round do not know.
 pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
     let (mut text, mut taken) = (text.to_vec(), Vec::new());
     let mut earlier: Vec<Vec<Edit>> = Vec::new();
-    // A cycle that follows another one at once begins where the first one's edits end: it is found in the next round.
+    // A cycle that follows another one at once begins where the first one's edits end: it
+    // is found in the next round.
     for _ in 0..MOST_ROUNDS {
         let before = traced(&text, setup);
         let together = apart(candidates(&text, &before).into_iter().map(|candidate| candidate.offer));
@@ -151,7 +154,8 @@ pub fn applied(text: &[u8], edits: &[Edit]) -> Vec<u8> {
     changed
 }
 
-/// Where a byte of a text with edits was before them; the start of what an edit took out for a byte that it put in.
+/// Where a byte of a text with edits was before them; the start of what an edit took out
+/// for a byte that it put in.
 pub fn before_edits(byte: u32, edits: &[Edit]) -> u32 {
     // One past the last byte that was looked at: before the edits, and after them.
     let (mut old, mut new) = (0, 0);
@@ -228,7 +232,8 @@ impl Tries<'_> {
     }
 }
 
-/// Whether two programs make the same motions: kinds, ends, feeds, spindle and tool, in the same order, with the same stops.
+/// Whether two programs make the same motions: kinds, ends, feeds, spindle and tool, in the same
+/// order, with the same stops.
 pub fn same_motions(before: &Motions, after: &Motions) -> bool {
     let stops = |motions: &Motions| -> Vec<_> {
         motions.stops(0..motions.len()).map(|(index, stop)| (index, stop.kind)).collect()
@@ -279,8 +284,8 @@ fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
     count(after).iter().all(|(what, times)| known.get(what).is_some_and(|before| before >= times))
 }
 
-/// Whether a message that only the cycle brings contradicts it. That its cone becomes narrower toward the chuck was so
-/// before, when nobody could say it.
+/// Whether a message that only the cycle brings contradicts it. That its cone becomes narrower toward the
+/// chuck was so before, when nobody could say it.
 fn counts(found: &Diagnostic) -> bool {
     found.severity >= Severity::Warning && !matches!(found.message, Message::TaperNarrows { .. })
 }

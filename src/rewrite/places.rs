@@ -1,7 +1,8 @@
 //! Which blocks of a program are nothing but one straight move, and may be written differently.
 //!
-//! In: a text and its traced run. Out: the moves in order, each with what is known of its block. Out of the question are
-//! subprograms, loops, contours between P and Q, what compensation leads, and whatever block holds more than a move.
+//! In: a text and its traced run. Out: the moves in order, each with what is known of its block. Out of
+//! the question are subprograms, loops, contours between P and Q, what compensation leads, and whatever
+//! block holds more than a move.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;

@@ -1,7 +1,8 @@
 //! The edits that write moves as a cycle.
 //!
-//! In: moves and the passes they are. Out: an [`Offer`], not tried yet. Words keep the way they were typed wherever
-//! they still mean the same; comments stay; the next block is given its G00 where it relied on the one that goes.
+//! In: moves and the passes they are. Out: an [`Offer`], not tried yet. Words keep the way they were
+//! typed wherever they still mean the same; comments stay; the next block is given its G00 where it
+//! relied on the one that goes.
 
 use super::Offer;
 use super::places::{Move, Places, ends_program, g, is_plain};
@@ -111,7 +112,8 @@ impl Writer<'_> {
         words
     }
 
-    /// The word for where the cut ends along an axis, typed anew only where the typed one would mean another place.
+    /// The word for where the cut ends along an axis, typed anew only where the typed one
+    /// would mean another place.
     fn axis_word(
         &self,
         moves: &[Move],
@@ -136,7 +138,8 @@ impl Writer<'_> {
         }
     }
 
-    /// F, where it is another one than before; `None` where one of the blocks sets an F that the cycle could not.
+    /// F, where it is another one than before; `None` where one of the blocks sets an F
+    /// that the cycle could not.
     fn feed_word(&self, blocks: &[Placed], feed: &mut Option<f64>) -> Option<Option<String>> {
         let find = |placed: &Placed| placed.block.words.iter().find(|word| word.address == b'F').copied();
         let own = find(&blocks[1]).or_else(|| find(&blocks[0]));
@@ -176,7 +179,8 @@ impl Writer<'_> {
         Span::new(start, start + bytes.trim_ascii().len())
     }
 
-    /// One past what goes with a block that is taken out: its end of block, and of a line of its own the line end.
+    /// One past what goes with a block that is taken out: its end of block, and of a
+    /// line of its own the line end.
     fn cut_end(&self, placed: &Placed) -> u32 {
         let (span, next) = (placed.block.span, placed.next as usize);
         let is_line_end = |byte: &u8| matches!(byte, b'\n' | b'\r');

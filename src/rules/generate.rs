@@ -219,7 +219,8 @@ fn example_messages(rules: &[RuleFile]) -> String {
     out
 }
 
-/// The sentences of one language: of each message by its name the rule, the types of the arguments, and the templates.
+/// The sentences of one language: of each message by its name the rule, the types of the
+/// arguments, and the templates.
 fn json(rules: &[RuleFile], language: usize) -> String {
     let mut out = String::from("{\n");
     let last = messages(rules).count() - 1;

@@ -1,7 +1,8 @@
 //! A change of the text: only what it can have changed is run again.
 //!
-//! In: which bytes are replaced, by what. The run goes back to the last snapshot before the change. Where it meets a
-//! snapshot of the run before the change, with nothing different but the places, it takes over the rest of that.
+//! In: which bytes are replaced, by what. The run goes back to the last snapshot before the change.
+//! Where it meets a snapshot of the run before the change, with nothing different but the places, it
+//! takes over the rest of that.
 
 use std::collections::BTreeMap;
 
@@ -15,8 +16,8 @@ use crate::text::parser::Resume;
 /// Most blocks from one snapshot to the next, for each motion that there may be.
 const BLOCKS_PER_MOTION: usize = 4;
 
-/// A snapshot on the way through the text, between the first word of the main program and its end: the O numbers met
-/// are the same at all of them.
+/// A snapshot on the way through the text, between the first word of the main program and its end: the O
+/// numbers met are the same at all of them.
 #[derive(Clone, Debug)]
 pub(super) struct Checkpoint {
     snapshot: Snapshot,

@@ -1,8 +1,8 @@
 //! Millimetres to pixels and back.
 //!
 //! In: the box to look at, the size of the picture, the user's pans and zooms. Out: [`Camera`]. Z runs to the
-//! right and X up, or down for a turret in front of the spindle, both at the same scale; pixels are CSS pixels from the
-//! top left corner. Knows nothing of motions.
+//! right and X up, or down for a turret in front of the spindle, both at the same scale; pixels are CSS
+//! pixels from the top left corner. Knows nothing of motions.
 
 use crate::geometry::{Point, within};
 use crate::setup::Turret;
@@ -43,7 +43,8 @@ pub struct Size {
 pub const LEFT_RULER: f64 = 46.0;
 /// Height of the ruler along the bottom edge, CSS pixels.
 pub const BOTTOM_RULER: f64 = 26.0;
-/// Room kept free around a fitted picture, CSS pixels: left, top, right, bottom of the part inside the rulers.
+/// Room kept free around a fitted picture, CSS pixels: left, top, right, bottom of
+/// the part inside the rulers.
 const PADDING: [f64; 4] = [14.0, 26.0, 22.0, 22.0];
 /// Smallest and largest scale, CSS pixels a mm: 20 m across a phone, and half a µm a pixel.
 pub const SCALES: [f64; 2] = [0.02, 2000.0];
@@ -143,7 +144,8 @@ impl Camera {
         self.x_plus.sign() * self.scale
     }
 
-    /// Draws X+ the other way or the same; the axis is mirrored about the middle of what the rulers leave free.
+    /// Draws X+ the other way or the same; the axis is mirrored about the middle of
+    /// what the rulers leave free.
     pub fn turn(&mut self, x_plus: XPlus) {
         if self.x_plus != x_plus {
             let axis = self.to_screen(Point::default()).y;

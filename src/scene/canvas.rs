@@ -1,8 +1,9 @@
 //! The picture on a canvas of the page.
 //!
-//! In: a scene and a view of it. Out: pixels on an `OffscreenCanvas`. What seldom changes (grid, stock, strokes,
-//! rulers) is kept as an image, so that a moving pointer costs one copy; so are the strokes alone, so that many of
-//! them can be moved at once and drawn a little later. Reads the scene, knows nothing of the page.
+//! In: a scene and a view of it. Out: pixels on an `OffscreenCanvas`. What seldom changes (grid,
+//! stock, strokes, rulers) is kept as an image, so that a moving pointer costs one copy; so are the
+//! strokes alone, so that many of them can be moved at once and drawn a little later. Reads the scene,
+//! knows nothing of the page.
 
 mod layer;
 mod paths;
@@ -101,7 +102,8 @@ impl Painter {
 
     /// Draws everything but what is picked out.
     fn draw_sheet(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
-        // Paper covers a part of the last row and column of pixels, where nothing of an earlier picture may shine through.
+        // Paper covers a part of the last row and column of pixels, where nothing of an earlier
+        // picture may shine through.
         self.sheet.clear()?;
         self.sheet.begin(view)?;
         sheet::paper(&self.sheet, scene, view)?;

@@ -1,8 +1,9 @@
 //! The end face: what polar interpolation (G12.1) makes of it, in a picture of its own.
 //!
-//! In: the motions of a run and the simulation. Out: [`Face`], whose [`Scene`] is drawn, picked in and exported as the section is:
-//! the moves of the virtual plane, as a list of motions of their own, and the area that live cutters sweep. Points have C
-//! in `x` (upwards) and X in `z` (to the right), mm, seen from the tailstock. Must not know of canvases.
+//! In: the motions of a run and the simulation. Out: [`Face`], whose [`Scene`] is drawn, picked in and
+//! exported as the section is: the moves of the virtual plane, as a list of motions of their own, and the
+//! area that live cutters sweep. Points have C in `x` (upwards) and X in `z` (to the right), mm, seen from
+//! the tailstock. Must not know of canvases.
 
 use std::f64::consts::TAU;
 
@@ -84,14 +85,16 @@ impl Face {
         self.of.binary_search(&motion).ok()
     }
 
-    /// The playhead of this picture, when the tool is at a place of the run: on one of its moves, or before the next one.
+    /// The playhead of this picture, when the tool is at a place of the run: on one of its
+    /// moves, or before the next one.
     pub fn playhead(&self, place: Place) -> Playhead {
         let motion = self.of.partition_point(|&motion| motion < place.motion);
         let share = self.own(place.motion).map_or(0.0, |_| place.fraction);
         Playhead { motion, share }
     }
 
-    /// Blank, what is left of the face, and the cutter: when all is done, or with the tool at a place of the run.
+    /// Blank, what is left of the face, and the cutter: when all is done, or with the
+    /// tool at a place of the run.
     pub fn work(&self, simulation: &SimulationResult, place: Option<Place>) -> Option<Work> {
         let (stock, basis) = simulation.resolved_setup().stock()?;
         let mut blank = Region::inside(&circle(stock.diameter.radius()));

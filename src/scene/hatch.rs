@@ -1,6 +1,7 @@
 //! Hatching: the lines that say "cut through material" in a section.
 //!
-//! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much of the outline is in view.
+//! In: outlines on the screen. Out: lines at 45° inside them, at the same places however much
+//! of the outline is in view.
 
 use super::camera::{Pixel, Size};
 use crate::geometry::within;
@@ -33,8 +34,9 @@ pub fn hatch_slanted(outlines: &[Vec<Pixel>], zero: Pixel, size: Size, slant: Sl
     }
 }
 
-/// Lines inside of outlines, from the lower left to the upper right. `zero` is a place on a line, so that the lines stay with
-/// what they fill when the picture is moved; nothing is drawn far outside of a picture of `size`.
+/// Lines inside of outlines, from the lower left to the upper right. `zero` is a place on a line,
+/// so that the lines stay with what they fill when the picture is moved; nothing is drawn far
+/// outside of a picture of `size`.
 pub fn hatch(outlines: &[Vec<Pixel>], zero: Pixel, size: Size) -> Vec<[Pixel; 2]> {
     // On each line x + y is the same, and x − y says where on it a place is.
     let across = |at: Pixel| (at.x + at.y - zero.x - zero.y) / SPACING;

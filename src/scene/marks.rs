@@ -41,8 +41,8 @@ fn arrow_head(shape: &StrokeShape, camera: &Camera, least: f64) -> Option<[Pixel
     Some([corner(HEAD / 2.0, 0.0), corner(-HEAD / 2.0, HALF_HEAD), corner(-HEAD / 2.0, -HALF_HEAD)])
 }
 
-/// Arrow heads in the middle of those of `shapes` that are in view and at least `least` CSS pixels long, where
-/// there is no other near by: enough to see which way things go, and no more.
+/// Arrow heads in the middle of those of `shapes` that are in view and at least `least` CSS pixels long,
+/// where there is no other near by: enough to see which way things go, and no more.
 pub fn arrow_heads(
     shapes: impl Iterator<Item = StrokeShape>,
     camera: &Camera,

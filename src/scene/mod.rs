@@ -220,8 +220,9 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// The shape in the direction in which it is drawn. Rapids run down and to the left, whichever way the tool
-    /// goes: the dashes of those that lie on one another then coincide instead of filling each other's gaps.
+    /// The shape in the direction in which it is drawn. Rapids run down and to the left, whichever
+    /// way the tool goes: the dashes of those that lie on one another then coincide instead of
+    /// filling each other's gaps.
     pub fn drawn_shape(&self) -> StrokeShape {
         match (self.style, self.shape) {
             (StrokeStyle::Rapid, StrokeShape::Line { from, to }) if (from.x, from.z) < (to.x, to.z) => {
@@ -282,8 +283,8 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// The picture of `motions`, of which `path index` was made, and of the work. Motions that the path index has not
-    /// seen yet are left out.
+    /// The picture of `motions`, of which `path index` was made, and of the work. Motions that the path index
+    /// has not seen yet are left out.
     pub fn new(motions: &'a Motions, path_index: &'a PathIndex, work: Option<&'a Work>) -> Self {
         Self { motions, path_index, work, plane: Plane::Section }
     }

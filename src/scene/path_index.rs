@@ -1,8 +1,9 @@
 //! An index over the path: boxes and lengths of short stretches of the motions.
 //!
-//! In: the motion list, whole or as it grows and is edited. Out: [`PathIndex`], so that a picture of a million motions
-//! can skip what is out of view and find a place along the path without walking all of it. A stretch lies within one
-//! chunk and is measured once: an edit moves those of the chunks that stayed. Knows nothing of pixels.
+//! In: the motion list, whole or as it grows and is edited. Out: [`PathIndex`], so that a picture of a
+//! million motions can skip what is out of view and find a place along the path without walking all of
+//! it. A stretch lies within one chunk and is measured once: an edit moves those of the chunks that
+//! stayed. Knows nothing of pixels.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -33,7 +34,8 @@ pub struct Stretch {
     pub length_before: f64,
     /// Length of the path in this stretch, mm.
     pub length: f64,
-    /// Distinguishes it from every other stretch of this process; it keeps it as long as its motions are the same.
+    /// Distinguishes it from every other stretch of this process; it keeps it as long as
+    /// its motions are the same.
     pub key: StretchKey,
     /// Which of the chunks it lies in.
     chunk: usize,
@@ -77,8 +79,8 @@ impl PathIndex {
         path_index
     }
 
-    /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are gone may come
-    /// back after the ones that are run again, until [`PathIndex::settle`].
+    /// Follows `motions` as they grew or were edited; only chunks that are new are measured. Those that are
+    /// gone may come back after the ones that are run again, until [`PathIndex::settle`].
     pub fn update(&mut self, motions: &Motions) {
         let ids = motions.ids();
         let changed = self.stretches.last().map_or(0, |last| last.chunk + 1) != ids.len()

@@ -24,10 +24,10 @@ pub struct Pick {
     pub at: Point,
 }
 
-/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, those that
-/// are `lit` (motions of the selected block) go first; then the shortest, which no other place of the picture
-/// could reach (the passes of a cycle lie over one another); then what cuts before rapids, the later before the
-/// earlier.
+/// The stroke nearest to `pixel`, no further than `tolerance` CSS pixels. Where several are as near, those
+/// that are `lit` (motions of the selected block) go first; then the shortest, which no other place of the
+/// picture could reach (the passes of a cycle lie over one another); then what cuts before rapids, the
+/// later before the earlier.
 pub fn pick(
     scene: &Scene,
     camera: &Camera,

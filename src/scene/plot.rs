@@ -1,7 +1,8 @@
 //! Strokes by the hundred thousand as pixels: all solid and one device pixel wide.
 //!
-//! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel it covers. A browser
-//! asked to stroke a million lines takes several times as long, above all for being asked. Knows no colours.
+//! In: strokes in mm and where the camera is. Out: for each way of drawing how much of every pixel
+//! it covers. A browser asked to stroke a million lines takes several times as long, above all for
+//! being asked. Knows no colours.
 
 use std::ops::Range;
 
@@ -118,7 +119,8 @@ impl Plot {
         }
     }
 
-    /// How much of each pixel a picture covers, row by row from the top, 255 all of it; nothing when it is empty.
+    /// How much of each pixel a picture covers, row by row from the top, 255 all of it;
+    /// nothing when it is empty.
     pub fn cover(&self, layer: usize) -> &[u8] {
         &self.layers[layer].cover
     }
@@ -185,8 +187,8 @@ impl Layer {
         }
         let slope = (b.1 - a.1) / (b.0 - a.0);
         self.begin(frame);
-        // Two pixels lie on either side of the line: each gets a part of 255 by how near it is. `middle` is in parts of
-        // a pixel.
+        // Two pixels lie on either side of the line: each gets a part of 255 by how near it is.
+        // `middle` is in parts of a pixel.
         let cover = &mut self.cover[..];
         let mut put = |place: usize, middle: i64, share: i64| {
             let (low, upper) = (middle >> PARTS, ((middle & (ONE - 1)) * share) >> PARTS);
@@ -265,7 +267,8 @@ mod tests {
     use super::*;
     use crate::geometry::bounds::Bounds;
 
-    /// A plot with one picture of 200 × 100 pixels, 1 mm each, and what `shapes` cover of it, in whole pixels.
+    /// A plot with one picture of 200 × 100 pixels, 1 mm each, and what `shapes`
+    /// cover of it, in whole pixels.
     fn covered(shapes: &[StrokeShape]) -> f64 {
         let plot = drawn(shapes);
         plot.cover(0).iter().map(|&part| f64::from(part) / 255.0).sum()

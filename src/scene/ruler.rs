@@ -1,7 +1,8 @@
 //! Where the ticks of the rulers stand, and what they say.
 //!
-//! In: a camera, and the symbol of the unit. Out: ticks at round values, as many as there is room for. Z and C read in mm,
-//! X as a **diameter** in mm: the one place of the picture where radii become diameters. Knows no language.
+//! In: a camera, and the symbol of the unit. Out: ticks at round values, as many as there is room for. Z
+//! and C read in mm, X as a **diameter** in mm: the one place of the picture where radii become
+//! diameters. Knows no language.
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
 use crate::units::Diameter;

@@ -1,7 +1,7 @@
 //! What a picture is made of.
 //!
-//! In: a run, and how far it is. Out: [`Source`], which distinguishes a picture from those of every other run, and from the
-//! unfinished ones of its own; [`Picture`], what a painter draws.
+//! In: a run, and how far it is. Out: [`Source`], which distinguishes a picture from those of every other
+//! run, and from the unfinished ones of its own; [`Picture`], what a painter draws.
 
 use super::Scene;
 use super::view::View;

@@ -1,7 +1,7 @@
 //! The steps of a single cycle as manuals print them: 1R 2F 3F 4R, R for rapid, F for feed.
 //!
-//! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or G94. Must not know
-//! canvases.
+//! In: the motions of the selected block. Out: a label for each stroke of one pass of G90, G92 or
+//! G94. Must not know canvases.
 
 use std::ops::Range;
 
@@ -44,7 +44,8 @@ impl StepLabel {
     }
 }
 
-/// The labels of one pass among the motions picked out: the pass that the motion `pointed` belongs to, else the first.
+/// The labels of one pass among the motions picked out: the pass that the motion `pointed`
+/// belongs to, else the first.
 pub fn labels(motions: &Motions, picked: &[Range<usize>], pointed: Option<usize>) -> Vec<StepLabel> {
     let holds = |index: usize| picked.iter().any(|range| range.contains(&index));
     let pass_of =

@@ -1,7 +1,7 @@
 //! The work as it is drawn: blank, what is left of it, what stands around it, and the tool.
 //!
-//! In: the simulation, and the moment. Out: outlines in mm above the spindle axis; an exporter draws them below it too. Must not
-//! know how material is taken off.
+//! In: the simulation, and the moment. Out: outlines in mm above the spindle axis; an exporter draws them
+//! below it too. Must not know how material is taken off.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -136,7 +136,8 @@ impl Work {
         Self { id: next_id(), compared: Some([only(Side::First), only(Side::Second)]), ..self }
     }
 
-    /// Lines along the edges of what is left: those that were cut, and those of a blank that is only inferred.
+    /// Lines along the edges of what is left: those that were cut, and those of a
+    /// blank that is only inferred.
     pub fn part_edges(&self, plane: Plane) -> [Vec<Vec<Point>>; 2] {
         let lines = match plane {
             Plane::Section => edges(&self.part),
@@ -169,8 +170,8 @@ pub fn closed(outlines: &Outlines) -> Vec<Vec<Point>> {
     outlines.iter().map(|outline| outline.iter().chain(outline.first()).copied().collect()).collect()
 }
 
-/// The lines along the edges of outlines: those on the spindle axis are no edges of the work, and would fill the gaps of the
-/// centre line.
+/// The lines along the edges of outlines: those on the spindle axis are no edges of the work, and would fill
+/// the gaps of the centre line.
 pub fn edges(outlines: &Outlines) -> Vec<Vec<Point>> {
     let mut lines: Vec<Vec<Point>> = Vec::new();
     for outline in outlines {

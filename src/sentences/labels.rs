@@ -1,6 +1,7 @@
 //! Short labels: severity and category of a message; the setup form: names of fields, and errors in entries.
 //!
-//! In: a severity, a field's name, a choice, an error in an entry. Out: the words in a language, short enough to stand beside it.
+//! In: a severity, a field's name, a choice, an error in an entry. Out: the words in a language, short
+//! enough to stand beside it.
 
 use super::language::Language;
 use crate::message::{Kind, Severity};
@@ -40,7 +41,8 @@ pub fn category(kind: Kind, language: Language) -> &'static str {
     })
 }
 
-/// That a stock is assumed, and what was not checked because of it; `note` is the comment that names this stock.
+/// That a stock is assumed, and what was not checked because of it; `note` is the
+/// comment that names this stock.
 pub fn inferred_stock(note: &str, language: Language) -> String {
     let said = language.among([
         "stock assumed, collisions not checked. This stock in the program:",

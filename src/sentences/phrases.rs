@@ -140,8 +140,8 @@ fn step(step: Step) -> Phrase {
     }
 }
 
-/// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the program counts
-/// in a virtual plane.
+/// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the
+/// program counts in a virtual plane.
 fn end_of(motion: &Motion) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {
         fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())

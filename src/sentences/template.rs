@@ -1,7 +1,8 @@
 //! Fills the templates of the messages.
 //!
-//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates are made from
-//! `src/rules/<slug>.md` by the build script: a message without a sentence in one of the languages does not build.
+//! In: a message, a language, the unit of the program. Out: its sentence and its help. The templates are
+//! made from `src/rules/<slug>.md` by the build script: a message without a sentence in one of the
+//! languages does not build.
 
 use super::labels;
 use super::language::Language;

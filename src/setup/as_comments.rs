@@ -1,7 +1,7 @@
 //! A setup as comments at the head of a program: what `notes` reads, written.
 //!
-//! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in place of those that
-//! are there. Ways to write what is no note (other switches, limits) there are none.
+//! In: a setup; the text it is for. Out: the comment lines, and the changes of the text that put them in
+//! place of those that are there. Ways to write what is no note (other switches, limits) there are none.
 
 use super::fields::{self, Field};
 use super::notes::Notes;
@@ -17,7 +17,8 @@ pub struct Change {
     pub insert: String,
 }
 
-/// The notes that say what a setup says of stock, tools, tailstock, machine, start, rules and decimal rule, a line each.
+/// The notes that say what a setup says of stock, tools, tailstock, machine, start, rules and
+/// decimal rule, a line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(setup.stock.map(|own| stock(&own)));
@@ -46,8 +47,8 @@ fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
     (!words.is_empty()).then(|| format!("({head}{words})"))
 }
 
-/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand after
-/// the O number; the other notes go. In the order of the text.
+/// What makes the notes of a text these lines: they take the place of the first note that is there, or stand
+/// after the O number; the other notes go. In the order of the text.
 pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     let notes = Notes::read(text);
     let mut going: Vec<Span> = notes.spans().map(|inside| whole(text, inside)).collect();
@@ -77,8 +78,8 @@ pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     changes
 }
 
-/// A comment from one parenthesis to the other: with its line, where there is nothing else in it, or else with the blanks
-/// before it.
+/// A comment from one parenthesis to the other: with its line, where there is nothing else in it, or else
+/// with the blanks before it.
 fn whole(text: &[u8], inside: Span) -> Span {
     let (mut start, mut end) = (inside.start as usize - 1, inside.end as usize);
     end += usize::from(matches!(text.get(end), Some(b')' | b']')));

@@ -1,7 +1,7 @@
 //! A setup as a form holds it: a text for each key, some of them wrong, most of them empty.
 //!
-//! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each entry; the setup as
-//! JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
+//! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each
+//! entry; the setup as JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
 
 use serde_json::{Map, Value as Json};
 
@@ -56,8 +56,8 @@ pub const NO_STOCK: Stock = Stock {
 pub const NO_TAILSTOCK: Tailstock = Tailstock { z: UNKNOWN, diameter: Diameter::new(20.0) };
 
 impl Draft {
-    /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of `given` tools and
-    /// blanks is the defaults, that of others the inferred one.
+    /// Reads a form. Where some of a group is entered, the rest is what the form showed as assumed: that of
+    /// `given` tools and blanks is the defaults, that of others the inferred one.
     pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
         let mut form = FormReader { entries, errors: Vec::new() };
         // Single rules have no place in the form, and stay as they are.
@@ -180,7 +180,8 @@ impl Name {
     }
 }
 
-/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and decimal rule of another; what is no object is not kept.
+/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and decimal rule of another; what
+/// is no object is not kept.
 pub fn put_into_json(json: &str, setup: &Setup) -> String {
     let mut all = match serde_json::from_str(json) {
         Ok(Json::Object(all)) => all,

@@ -1,7 +1,8 @@
-//! The values a setup can hold: how each is called in JSON and in a setup comment, what it is measured in, where it stands.
+//! The values a setup can hold: how each is called in JSON and in a setup comment, what it is
+//! measured in, where it stands.
 //!
-//! One list for all who read and write setups: the comments (`notes`, `written`), the form (`draft`), the reference's table.
-//! Must not know which values can be: that is `faults`.
+//! One list for all who read and write setups: the comments (`notes`, `written`), the form (`draft`), the
+//! reference's table. Must not know which values can be: that is `faults`.
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
 use crate::message::{Group, Levels, Severity};

@@ -1,7 +1,7 @@
 //! Values that are invalid in a setup.
 //!
-//! In: a setup as it was read. Out: the invalid values, and the setup without what is wrong in it, so that a run and a picture
-//! come of every setup.
+//! In: a setup as it was read. Out: the invalid values, and the setup without what is wrong in it, so that a
+//! run and a picture come of every setup.
 
 use super::{Setup, Stock, Tool};
 use crate::message::Message;
@@ -113,7 +113,8 @@ impl Checker {
 }
 
 impl Setup {
-    /// The setup without what cannot be in it, and why. Stock and tools with an invalid value count as not given.
+    /// The setup without what cannot be in it, and why. Stock and tools with an invalid
+    /// value count as not given.
     pub fn without_invalid_values(mut self) -> (Self, Vec<InvalidValue>) {
         let mut checker = Checker::default();
         if let Some(stock) = self.stock {

@@ -1,7 +1,8 @@
-//! Everything a run needs that is not in the program text: the control, the tools, the stock, the machine, the start.
+//! Everything a run needs that is not in the program text: the control, the tools, the
+//! stock, the machine, the start.
 //!
-//! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out: [`Setup`].
-//! Lengths here are as people write them: X values are diameters, mm.
+//! In: a setup as JSON (a file, the page's form), and what comments of the program say of it (`notes`). Out:
+//! [`Setup`]. Lengths here are as people write them: X values are diameters, mm.
 
 pub mod as_comments;
 pub mod dialect;

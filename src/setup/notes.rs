@@ -13,8 +13,8 @@
 //!
 //! and `[BILLET X62 Z70`, as class simulators write a bar of 62 mm, 70 mm long.
 //!
-//! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins with one of
-//! these words, but holds no `=`, is prose.
+//! In: the text of a program. Out: what its first lines say, and what in it cannot be read. Prose that begins
+//! with one of these words, but holds no `=`, is prose.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -282,8 +282,8 @@ impl Notes {
     }
 }
 
-/// The word that differs least from one that is misspelt, if by little: a letter too many, too few or another, or two
-/// letters in each other's place.
+/// The word that differs least from one that is misspelt, if by little: a letter too many, too few or
+/// another, or two letters in each other's place.
 fn nearest(key: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
     const SHORTEST: usize = 3;
     let near = known

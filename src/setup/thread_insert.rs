@@ -1,7 +1,7 @@
 //! Lay-down threading inserts by their usual designation.
 //!
-//! In: a designation such as `16ER AG60`, `22IL 4.0ISO` or `16ERM 14W`: length of the insert's edge, outside or inside,
-//! hand, and for which threads. Out: [`ThreadInsert`]. Must not know how an insert is drawn.
+//! In: a designation such as `16ER AG60`, `22IL 4.0ISO` or `16ERM 14W`: length of the insert's edge, outside
+//! or inside, hand, and for which threads. Out: [`ThreadInsert`]. Must not know how an insert is drawn.
 
 use super::Side;
 

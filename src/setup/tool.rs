@@ -23,10 +23,11 @@ pub struct Tool {
     pub kind: Option<ToolKind>,
     /// Which side of the work a grooving insert or a threading tool is for.
     pub side: Option<Side>,
-    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose. Of a threading
-    /// tool as makers write lay-down inserts: `16ER AG60`.
+    /// The insert as ISO 1832 writes it: its first letter is the shape, `CNMG120408` also says edge and nose.
+    /// Of a threading tool as makers write lay-down inserts: `16ER AG60`.
     pub insert: Option<String>,
-    /// Angle between the two edges of a turning insert, degrees; the shape of the insert where nothing is said.
+    /// Angle between the two edges of a turning insert, degrees; the shape of the
+    /// insert where nothing is said.
     pub point_angle: Option<f64>,
     /// Angle of the main edge to the direction of feed along Z, degrees (κr, 95 for a common turning tool).
     pub entering_angle: Option<f64>,
@@ -36,7 +37,8 @@ pub struct Tool {
     pub width: Option<f64>,
     /// Diameter of a drill, a tap or a cutter, mm.
     pub diameter: Option<Diameter>,
-    /// How far a grooving insert, a threading point or a drill reaches from its holder, or a boring bar into the work, mm.
+    /// How far a grooving insert, a threading point or a drill reaches from its holder, or a
+    /// boring bar into the work, mm.
     pub reach: Option<f64>,
     /// Diameter of a boring bar, mm.
     pub shank: Option<f64>,
@@ -135,7 +137,8 @@ impl Tool {
         ThreadInsert::read(self.insert.as_deref().filter(|_| self.kind == Some(ToolKind::Threading))?)
     }
 
-    /// The side of the work it is for: as given, or as its threading insert says; the outside where nothing is known.
+    /// The side of the work it is for: as given, or as its threading insert says; the
+    /// outside where nothing is known.
     pub fn working_side(&self) -> Side {
         self.side.or_else(|| self.thread_insert()?.side).unwrap_or_default()
     }
@@ -147,7 +150,8 @@ impl Tool {
             (Some(ToolKind::Drill | ToolKind::Tap), _) => 7,
             (Some(ToolKind::Turning), _) => 3,
             (Some(ToolKind::Boring), _) => 2,
-            // A grooving insert is set by its left corner (seed 003, example 5), or by the lower one of two at the face.
+            // A grooving insert is set by its left corner (seed 003, example 5), or by the
+            // lower one of two at the face.
             (Some(ToolKind::Grooving), Side::Outside | Side::Face) => 3,
             (Some(ToolKind::Grooving), Side::Inside) => 2,
             (Some(ToolKind::Threading), Side::Outside | Side::Face) => 8,
@@ -160,7 +164,8 @@ impl Tool {
         self.tool_radius.or(self.diameter.map(Diameter::radius))
     }
 
-    /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset R overrides the diameter.
+    /// The radius that compensation uses, mm: of the cutter, or of the nose. The offset
+    /// R overrides the diameter.
     pub fn compensation_radius(&self) -> f64 {
         let cutter = self.cutter_radius().filter(|_| self.kind == Some(ToolKind::Endmill));
         self.tool_radius.or(self.geometry_r).or(cutter).unwrap_or_else(|| self.nose())

@@ -1,8 +1,10 @@
-//! Tools as people name them in comments: `T0303 (GROOVE W=3)`, `(T7 VNMG CR:.016)`, `(резец проходной)`, `(切槽刀)`.
+//! Tools as people name them in comments: `T0303 (GROOVE W=3)`, `(T7 VNMG CR:.016)`,
+//! `(резец проходной)`, `(切槽刀)`.
 //!
-//! In: the first lines of a program. Out: for each turret station what its comments say, as a [`Tool`] with gaps. It is a
-//! hint: a tool is inferred from it first, and what the motions contradict does not count. Terms are in `terms`.
-//! A comment belongs to the tool it names, else to the T word in its line, else to the T word before it, else to the one after it.
+//! In: the first lines of a program. Out: for each turret station what its comments say, as a [`Tool`] with
+//! gaps. It is a hint: a tool is inferred from it first, and what the motions contradict does not count.
+//! Terms are in `terms`. A comment belongs to the tool it names, else to the T word in its line, else to the
+//! T word before it, else to the one after it.
 
 mod numbers;
 mod terms;

@@ -72,8 +72,8 @@ pub struct LineColumn {
 pub struct LineIndex {
     /// First byte of each line.
     starts: Vec<u32>,
-    /// Places whose UTF-16 offset is known, in order: all starts of lines, and more in long lines. Empty while all text
-    /// is ASCII without CRLF (offsets are then bytes).
+    /// Places whose UTF-16 offset is known, in order: all starts of lines, and more in long lines. Empty
+    /// while all text is ASCII without CRLF (offsets are then bytes).
     marks: Vec<Mark>,
 }
 
@@ -99,9 +99,9 @@ impl LineIndex {
         index
     }
 
-    /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is `text` now.
-    /// Only the lines touched are read again, and what follows is moved along. All lines are, when offsets cease to be
-    /// bytes.
+    /// Follows a change of the text: the bytes `replaced` of it gave way to `inserted` others, and it is
+    /// `text` now. Only the lines touched are read again, and what follows is moved along. All lines are,
+    /// when offsets cease to be bytes.
     pub fn edit(&mut self, text: &[u8], replaced: Range<usize>, inserted: usize) {
         // A line start depends on the bytes on both its sides: on `\r` and the `\n` that may follow it.
         let first = self.line_of(replaced.start.saturating_sub(1) as u32) as usize;

@@ -1,7 +1,7 @@
 //! How places of a text move along when the text before them is changed.
 //!
-//! In: which part was replaced, and how much longer and how many lines more the text has become. Out: the new place
-//! of everything after that part. Knows nothing of what stands there.
+//! In: which part was replaced, and how much longer and how many lines more the text has become. Out: the new
+//! place of everything after that part. Knows nothing of what stands there.
 
 use super::Span;
 

@@ -79,7 +79,8 @@ impl Number {
                 if self.digits > 0 || byte != b'0' {
                     self.digits = self.digits.saturating_add(1);
                 }
-                // A second point ends the value; whole digits past the limit saturate rather than shift the point.
+                // A second point ends the value; whole digits past the limit saturate
+                // rather than shift the point.
                 if self.points <= 1 && self.digits <= KEPT_DIGITS && self.decimals < KEPT_DIGITS {
                     self.mantissa = self.mantissa * 10 + u64::from(byte - b'0');
                     self.decimals += u8::from(self.points == 1);
@@ -160,8 +161,8 @@ pub struct Token {
 pub struct Lexer<'a> {
     text: &'a [u8],
     at: usize,
-    /// A part of a line in which brackets were found not to balance: there the first `)` ends a comment, so that the
-    /// rest of the line is not searched again and again for an end that never comes.
+    /// A part of a line in which brackets were found not to balance: there the first `)` ends a comment, so
+    /// that the rest of the line is not searched again and again for an end that never comes.
     unbalanced: Range<usize>,
 }
 

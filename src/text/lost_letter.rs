@@ -8,7 +8,8 @@ use crate::source::Span;
 /// Most letters that are offered.
 const OFFERED: usize = 3;
 
-/// Letters that a number without one may have had: those that usually stand in that place and are not there yet.
+/// Letters that a number without one may have had: those that usually stand in that
+/// place and are not there yet.
 pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     let has = |letters: &[u8]| words.iter().any(|word| letters.contains(&word.address));
     // A word that a blank tears apart begins before it.

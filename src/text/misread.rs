@@ -1,7 +1,8 @@
 //! Words whose characters were misread or come from another keyboard: letters O and l for 0 and 1, full-width
 //! characters.
 //!
-//! In: bytes at which a word begins. Out: the word as it was meant. Takes nothing for such a word that is written right.
+//! In: bytes at which a word begins. Out: the word as it was meant. Takes nothing for such a
+//! word that is written right.
 
 /// A number of more characters is no number that somebody mistyped.
 const LONGEST: usize = 16;
@@ -52,8 +53,8 @@ pub fn read(text: &[u8], start: usize) -> Option<Misread> {
     misread.then(|| Misread { address: address.to_ascii_uppercase(), plain, letter, len: at - start })
 }
 
-/// Whether an O or l inside a number can only be a digit: right after its letter or its digits, with digits or the
-/// end of the word after it and its like.
+/// Whether an O or l inside a number can only be a digit: right after its letter or its digits, with digits
+/// or the end of the word after it and its like.
 fn stands_for_digit(text: &[u8], at: usize, address: u8, digits: usize) -> bool {
     let alike = text[at..].iter().take(LONGEST).take_while(|byte| matches!(byte, b'O' | b'o' | b'l')).count();
     let next = text.get(at + alike).copied().unwrap_or(b' ');

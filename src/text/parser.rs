@@ -91,7 +91,8 @@ impl<'a> Parser<'a> {
             self.take_as_comment(block);
         }
         if block.words.is_empty() && only_marks_outside_brackets(block.span.of(self.lexer.text())) {
-            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message reports the marks between them.
+            // `(FACE), (F0.3).`: the remarks stand in brackets already; one message
+            // reports the marks between them.
             block.faults.truncate(1);
         }
         let prose = block.words.is_empty() || reads_as_prose(block.span.of(self.lexer.text()));
@@ -166,7 +167,8 @@ impl<'a> Parser<'a> {
     /// Reads one token, and whatever belongs to it; where the block's text ends, if that is its end.
     #[inline(never)]
     fn token(&mut self, block: &mut Block) -> Option<usize> {
-        // Before a token is made of all the full-width characters in a row: each word would be read to their end.
+        // Before a token is made of all the full-width characters in a row: each word
+        // would be read to their end.
         const FULL_WIDTH: u8 = 0xEF;
         if self.lexer.peek_byte() == Some(FULL_WIDTH)
             && self.misread_word(block, self.lexer.position() as u32)
@@ -435,9 +437,9 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(Message::FullWidth { word, plain }, span).with(fix));
     }
 
-    /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is read as it
-    /// was meant, so that what it switches on holds for the blocks after it. False: the word that begins at byte
-    /// `start` is no such word, and nothing is taken.
+    /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is
+    /// read as it was meant, so that what it switches on holds for the blocks after it. False: the word that
+    /// begins at byte `start` is no such word, and nothing is taken.
     #[inline]
     fn misread_word(&mut self, block: &mut Block, start: u32) -> bool {
         let text = self.lexer.text();
@@ -501,7 +503,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether nothing but another program, or its sign, stands after a percent sign: `M30%` as the last line of a file.
+    /// Whether nothing but another program, or its sign, stands after a percent sign: `M30%`
+    /// as the last line of a file.
     fn ends_tape(&self) -> bool {
         const SEARCHED: usize = 200;
         let behind = &self.lexer.text()[self.lexer.position()..];
@@ -695,8 +698,9 @@ impl Resume {
     }
 }
 
-/// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between remarks,
-/// words in letters that no address has, a remark whose brackets do not pair. Nothing else may be taken for a remark, for a sign may be lost in it.
+/// Whether text that belongs to no word cannot have been meant as one: a rule of dashes, commas between
+/// remarks, words in letters that no address has, a remark whose brackets do not pair. Nothing else may be
+/// taken for a remark, for a sign may be lost in it.
 fn decorates(bytes: &[u8]) -> bool {
     const LETTERS: usize = 4;
     let rule =

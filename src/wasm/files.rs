@@ -57,8 +57,8 @@ impl Playground {
         Ok(())
     }
 
-    /// What is left of the blank at the moment that is shown: pieces with their holes; none where there is no blank, or not
-    /// yet.
+    /// What is left of the blank at the moment that is shown: pieces with their holes; none where
+    /// there is no blank, or not yet.
     #[wasm_bindgen(unchecked_return_type = "SectionPiece[]")]
     pub fn section(&mut self) -> Result<JsValue, JsValue> {
         let shown = self.current.part_shown();

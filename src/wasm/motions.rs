@@ -31,9 +31,9 @@ impl Playground {
         self.current.motions().chunks().get(index).map(MotionChunk::new)
     }
 
-    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of anything in this
-    /// module, which may move the motions or make the memory grow (a view is then empty): read them at once, or
-    /// `slice()` what is to be kept. [`Self::chunk`] does that for you.
+    /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of
+    /// anything in this module, which may move the motions or make the memory grow (a view is then empty):
+    /// read them at once, or `slice()` what is to be kept. [`Self::chunk`] does that for you.
     #[wasm_bindgen(js_name = chunkView)]
     pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
         self.current.motions().chunks().get(index).map(view_of)

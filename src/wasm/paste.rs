@@ -31,7 +31,8 @@ impl PastedText {
         to_js(&FoundPrograms::new(&self.found))
     }
 
-    /// One of the programs, with the reasons in the language of a tag; nothing where there is none of that number.
+    /// One of the programs, with the reasons in the language of a tag; nothing where
+    /// there is none of that number.
     #[wasm_bindgen(unchecked_return_type = "FoundPiece[]")]
     pub fn pieces(&self, program: usize, tag: &str) -> Result<JsValue, JsValue> {
         let program = self.found.programs.get(program);

@@ -1,4 +1,5 @@
-//! The pictures: the section along the spindle axis and the end face, each on a canvas of its own, looked at in its own way.
+//! The pictures: the section along the spindle axis and the end face, each on a canvas of its own,
+//! looked at in its own way.
 //!
 //! In: what the user does with a picture. Out: drawn canvases and small objects. Knows no G-code.
 
@@ -92,8 +93,8 @@ impl Playground {
         }
     }
 
-    /// Where a place is in a picture: X a diameter in mm; then Z in the section, C on the face, in mm. Two CSS pixels from the
-    /// top left corner.
+    /// Where a place is in a picture: X a diameter in mm; then Z in the section, C on the face, in mm. Two
+    /// CSS pixels from the top left corner.
     #[wasm_bindgen(js_name = screenOf)]
     pub fn screen_of(&mut self, picture: PictureName, x: f64, other: f64) -> Vec<f64> {
         let plane = Plane::from(picture);
@@ -116,7 +117,8 @@ impl Playground {
         }
     }
 
-    /// Takes what was painted of a picture since the last time off its canvas, as an image; nothing where nothing was.
+    /// Takes what was painted of a picture since the last time off its canvas, as an image;
+    /// nothing where nothing was.
     #[wasm_bindgen(js_name = takeImage)]
     pub fn take_image(&mut self, picture: PictureName) -> Result<Option<ImageBitmap>, JsValue> {
         self.painters[picture.into()].as_mut().map_or(Ok(None), Painter::take_image)
@@ -128,8 +130,8 @@ impl Playground {
         self.current.face().is_some()
     }
 
-    /// Puts the turret in `front` of the spindle, where the worker stands, or to the `rear`; X+ is drawn on its side.
-    /// Anything else leaves it where the setup has it.
+    /// Puts the turret in `front` of the spindle, where the worker stands, or to the `rear`; X+ is drawn on
+    /// its side. Anything else leaves it where the setup has it.
     #[wasm_bindgen(js_name = setTurret)]
     pub fn set_turret(&mut self, side: &str) {
         self.current.set_turret(match side {
@@ -148,7 +150,8 @@ impl Playground {
         })
     }
 
-    /// The edge of the part at a place of the picture, CSS pixels, with its dimensions; it is marked until another is asked for.
+    /// The edge of the part at a place of the picture, CSS pixels, with its dimensions; it is marked
+    /// until another is asked for.
     #[wasm_bindgen(unchecked_return_type = "Dimension | undefined")]
     pub fn dimension(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let edge = self.current.mark_edge(Pixel::new(x, y), REACH);

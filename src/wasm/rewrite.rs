@@ -8,8 +8,8 @@ use crate::source::Span;
 
 #[wasm_bindgen]
 impl Playground {
-    /// What can be written as a cycle without changing a motion, in order of place. `from` and `to` are the reader's
-    /// selection, UTF-16 offsets: where there is much, what is near it is looked at.
+    /// What can be written as a cycle without changing a motion, in order of place. `from` and `to` are the
+    /// reader's selection, UTF-16 offsets: where there is much, what is near it is looked at.
     #[wasm_bindgen(unchecked_return_type = "Rewriting[]")]
     pub fn rewritings(&self, from: u32, to: u32) -> Result<JsValue, JsValue> {
         let (text, places) = (self.current.run().text(), self.places());

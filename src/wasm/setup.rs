@@ -40,7 +40,8 @@ impl Playground {
         })
     }
 
-    /// What becomes of the texts in the fields of these keys, when they are kept in a place; `json` is the setup of the page.
+    /// What becomes of the texts in the fields of these keys, when they are kept in a place; `json`
+    /// is the setup of the page.
     #[wasm_bindgen(js_name = readSetupForm, unchecked_return_type = "SetupAnswer")]
     pub fn read_setup_form(
         &self,

@@ -1,7 +1,8 @@
-// A program of a million lines, 20 MB: the page stays with the reader while it is opened, read, edited and looked at.
+// A program of a million lines, 20 MB: the page stays with the reader while it is opened,
+// read, edited and looked at.
 //
-// Prints the longest task of the main thread in each phase. The aim is 50 ms; the bounds are for a busy machine, on which
-// a task takes several times as long.
+// Prints the longest task of the main thread in each phase. The aim is 50 ms; the bounds are for a busy
+// machine, on which a task takes several times as long.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { writeFileSync } from 'node:fs';
 import { editor, locate, open, openFile, problems, status, value } from './page';
@@ -30,7 +31,10 @@ function longProgram(lines: number): string {
   return list.join('\n');
 }
 
-/** Watches for tasks of the main thread that the browser calls long, 50 ms or more; and how soon edits are reported on. */
+/**
+ * Watches for tasks of the main thread that the browser calls long, 50 ms or more; and how
+ * soon edits are reported on.
+ */
 async function watch(page: ChromiumPage): Promise<void> {
   await page.addInitScript(() => {
     const answers: number[] = [];

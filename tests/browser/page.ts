@@ -58,7 +58,10 @@ export async function value(page: BasicPage): Promise<string> {
   return page.locator('gcode-playground').evaluate((element) => (element as Playground).value);
 }
 
-/** Where a place (X a diameter, Z, mm) is on the screen, once the picture of the program is there: what a run shows can move it. */
+/**
+ * Where a place (X a diameter, Z, mm) is on the screen, once the picture of the program is there:
+ * what a run shows can move it.
+ */
 export async function locate(page: BasicPage, x: number, z: number): Promise<{ x: number; y: number }> {
   const place = await page.locator('gcode-playground').evaluate(async (element, at) => {
     await (element as Playground).settled;
@@ -77,7 +80,10 @@ export async function between(
   return locate(page, from.x + (to.x - from.x) * share, from.z + (to.z - from.z) * share);
 }
 
-/** Puts a text into the clipboard as a reader does, by a field and its keys: scripts need a leave that not every engine can be given. */
+/**
+ * Puts a text into the clipboard as a reader does, by a field and its keys: scripts need a leave that not
+ * every engine can be given.
+ */
 export async function copy(page: BasicPage, text: string): Promise<void> {
   await page.evaluate((text) => {
     const field = document.body.appendChild(document.createElement('textarea'));

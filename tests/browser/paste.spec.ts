@@ -1,4 +1,5 @@
-// A text that holds more than a program: what is offered after it was pasted or opened, and that nothing typed is lost.
+// A text that holds more than a program: what is offered after it was pasted or opened, and
+// that nothing typed is lost.
 import { expect, test, type Page } from './engines';
 import { copy, editor, open, openFile, status, value } from './page';
 

@@ -1,5 +1,5 @@
-// On a phone and in the dark: touch, a small screen and the colours the system asks for, which only Playwright can pretend.
-// The screenshots go to test-results to be looked at; they are no goldens.
+// On a phone and in the dark: touch, a small screen and the colours the system asks for, which only
+// Playwright can pretend. The screenshots go to test-results to be looked at; they are no goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
 import { drawing, editor, open, play, status } from './page';
 

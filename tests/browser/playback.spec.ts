@@ -1,4 +1,5 @@
-// Playing a program: steps, stops, the read-out, the text that follows. What it costs is measured in playing-smoothly.spec.ts.
+// Playing a program: steps, stops, the read-out, the text that follows. What it costs is measured in
+// playing-smoothly.spec.ts.
 import { expect, test, type Page } from './engines';
 import { editor, motionCount, open, openFile, program, status } from './page';
 

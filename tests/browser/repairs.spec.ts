@@ -1,4 +1,5 @@
-// Repairs: the safe fixes all at once and undone at once, the others one by one; and the levels of rules in the setup form.
+// Repairs: the safe fixes all at once and undone at once, the others one by one; and the levels
+// of rules in the setup form.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, type, value } from './page';
 

@@ -1,5 +1,5 @@
-// The setup form: what is assumed is shown as assumed, what is invalid is reported beside its field, and it is kept where the
-// reader says. Bad setups, wherever they stand, are reported and leave a picture.
+// The setup form: what is assumed is shown as assumed, what is invalid is reported beside its field, and it
+// is kept where the reader says. Bad setups, wherever they stand, are reported and leave a picture.
 import { expect, test, type Locator, type Page } from './engines';
 import { editor, open, openFile, problems, status, value } from './page';
 
@@ -207,7 +207,8 @@ test('taking off the material of a long program shows how far it is, and can be 
   await open(page);
   // Each pass leaves a wave, so that the part has many corners.
   const passes = Array.from({ length: 15_000 }, (_, i) => `G1 X${(60 - i / 1000 - (i % 2) * 0.1).toFixed(3)} Z${(-(i % 300) / 3).toFixed(3)} F0.2`);
-  // A fast machine may be done before a test that looks now and then presses the button: it is pressed in the page.
+  // A fast machine may be done before a test that looks now and then presses the button:
+  // it is pressed in the page.
   const told = page.locator('gcode-playground').evaluate((element) => new Promise<string>((done) => {
     const look = (): void => {
       const root = element.shadowRoot!;

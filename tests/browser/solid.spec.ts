@@ -1,4 +1,5 @@
-// The part as a body: it is drawn when it is opened, turned by keyboard and mouse, follows the tool, and is let go of.
+// The part as a body: it is drawn when it is opened, turned by keyboard and mouse, follows
+// the tool, and is let go of.
 import { expect, type Locator } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
 import { motionCount, open, type } from './page';

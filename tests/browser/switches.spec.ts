@@ -1,4 +1,5 @@
-// The switches of the operator's panel: they show where the text has a use for them, and reach the interpreter's setup.
+// The switches of the operator's panel: they show where the text has a use for them, and
+// reach the interpreter's setup.
 import { expect, test, type Page } from './engines';
 import { open, openFile, status, type } from './page';
 
@@ -103,7 +104,8 @@ test('in Chinese and Russian, and from attributes', async ({ page }) => {
 });
 
 test('lines taken out while a long text is still looked through hide no switch', async ({ page }) => {
-  // The worker hears of the change at once, when it has looked at the first lines: a reader is seldom quick enough.
+  // The worker hears of the change at once, when it has looked at the first lines: a
+  // reader is seldom quick enough.
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {

@@ -1,6 +1,7 @@
 // Whatever was there before, and however fast it went: the page shows what a fresh one would.
 //
-// PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make it longer, or repeat it; a picture of what was wrong is kept in test-results.
+// PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make it longer, or repeat it; a picture of what was
+// wrong is kept in test-results.
 import { test } from './engines';
 import { writeFileSync } from 'node:fs';
 import { examples } from './page';

@@ -1,4 +1,5 @@
-// The views beside the section: the end face, the turret's side, dimensions of an edge, and two parts compared.
+// The views beside the section: the end face, the turret's side, dimensions of an
+// edge, and two parts compared.
 import { expect, test, type Page } from './engines';
 import { editor, locate, open, program, status, tooltip, type } from './page';
 

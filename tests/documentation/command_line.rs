@@ -1,4 +1,5 @@
-//! The reference of the command line (`www/docs/command-line.md`) against the help of the commands and what they write.
+//! The reference of the command line (`www/docs/command-line.md`) against the help of the
+//! commands and what they write.
 
 use std::collections::BTreeSet;
 use std::process::Command;

@@ -1,4 +1,5 @@
-//! Diameters and radii: ARCHITECTURE, "What must stay true", says that only `units::Diameter` makes one of the other.
+//! Diameters and radii: ARCHITECTURE, "What must stay true", says that only
+//! `units::Diameter` makes one of the other.
 //!
 //! In: the source. Out: the lines that double or halve an X by hand.
 

@@ -1,5 +1,5 @@
-//! Every figure that stands in the documents' prose, with what holds it. A figure that is not listed fails the test, so
-//! does a listed one that the documents no longer state.
+//! Every figure that stands in the documents' prose, with what holds it. A figure that is not listed fails
+//! the test, so does a listed one that the documents no longer state.
 
 use gcode_playground::analyze;
 use gcode_playground::limits;

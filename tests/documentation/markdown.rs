@@ -1,5 +1,5 @@
-//! In: a Markdown document of the project. Out: what stands in it as code, and its prose. Tables and lists that a test
-//! writes (`<!-- name -->` … `<!-- /name -->`) are left out: those tests hold them.
+//! In: a Markdown document of the project. Out: what stands in it as code, and its prose. Tables and lists
+//! that a test writes (`<!-- name -->` … `<!-- /name -->`) are left out: those tests hold them.
 //!
 //! It knows only the Markdown that the project's documents are written in.
 

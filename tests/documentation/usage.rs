@@ -1,5 +1,5 @@
-//! In: a line of usage such as `check FILE… [--fix [--dry-run]] [--format text|json]`. Out: the calls it promises: the
-//! plain one, each option alone, each of its values.
+//! In: a line of usage such as `check FILE… [--fix [--dry-run]] [--format text|json]`. Out: the calls it
+//! promises: the plain one, each option alone, each of its values.
 
 /// One part of a line of usage.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,7 +34,8 @@ fn parts(tokens: &mut impl Iterator<Item = String>) -> Vec<Part> {
     parts
 }
 
-/// The plain call first; then, for each part that gives a choice, a call for every choice, the others left plain.
+/// The plain call first; then, for each part that gives a choice, a call for every
+/// choice, the others left plain.
 fn expand(parts: &[Part]) -> Vec<Vec<String>> {
     let plain = |part: &Part| match part {
         Part::Word(choices) => vec![choices[0].clone()],

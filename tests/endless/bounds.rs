@@ -29,8 +29,8 @@ pub fn bounds() -> Vec<Bound> {
     // G70 reads its contour of two blocks each time.
     let finishing =
         |times: usize| format!("M3 S1 F1\nX9 Z0\n{}M30\nN1 G0 X1\nN2 G1 Z-1\n", "G70 P1 Q2\n".repeat(times));
-    // WHILE, two expressions in X and Z, one statement and END a round, and WHILE once more at the end; what is done
-    // before the first jump does not count.
+    // WHILE, two expressions in X and Z, one statement and END a round, and WHILE once more at the end; what
+    // is done before the first jump does not count.
     let sums = |rounds: u32| format!("#1=0\nWHILE[#1 LT {rounds}]DO1\nG0 X[#1] Z[#1]\n#1=#1+1\nEND1\nM30\n");
     // A plunge leaves a groove of four corners in the four of the bar.
     let grooves = |count: u32| {

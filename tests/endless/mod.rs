@@ -1,6 +1,7 @@
-//! Programs that would take for ever, for the native tests, the wasm tests and the table of `cargo xtask bench`: cycles
-//! with an amount that is far too small, loops and calls without an end, dear work called again and again, and texts
-//! that are long and of no sense. And each limit with programs just within it and beyond.
+//! Programs that would take for ever, for the native tests, the wasm tests and the table of
+//! `cargo xtask bench`: cycles with an amount that is far too small, loops and calls without an end, dear
+//! work called again and again, and texts that are long and of no sense. And each limit with programs
+//! just within it and beyond.
 
 mod bounds;
 mod cycles;

@@ -41,8 +41,8 @@ impl Phrase {
         Phrase { language, words: words.to_lowercase() }
     }
 
-    /// Where it is in a text in lower case, counted in characters. The Russian column is about Russian texts: its Latin
-    /// entries, such as `mm`, are looked for in texts with Cyrillic letters only.
+    /// Where it is in a text in lower case, counted in characters. The Russian column is about Russian texts:
+    /// its Latin entries, such as `mm`, are looked for in texts with Cyrillic letters only.
     pub fn find(&self, text: &str) -> Vec<usize> {
         let beginning = self.words.split([' ', '*']).next().unwrap_or_default();
         if !text.contains(beginning) || self.language == Language::Russian && !text.contains(is_cyrillic) {

@@ -166,7 +166,8 @@ fn names_contour(words: &Words, word: &Word) -> bool {
     matches!(word.address, 'P' | 'Q') && CONTOUR_CYCLES.iter().any(|&code| words.has_g(word.block, code))
 }
 
-/// The N word that P or Q names is taken out: the message stands at the P or Q of the first cycle that names it.
+/// The N word that P or Q names is taken out: the message stands at the P or Q of the
+/// first cycle that names it.
 fn missing_n(words: &Words) -> Vec<Mutant> {
     let mut made = Vec::new();
     for n in words.words.iter().filter(|word| word.address == 'N') {

@@ -1,5 +1,6 @@
-//! With tools that are only inferred the part has the contour that was programmed, or no part is shown: random contours, the
-//! programs of the tests, and ways of programming that a wrongly inferred tool would spoil.
+//! With tools that are only inferred the part has the contour that was programmed, or no part is
+//! shown: random contours, the programs of the tests, and ways of programming that a wrongly
+//! inferred tool would spoil.
 
 use gcode_playground::analyze;
 use gcode_playground::geometry::Point;
@@ -98,7 +99,8 @@ fn blocks(steps: &[(u32, i32, u32)]) -> (String, f64) {
     (text, z)
 }
 
-/// How many random contours are looked at: those of the variable `PROPTEST_CASES`, or few enough for every run of the tests.
+/// How many random contours are looked at: those of the variable `PROPTEST_CASES`, or few enough
+/// for every run of the tests.
 fn cases() -> u32 {
     match std::env::var("PROPTEST_CASES") {
         Ok(_) => ProptestConfig::default().cases,
@@ -133,7 +135,8 @@ fn contour_or_no_part(blocks: &str, end: f64, count: u32) -> Result<Option<Regio
     Ok(Some(part))
 }
 
-/// Arcs that fall by a millimetre within a few tenths along Z: no tool that comes into question can follow them.
+/// Arcs that fall by a millimetre within a few tenths along Z: no tool that comes into
+/// question can follow them.
 #[test]
 fn steep_arcs_are_not_gouged() {
     for (blocks, end) in [
@@ -214,7 +217,8 @@ fn check(program: &str, tools: &str, diameters: &[(f64, f64)]) {
 
 const HEAD: &str = "G21 G99 G97 S500 M03\n";
 
-/// A grooving insert that roughs by plunges and is then led along all of the contour, hills and valleys, as some programming systems do.
+/// A grooving insert that roughs by plunges and is then led along all of the contour, hills and valleys, as
+/// some programming systems do.
 #[test]
 fn a_blade_led_along_a_contour_makes_the_contour() {
     let mut program = format!("{HEAD}(GROOVE2)\nT0101\nG00 X64 Z1\n");
@@ -346,7 +350,8 @@ fn a_groove_whose_corner_bulges_is_one_groove() {
     check(&program, "grooving", &[(-10.0, 50.0), (-20.0, 40.0)]);
 }
 
-/// A grooving insert takes the material off in steps, each a plunge, and makes one groove; an insert finishes.
+/// A grooving insert takes the material off in steps, each a plunge, and makes one
+/// groove; an insert finishes.
 #[test]
 fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
     let mut program = format!("{HEAD}(GROOVE1)\nT0100\nG00 X64 Z1\n");
@@ -361,7 +366,8 @@ fn a_blade_that_roughs_for_an_insert_leaves_its_contour() {
     check(&program, "grooving turning", &[(-6.0, 36.0), (-18.0, 36.0), (-22.0, 32.0), (-20.0, 24.0)]);
 }
 
-/// The contour of a cycle turns back in X and ends deeper than anything before it: what is not asked for stays.
+/// The contour of a cycle turns back in X and ends deeper than anything before it:
+/// what is not asked for stays.
 #[test]
 fn a_contour_that_ends_in_the_bar_is_cut_as_it_is_written() {
     let program = format!(

@@ -116,8 +116,8 @@ pub fn compare(
     full
 }
 
-/// Runs a program with `tool` at each station that it uses; none leaves the stations to what is concluded. The blank is
-/// that of the program, or the one concluded.
+/// Runs a program with `tool` at each station that it uses; none leaves the stations to what is concluded.
+/// The blank is that of the program, or the one concluded.
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
     let plain = analyze(program.text.as_bytes(), &setup);

@@ -1,8 +1,9 @@
 //! What a tool takes off at one place along Z, worked out without areas.
 //!
-//! In: motions, and outlines of tools written down anew. Out: intervals of radius that are left of a blank at a Z. For each
-//! straight piece of a cut the nearest and the farthest radius the outline reaches at that Z is the least of a convex and
-//! the greatest of a concave function of the way, found by narrowing it down. Uses nothing of `machine`.
+//! In: motions, and outlines of tools written down anew. Out: intervals of radius that are left of a blank
+//! at a Z. For each straight piece of a cut the nearest and the farthest radius the outline reaches at that
+//! Z is the least of a convex and the greatest of a concave function of the way, found by narrowing it down.
+//! Uses nothing of `machine`.
 
 use gcode_playground::geometry::Point;
 use gcode_playground::motion::{Motion, MotionKind};
@@ -30,8 +31,9 @@ impl Reach {
         Self { corners, disc: None, threads: false }
     }
 
-    /// A rhombus whose edges lie `trailing` and `trailing + point` degrees from +Z, set by the corner at the lower left of its
-    /// nose; turned over for other tips by `flip_z` and `flip_x` (±1). `tall` makes all that stands over it cut as well.
+    /// A rhombus whose edges lie `trailing` and `trailing + point` degrees from +Z, set by the corner at the
+    /// lower left of its nose; turned over for other tips by `flip_z` and `flip_x` (±1). `tall` makes all
+    /// that stands over it cut as well.
     pub fn rhombus(trailing: f64, point: f64, edge: f64, nose: f64, flip: (f64, f64), tall: bool) -> Self {
         let (low, high) = (trailing.to_radians(), (trailing + point).to_radians());
         let bisector = (low + high) / 2.0;
@@ -69,7 +71,8 @@ impl Reach {
         Self::new(vec![(0.0, 0.0), (400.0, 0.0), (400.0, width), (0.0, width)])
     }
 
-    /// A thread point of 60° that is for a pitch: as wide as the insert stands beside it, and so on for the insert's height.
+    /// A thread point of 60° that is for a pitch: as wide as the insert stands beside it, and so
+    /// on for the insert's height.
     pub fn thread(up: f64, pitch: f64) -> Self {
         let half = 0.55 * pitch + 0.1;
         let shoulder = half * 3f64.sqrt();

@@ -27,9 +27,9 @@ fn check(part: &Region, z: f64, expected: &[(f64, f64)]) {
     );
 }
 
-/// The imaginary tip follows X10 Z0 to X30 Z-10, where x + z = 5 in radius. The centre of the nose is 0.8 further in both:
-/// x + z = 6.6. The nose cuts 0.8 from it at right angles to the taper: x + z = 6.6 − 0.8·√2 = 5.4686. So the diameter is
-/// larger by 2 × 0.4686 = 0.937 everywhere on it.
+/// The imaginary tip follows X10 Z0 to X30 Z-10, where x + z = 5 in radius. The centre of the nose is 0.8
+/// further in both: x + z = 6.6. The nose cuts 0.8 from it at right angles to the taper: x + z = 6.6 − 0.8·√2
+/// = 5.4686. So the diameter is larger by 2 × 0.4686 = 0.937 everywhere on it.
 #[test]
 fn a_nose_leaves_a_taper_thicker() {
     let part = part(0, "T0101\nG00 X10 Z1\nG01 Z0 F1\nX30 Z-10\nG00 X40");
@@ -70,7 +70,8 @@ fn parting_off_leaves_two_pieces() {
     check(&part, -28.0, &[]);
 }
 
-/// The point of 118° is at Z-20: at Z-18 it is 2 × 2·tan 59° = 6.657 wide, and from 5 / tan 59° = 3.004 mm on 10.
+/// The point of 118° is at Z-20: at Z-18 it is 2 × 2·tan 59° = 6.657 wide, and from 5 /
+/// tan 59° = 3.004 mm on 10.
 #[test]
 fn a_drill_leaves_its_point() {
     let part = part(0, "T0202\nG00 X0 Z2\nG01 Z-20 F1\nG00 Z2");
@@ -79,8 +80,8 @@ fn a_drill_leaves_its_point() {
     check(&part, -16.9, &[(10.0, 30.0)]);
 }
 
-/// From Z4 with a lead of 2 the notches are at Z0, Z-2 … Z-20. Half a millimetre beside one the flank of 30° is
-/// 0.5 / tan 30° = 0.866 higher in radius; in the middle it would be 1.732 higher, which is in the air.
+/// From Z4 with a lead of 2 the notches are at Z0, Z-2 … Z-20. Half a millimetre beside one the flank of 30°
+/// is 0.5 / tan 30° = 0.866 higher in radius; in the middle it would be 1.732 higher, which is in the air.
 #[test]
 fn a_thread_has_a_notch_for_each_turn() {
     let part = part(0, "M03 S100\nT0404\nG00 X35 Z4\nG92 X27.6 Z-20 F2");
@@ -97,8 +98,8 @@ fn a_thread_has_a_notch_for_each_turn() {
     check(&shifted, -2.0, &[(0.0, 29.3321)]);
 }
 
-/// The pull-out of one lead begins at Z-17, half a turn after the notch at Z-16, and goes out at 45°: the next notch is at
-/// Z-18, one millimetre higher. None is where the pull-out begins.
+/// The pull-out of one lead begins at Z-17, half a turn after the notch at Z-16, and goes out at 45°: the
+/// next notch is at Z-18, one millimetre higher. None is where the pull-out begins.
 #[test]
 fn notches_go_on_in_the_pull_out() {
     let part = part(10, "M03 S100\nT0404\nG00 X35 Z4\nG92 X27.6 Z-19 F2");
@@ -107,7 +108,8 @@ fn notches_go_on_in_the_pull_out() {
     check(&part, -18.0, &[(0.0, 29.6)]);
 }
 
-/// Two threads in a row: 15 mm are 7½ turns, so the notches of the second one are at Z-11, Z-13 … as those of the first.
+/// Two threads in a row: 15 mm are 7½ turns, so the notches of the second one are at Z-11,
+/// Z-13 … as those of the first.
 #[test]
 fn notches_go_on_from_thread_to_thread() {
     let part = part(0, "M03 S100\nT0404\nG00 X28 Z5\nG32 Z-10 F2\nG32 Z-21\nG00 X35");
@@ -137,16 +139,16 @@ fn motions_are_shown_half_done() {
     let thread = at("M03 S100\nT0404\nG00 X28 Z4\nG32 Z-20 F2", 1, 0.5);
     check(&thread, -8.0, &[(0.0, 28.0)]);
     check(&thread, -10.0, &[(0.0, 30.0)]);
-    // From X20 Z-10 about X40 Z-10 to X40 Z-20: halfway, the tip of the insert is at 20 − 10·cos 45° = 12.929 in radius and at Z
-    // −10 − 10·sin 45° = −17.071.
+    // From X20 Z-10 about X40 Z-10 to X40 Z-20: halfway, the tip of the insert is at 20 − 10·cos 45° = 12.929
+    // in radius and at Z −10 − 10·sin 45° = −17.071.
     let arc = "T0303\nG00 X20 Z-10\nG02 X40 Z-20 I10 K0 F1";
     check(&at(arc, 1, 0.5), -17.06, &[(0.0, 25.84)]);
     check(&at(arc, 1, 0.5), -17.08, &[(0.0, 30.0)]);
     check(&at(arc, 1, 0.0), -11.0, &[(0.0, 30.0)]);
 }
 
-/// Seed 004: from X54 at Z5 the taper of `G94 X30 Z0 R-20` begins at X54, outside the blank of ⌀50. On the part it ends at
-/// −20 × 20 / 24 = −16.667; with R-24 at the −20 of the drawing.
+/// Seed 004: from X54 at Z5 the taper of `G94 X30 Z0 R-20` begins at X54, outside the blank of ⌀50. On the
+/// part it ends at −20 × 20 / 24 = −16.667; with R-24 at the −20 of the drawing.
 #[test]
 fn seed_004_begins_its_taper_in_the_air() {
     for (name, end) in [("s004-g94-wrong", -16.667), ("s004-g94-right", -20.0), ("s004-g94-x50", -20.0)] {

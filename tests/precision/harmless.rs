@@ -1,4 +1,5 @@
-//! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that looks like it and is reported.
+//! What machinists write on purpose: none of it is worth a warning. Beside each stands a slip that
+//! looks like it and is reported.
 
 use gcode_playground::analyze;
 use gcode_playground::message::{Message, Severity};

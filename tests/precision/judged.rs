@@ -1,7 +1,7 @@
 //! What a list of judged messages says of the rules: how many are true, in total and by rule.
 //!
-//! In: lines of JSON, each with `file` (the first twelve digits of the SHA-256 of a real program), `line`, `rule`, `verdict`
-//! (`true`, `false`, `unsure`) and `reason`. Out: the bounds that it breaks.
+//! In: lines of JSON, each with `file` (the first twelve digits of the SHA-256 of a real program), `line`,
+//! `rule`, `verdict` (`true`, `false`, `unsure`) and `reason`. Out: the bounds that it breaks.
 
 use std::collections::BTreeMap;
 
@@ -50,7 +50,8 @@ fn read(list: &str) -> Result<Vec<Judged>, String> {
     .collect()
 }
 
-/// The bounds that a list breaks, in words. What nobody could decide counts as a message, but not as a true one of its rule.
+/// The bounds that a list breaks, in words. What nobody could decide counts as a message, but not
+/// as a true one of its rule.
 fn broken_bounds(list: &[Judged], enough: usize) -> Vec<String> {
     let mut broken = Vec::new();
     if list.len() < enough {

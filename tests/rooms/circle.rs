@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is left of a graph once all that leads into no circle is taken away: the circles, and what leads into them.
+/// What is left of a graph once all that leads into no circle is taken away: the circles,
+/// and what leads into them.
 pub fn leading_into_circles<Node: Ord + Clone>(
     mut graph: BTreeMap<Node, BTreeSet<Node>>,
 ) -> BTreeMap<Node, BTreeSet<Node>> {

@@ -1,6 +1,7 @@
 //! Which file of `src` uses which, and which of that the order of the rooms forbids.
 //!
-//! In: the modules with their texts, the rooms from the lowest up. Out: sentences about arrows up and circles.
+//! In: the modules with their texts, the rooms from the lowest up. Out: sentences
+//! about arrows up and circles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -103,8 +104,8 @@ impl House {
         module
     }
 
-    /// Each module with those it uses, as far as that counts. What a module says of those below it in its own room does
-    /// not: it declares, re-exports and calls them.
+    /// Each module with those it uses, as far as that counts. What a module says of those below it in its own
+    /// room does not: it declares, re-exports and calls them.
     fn edges(&self) -> BTreeSet<(&Module, Module)> {
         let mut edges = BTreeSet::new();
         for (module, named) in &self.named {

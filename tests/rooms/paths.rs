@@ -1,7 +1,8 @@
 //! The module paths that a Rust source file names.
 //!
-//! In: the text of a file. Out: the paths of its `use` items and the paths in its code that begin with `crate`, `super` or
-//! `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Must not know where modules are.
+//! In: the text of a file. Out: the paths of its `use` items and the paths in its code that begin with
+//! `crate`, `super` or `self`. Code under `#[cfg(test)]` is left out: a test may use everything. Must
+//! not know where modules are.
 
 /// What a file names.
 #[derive(Debug, Default, PartialEq)]

@@ -1,7 +1,9 @@
-//! Times of the hostile programs of `tests/endless`, natively. Part of `cargo xtask test` and `cargo xtask bench`.
+//! Times of the hostile programs of `tests/endless`, natively. Part of
+//! `cargo xtask test` and `cargo xtask bench`.
 //!
-//! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with what is said of
-//! them, their times and how those were taken; `tests/speed/hostile.mjs` reads it, runs the same in wasm and judges.
+//! In: a folder. Out: the programs as files in that folder, and `cases.json`, which lists them with
+//! what is said of them, their times and how those were taken; `tests/speed/hostile.mjs` reads it, runs
+//! the same in wasm and judges.
 
 #[path = "../endless/mod.rs"]
 #[allow(dead_code, unused_imports, reason = "the tests use the rest of it")]
@@ -92,7 +94,8 @@ fn measured(case: &Hostile, index: usize, folder: &Path) -> io::Result<Case> {
     })
 }
 
-/// Everything a page asks for at once: milliseconds, whether the message was reported, and how many motions there are.
+/// Everything a page asks for at once: milliseconds, whether the message was reported, and
+/// how many motions there are.
 fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     let watch = Watch::start();
     let mut run = Run::new(case.text.clone(), setup.clone());
@@ -111,7 +114,8 @@ fn answer(case: &Hostile, setup: &Setup) -> (f64, bool, u32) {
     (taken, told.iter().any(|row| row.code == case.code && row.line == case.line), summary.motions)
 }
 
-/// Measures what a piece of work takes: on a busy machine the time it was given a processor, where the system reports it.
+/// Measures what a piece of work takes: on a busy machine the time it was given a processor,
+/// where the system reports it.
 struct Watch {
     begun: Instant,
     computed: Option<f64>,

@@ -1,10 +1,11 @@
-// Everything that `cargo xtask bench` measures, round by round, and the tables of it. Each measurement is a process of its
-// own; in every round all take their turn, so that a slow minute of the machine meets them all. Ratios are taken within
-// a round. Figures are medians over the rounds.
+// Everything that `cargo xtask bench` measures, round by round, and the tables of it. Each measurement is a
+// process of its own; in every round all take their turn, so that a slow minute of the machine meets them
+// all. Ratios are taken within a round. Figures are medians over the rounds.
 //
 //   node tests/speed/measure.mjs FOLDER --binaries DIR [--peers DIR] [--rounds N] [--own] [--report FILE]
 //
-// FOLDER has the programs, DIR the native binaries. With --own only the playground and the floor are measured.
+// FOLDER has the programs, DIR the native binaries. With --own only the playground
+// and the floor are measured.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

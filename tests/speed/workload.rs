@@ -17,8 +17,8 @@ impl Random {
     }
 }
 
-/// A walk of `lines` lines of G0, G1, G2 and G3 as a turning program has them: one move in ten modal, an F word
-/// on three in a hundred, arcs by R.
+/// A walk of `lines` lines of G0, G1, G2 and G3 as a turning program has them: one move in ten modal, an F
+/// word on three in a hundred, arcs by R.
 pub fn plain(lines: usize) -> String {
     let mut random = Random(1);
     let mut text =
@@ -65,7 +65,8 @@ pub fn plain(lines: usize) -> String {
     text
 }
 
-/// A shaft of some sixty lines as a class writes it: facing, G71 and G70, a groove by G75, a bore by G74, a thread by G76.
+/// A shaft of some sixty lines as a class writes it: facing, G71 and G70, a groove by G75, a
+/// bore by G74, a thread by G76.
 pub fn shaft() -> String {
     String::from(
         "%\nO0301 (SHAFT)\nG21 G40 G97 G99\nG28 U0 W0\nT0101 (ROUGHING)\nG50 S2500\nG96 S180 M3\nG0 X64.0 Z5.0 M8\n\
@@ -99,8 +100,8 @@ pub fn boxes(count: u32) -> String {
 /// Points of the contours that are measured.
 pub const POINTS: [u32; 6] = [100, 300, 1_000, 2_000, 3_000, 10_000];
 
-/// G71 by 0.1 mm and G70 along a contour of so many points, which rises from 20 to 60 mm of diameter in waves: G71 cuts
-/// their hollows too.
+/// G71 by 0.1 mm and G70 along a contour of so many points, which rises from 20 to 60 mm of diameter in
+/// waves: G71 cuts their hollows too.
 pub fn contour(points: u32) -> String {
     let mut text = String::from(
         "G21 G40 G97 G99\nS900 M3\nG0 X70. Z2. M8\nG71 U.1 R.1\nG71 P10 Q20 U.2 W.05 F.2\nN10 G0 X20. Z1.\n",

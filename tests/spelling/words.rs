@@ -19,9 +19,10 @@ impl Script {
 /// Puts an accent on the letter before it: `Бо́льшие`.
 const ACCENT: char = '\u{301}';
 
-/// The words of a script, each with the character it begins at. These are not among them: single letters, which are
-/// addresses and axes; names and abbreviations with a digit, an underscore or a capital letter inside (`utf8`,
-/// `rpm_max`, `WebKitGTK`); stems (`word*`); markup (`<b class="x">`, `&lt;`); parts of paths and of code (`a/b.c`, `d::e`).
+/// The words of a script, each with the character it begins at. These are not among them: single letters,
+/// which are addresses and axes; names and abbreviations with a digit, an underscore or a capital letter
+/// inside (`utf8`, `rpm_max`, `WebKitGTK`); stems (`word*`); markup (`<b class="x">`, `&lt;`); parts of paths
+/// and of code (`a/b.c`, `d::e`).
 pub fn words(text: &str, script: Script) -> Vec<(usize, String)> {
     let letters: Vec<char> = text.chars().collect();
     let mut found = Vec::new();

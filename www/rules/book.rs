@@ -1,7 +1,7 @@
 //! The pages as HTML.
 //!
-//! In: pages. Out: files by their names: plain HTML without scripts, one style sheet with the colours of the playground, and
-//! the pictures, which all languages share.
+//! In: pages. Out: files by their names: plain HTML without scripts, one style sheet with the colours of the
+//! playground, and the pictures, which all languages share.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

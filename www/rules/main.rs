@@ -1,7 +1,8 @@
-//! Writes the pages of all rules as HTML. Part of building the page: `cargo xtask play` and `cargo xtask test`.
+//! Writes the pages of all rules as HTML. Part of building the page:
+//! `cargo xtask play` and `cargo xtask test`.
 //!
-//! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, the style sheet of all, and `<lang>/messages.json`: the
-//! templates of all messages in a language, by the names of the messages.
+//! In: a folder. Out: in it `<lang>/<slug>.html`, `<lang>/index.html`, the pictures, the style sheet of all,
+//! and `<lang>/messages.json`: the templates of all messages in a language, by the names of the messages.
 
 mod book;
 #[path = "../../src/rules/format/mod.rs"]

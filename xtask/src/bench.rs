@@ -1,5 +1,5 @@
-//! In: the options. Out: the tables of `tests/speed/README.md`: the playground beside a floor and its peers, natively, in wasm
-//! under Node and in a browser, and the times of the hostile programs.
+//! In: the options. Out: the tables of `tests/speed/README.md`: the playground beside a floor and its peers,
+//! natively, in wasm under Node and in a browser, and the times of the hostile programs.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -10,7 +10,8 @@ use crate::run::{self, Result};
 /// Names the browser to use: read here, and passed on to the browser tests.
 pub const VARIABLE: &str = "PLAYGROUND_CHROMIUM";
 
-/// Finds a browser or installs one. The page's npm packages must be there: Playwright's own browser is the last way.
+/// Finds a browser or installs one. The page's npm packages must be there: Playwright's
+/// own browser is the last way.
 pub fn ensure() -> Result<PathBuf> {
     if let Some(path) = env::var_os(VARIABLE).filter(|value| !value.is_empty()).map(PathBuf::from) {
         return if works(&path) {
@@ -102,8 +103,8 @@ fn playwrights() -> Option<PathBuf> {
     Some(PathBuf::from(path))
 }
 
-/// Whether it starts at all: some systems have a `chromium` that only says where to get one. On Windows and macOS
-/// there is no such thing, and asking for the version may open a window.
+/// Whether it starts at all: some systems have a `chromium` that only says where to get one. On Windows and
+/// macOS there is no such thing, and asking for the version may open a window.
 fn works(path: &PathBuf) -> bool {
     if cfg!(any(windows, target_os = "macos")) {
         path.is_file()

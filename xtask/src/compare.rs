@@ -1,5 +1,6 @@
-//! In: options. Out: random programs compared with LinuxCNC's interpreter, by the package in `tests/linuxcnc`. It is a
-//! package of its own because it needs the playground, which these commands themselves must not wait for.
+//! In: options. Out: random programs compared with LinuxCNC's interpreter, by the package in
+//! `tests/linuxcnc`. It is a package of its own because it needs the playground, which these commands
+//! themselves must not wait for.
 
 use crate::run::{Result, command, not_started, shown};
 

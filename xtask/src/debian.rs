@@ -1,5 +1,5 @@
-//! In: names of Debian packages. Out: the packages installed, where this is a Debian on which we may do so without
-//! asking for a password. It does not know what the packages are for.
+//! In: names of Debian packages. Out: the packages installed, where this is a Debian on which we may do so
+//! without asking for a password. It does not know what the packages are for.
 
 use std::process::Command;
 use std::sync::OnceLock;

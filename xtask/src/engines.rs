@@ -1,6 +1,6 @@
-//! In: this machine. Out: the programs with which the browser tests run in Firefox and WebKitGTK, found or installed, each
-//! under the variable that names it to the tests. A missing one is an error that says what to do, never a test left out.
-//! Chromium is `browser`'s.
+//! In: this machine. Out: the programs with which the browser tests run in Firefox and WebKitGTK, found or
+//! installed, each under the variable that names it to the tests. A missing one is an error that says what to
+//! do, never a test left out. Chromium is `browser`'s.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -40,7 +40,8 @@ const PROGRAMS: [Program; 5] = [
     Program {
         variable: "PLAYGROUND_MINIBROWSER",
         what: "WebKitGTK's MiniBrowser",
-        // The driver depends on it; of older and newer Debians the number differs, and the driver brings the right one.
+        // The driver depends on it; of older and newer Debians the number differs, and the
+        // driver brings the right one.
         package: "libwebkit2gtk-4.1-0",
         names: &["MiniBrowser"],
         places: &[

@@ -1,5 +1,5 @@
-//! In: the wasm package. Out: whether every hostile program is answered in time, natively and in that package, and a
-//! table of the times.
+//! In: the wasm package. Out: whether every hostile program is answered in time, natively and in that
+//! package, and a table of the times.
 
 use std::path::PathBuf;
 use std::time::Duration;

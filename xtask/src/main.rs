@@ -1,7 +1,9 @@
-//! The developer's commands: `cargo xtask …` builds, serves and tests the project, and first gets what it needs for
-//! that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the command line is not understood.
+//! The developer's commands: `cargo xtask …` builds, serves and tests the project, and first gets what
+//! it needs for that. In: the command line. Out: exit 0, or 1 when a step failed, or 2 when the
+//! command line is not understood.
 //!
-//! Dependencies: as few as can be, because every user compiles this first. `flate2` compresses what is served.
+//! Dependencies: as few as can be, because every user compiles this first. `flate2`
+//! compresses what is served.
 
 mod bench;
 mod browser;

@@ -1,9 +1,9 @@
-//! In: the core's sources and the page's. Out: the wasm package in www/pkg and the page in www/dist; other packages of
-//! wasm that are built in the same way.
+//! In: the core's sources and the page's. Out: the wasm package in www/pkg and the page in www/dist; other
+//! packages of wasm that are built in the same way.
 //!
-//! The module is not built by wasm-pack: the crate is an `rlib` too, for the tests and the command line, and cargo
-//! leaves link-time optimisation out of a library that is both. `cargo rustc` can ask for the one kind alone, which
-//! makes the module a tenth smaller and faster.
+//! The module is not built by wasm-pack: the crate is an `rlib` too, for the tests and the command line, and
+//! cargo leaves link-time optimisation out of a library that is both. `cargo rustc` can ask for the one kind
+//! alone, which makes the module a tenth smaller and faster.
 
 use std::collections::hash_map::DefaultHasher;
 use std::fs;
@@ -14,9 +14,9 @@ use std::time::Duration;
 use crate::run::{self, Result};
 use crate::setup::Setup;
 
-/// What the module of the page may be at most, compressed as a server does it, bytes. The aim is 180,000 for what reads
-/// programs; the part, its views and exports, the rules in three languages, what comments say of tools, pasting and
-/// rewriting are in it too.
+/// What the module of the page may be at most, compressed as a server does it, bytes. The aim is 180,000 for
+/// what reads programs; the part, its views and exports, the rules in three languages, what comments say of
+/// tools, pasting and rewriting are in it too.
 const MOST_COMPRESSED: u64 = 720_000;
 
 /// What the compiler may use of WebAssembly.
@@ -63,8 +63,8 @@ pub fn wasm(setup: &Setup) -> Result<Duration> {
 }
 
 impl Module<'_> {
-    /// Builds the package. cargo decides whether the module has changed; wasm-bindgen and wasm-opt, which take longer
-    /// than all else, run only if it has.
+    /// Builds the package. cargo decides whether the module has changed; wasm-bindgen and wasm-opt, which
+    /// take longer than all else, run only if it has.
     pub fn build(&self, setup: &Setup) -> Result<Duration> {
         let mut cargo = setup.command("cargo");
         cargo.current_dir(&self.folder).env("CARGO_TARGET_DIR", &self.target);
@@ -105,7 +105,8 @@ impl Module<'_> {
         folder.join(format!("{}.wasm", self.name))
     }
 
-    /// What the package is made from: the compiled module, the settings of wasm-opt and the version of wasm-bindgen.
+    /// What the package is made from: the compiled module, the settings of wasm-opt and
+    /// the version of wasm-bindgen.
     fn fingerprint(&self) -> Option<String> {
         let mut hasher = DefaultHasher::new();
         for path in [self.compiled(), self.folder.join("Cargo.lock")] {
@@ -123,7 +124,8 @@ impl Module<'_> {
     }
 }
 
-/// Whether the module is as small as it should be and as large as `tests/speed/README.md` says; says how large it is.
+/// Whether the module is as small as it should be and as large as `tests/speed/README.md`
+/// says; says how large it is.
 pub fn size() -> Result<Duration> {
     let path = run::root().join("tests/speed/README.md");
     let text =
@@ -152,8 +154,8 @@ pub fn page(setup: &Setup) -> Result<Duration> {
     Ok(page + rules + run::step("writing the reference", &mut docs)?)
 }
 
-/// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed or is not what the
-/// table says.
+/// Prints the size of a file, plain and compressed, and fails where the latter is more than allowed or
+/// is not what the table says.
 const WEIGH: &str = "\
     const [file, most, stated] = process.argv.slice(1);\
     const module = require('node:fs').readFileSync(file);\

@@ -44,8 +44,9 @@ pub fn pretty(time: Duration) -> String {
     }
 }
 
-/// A program started from the root of the repository. What the surrounding `cargo xtask` put into the environment
-/// for itself does not reach it: an inherited `CARGO` would make it run the wrong one where toolchains are mixed.
+/// A program started from the root of the repository. What the surrounding `cargo xtask` put into the
+/// environment for itself does not reach it: an inherited `CARGO` would make it run the wrong one
+/// where toolchains are mixed.
 pub fn command(program: impl AsRef<std::ffi::OsStr>) -> Command {
     let mut command = Command::new(program);
     command.current_dir(root()).env_remove("CARGO");
@@ -77,7 +78,8 @@ pub fn step(name: &str, command: &mut Command) -> Result<Duration> {
     }
 }
 
-/// Runs a step of the set-up: says what it does, keeps its output to itself, and shows that output if it fails.
+/// Runs a step of the set-up: says what it does, keeps its output to itself, and
+/// shows that output if it fails.
 pub fn quiet(what: &str, command: &mut Command) -> Result {
     say(format_args!("{what} …"));
     let start = Instant::now();

@@ -1,6 +1,6 @@
-//! In: a folder of static files and a port. Out: the folder on http://localhost, to this machine only. It does what
-//! a page needs that any plain file host can serve, and nothing else. Text and wasm are sent compressed, as such a host
-//! sends them: what loads slowly here loads slowly there.
+//! In: a folder of static files and a port. Out: the folder on http://localhost, to this machine only. It
+//! does what a page needs that any plain file host can serve, and nothing else. Text and wasm are sent
+//! compressed, as such a host sends them: what loads slowly here loads slowly there.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Ipv4Addr, Ipv6Addr, TcpListener, TcpStream};

@@ -80,8 +80,8 @@ pub fn main() -> Result {
     Ok(())
 }
 
-/// Installs the npm packages of the page, unless those of this very package-lock.json are there; returns the folder of
-/// their programs.
+/// Installs the npm packages of the page, unless those of this very package-lock.json are there; returns the
+/// folder of their programs.
 fn npm_packages() -> Result<PathBuf> {
     let www = run::www();
     let read = |name: &str| {

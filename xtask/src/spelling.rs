@@ -1,5 +1,5 @@
-//! In: this machine. Out: hunspell with the dictionaries that the spelling test needs, found or installed. If something is
-//! missing and cannot be installed, the error says what to do.
+//! In: this machine. Out: hunspell with the dictionaries that the spelling test needs, found or installed. If
+//! something is missing and cannot be installed, the error says what to do.
 
 use crate::debian;
 use crate::run::{self, Result};

@@ -1,5 +1,6 @@
-//! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm tests under Node,
-//! hostile programs in release builds, the page's types, and the page in three browser engines. It stops at the first step that fails.
+//! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm
+//! tests under Node, hostile programs in release builds, the page's types, and the page in three browser
+//! engines. It stops at the first step that fails.
 
 use std::time::Instant;
 

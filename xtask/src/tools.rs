@@ -1,6 +1,6 @@
-//! In: Cargo.lock. Out: the folders of wasm-pack and of wasm-bindgen's command line in the right versions, to be put
-//! on PATH. They are taken from PATH where they fit, else built once with `cargo install` into a cache folder of the
-//! user, keyed by version, so that every clone of the repository finds them.
+//! In: Cargo.lock. Out: the folders of wasm-pack and of wasm-bindgen's command line in the right versions, to
+//! be put on PATH. They are taken from PATH where they fit, else built once with `cargo install` into a cache
+//! folder of the user, keyed by version, so that every clone of the repository finds them.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -22,8 +22,8 @@ pub fn wasm_pack() -> Result<Option<PathBuf>> {
     cargo_install("wasm-pack", WASM_PACK, &["wasm-pack"]).map(Some)
 }
 
-/// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` when those on PATH fit. Their version must be the
-/// very one of the crate in Cargo.lock: the two use a private format.
+/// The folder of wasm-bindgen and wasm-bindgen-test-runner; `None` when those on PATH fit. Their version must
+/// be the very one of the crate in Cargo.lock: the two use a private format.
 pub fn wasm_bindgen() -> Result<Option<PathBuf>> {
     let lock = run::root().join("Cargo.lock");
     let text =

@@ -1,12 +1,12 @@
 //! In: the active Rust toolchain. Out: a toolchain that has the standard library for wasm32 ([`Toolchain`]).
 //!
-//! With a working rustup this file is one call of `rustup target add wasm32-unknown-unknown`, and there is nothing
-//! more to know about it.
+//! With a working rustup this file is one call of `rustup target add wasm32-unknown-unknown`, and there is
+//! nothing more to know about it.
 //!
-//! The rest is for machines on which rustup cannot reach its server, such as a closed build network. There, on
-//! Debian, the library is built once (half a minute) from its own source, which Debian packages together with a
-//! compiler of exactly the same version. The result is put where that compiler looks for it, and all later wasm steps
-//! run with that compiler, known to rustup as the toolchain `debian`.
+//! The rest is for machines on which rustup cannot reach its server, such as a closed build network. There,
+//! on Debian, the library is built once (half a minute) from its own source, which Debian packages together
+//! with a compiler of exactly the same version. The result is put where that compiler looks for it, and all
+//! later wasm steps run with that compiler, known to rustup as the toolchain `debian`.
 //!
 //! `XTASK_WASM_STD=debian` in the environment takes this second way at once: for testing it.
 
@@ -26,10 +26,12 @@ const DEBIAN: &str = "debian";
 /// One matched set: compiler, cargo, library source, clippy, and the linker of the compiler's LLVM.
 const PACKAGES: [&str; 5] = ["rustc-web", "cargo-web", "rust-web-src", "rust-web-clippy", LINKER];
 
-/// Package and program. This compiler would look for it under the name `rust-lld`, which none of these packages has.
+/// Package and program. This compiler would look for it under the name `rust-lld`, which
+/// none of these packages has.
 const LINKER: &str = "lld-22";
 
-/// A file beside the library: the compiler it was built for. After an update of the packages it no longer fits.
+/// A file beside the library: the compiler it was built for. After an update of the
+/// packages it no longer fits.
 const STAMP: &str = "built-by-gcode-playground.txt";
 
 /// The toolchain that builds for wasm32.
@@ -131,8 +133,8 @@ fn build(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut cargo = run::command("cargo");
     Toolchain::Debian.apply(&mut cargo);
     cargo.current_dir(folder).env("CARGO_TARGET_DIR", &target_dir);
-    // The library's own source is allowed what is otherwise for the nightly compiler only; with its bitcode kept,
-    // link-time optimisation reaches into it as it does with rustup's.
+    // The library's own source is allowed what is otherwise for the nightly compiler only; with its bitcode
+    // kept, link-time optimisation reaches into it as it does with rustup's.
     cargo.env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", "-Cembed-bitcode=yes");
     cargo.args(["build", "--release", "--target", TARGET, "-Z", "build-std=std,panic_abort,test"]);
     run::quiet("building the wasm32 standard library (once, half a minute)", &mut cargo)?;
@@ -145,7 +147,8 @@ fn build(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_library).collect())
 }
 
-/// Puts the libraries where the compiler looks for them; the stamp comes last, so half an installation is none.
+/// Puts the libraries where the compiler looks for them; the stamp comes last, so
+/// half an installation is none.
 fn install(libraries: &[PathBuf], folder: &Path, scratch: &Path) -> Result {
     let stamp = scratch.join(STAMP);
     let version = version().ok_or("Debian's rustc does not report its version")?;

@@ -1,8 +1,8 @@
 //! The registry: every code that is recognised, once.
 //!
 //! In: a number, and the control's list. Out: what the code asks for; for the table of supported codes, its
-//! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code without
-//! a row is not recognised.
+//! [`Function`]. Codes are looked up by indices that are made from the rows when this is compiled, so a code
+//! without a row is not recognised.
 
 use super::{Compensation, G, Group, Hole, HoleReturn, M, MacroCall, MotionMode, Multiple, Plane, Switch};
 use crate::cycles::single::Single;

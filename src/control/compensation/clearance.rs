@@ -1,13 +1,13 @@
 //! How near the centre of the nose comes to programmed elements.
 //!
-//! In: a piece of the way of the centre, and a programmed element. Out: whether the nose cuts into the element. Knows
-//! nothing of tips, nor of how the way was found.
+//! In: a piece of the way of the centre, and a programmed element. Out: whether the nose cuts into the
+//! element. Knows nothing of tips, nor of how the way was found.
 
 use super::path::{Element, Shape, Vector};
 use crate::geometry::{Arc, Point, SAME, within};
 
-/// The nose may cut this deep into an element, mm: end points written to 0.01 mm make arcs that miss their neighbours by
-/// as much.
+/// The nose may cut this deep into an element, mm: end points written to 0.01 mm make arcs that miss
+/// their neighbours by as much.
 pub(super) const ALLOWED: f64 = 0.02;
 
 /// A piece of the way of the centre.
@@ -70,8 +70,8 @@ impl Way {
         to_other.into_iter().chain(to_self).fold(f64::MAX, f64::min)
     }
 
-    /// The places of this piece that may be nearest to the other one: its ends, and of the rest those in line with the
-    /// centre of an arc.
+    /// The places of this piece that may be nearest to the other one: its ends, and of the rest those in line
+    /// with the centre of an arc.
     fn near_places(&self, other: &Self) -> [Option<Point>; 4] {
         let ends = [Some(self.from), Some(self.to)];
         let between = match (self.shape, other.shape) {

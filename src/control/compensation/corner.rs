@@ -1,14 +1,15 @@
 //! Where the centre of the nose goes at the corner between two elements (FANUC 16/18-T B-62754EN p. 225).
 //!
-//! In: the two elements, the end of the first being the start of the second, and the radius. Out: vectors from the
-//! corner to the centre. Knows nothing of tips.
+//! In: the two elements, the end of the first being the start of the second, and the radius. Out: vectors
+//! from the corner to the centre. Knows nothing of tips.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::path::{Shape, Track, Vector, ZERO, angle_between};
 use crate::geometry::{Point, SAME};
 
-/// The centre at a corner: vectors from the programmed corner, mm, joined by straight moves where they differ.
+/// The centre at a corner: vectors from the programmed corner, mm, joined by
+/// straight moves where they differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
     /// Where the first element ends.
@@ -43,7 +44,8 @@ pub(super) fn corner(first: Track, second: Track, radius: f64) -> Option<Corner>
     }
     let outer = straight || first.side.sign() * cross < 0.0;
     if outer && dot < -SAME {
-        // More than 90° around the outside: on by the radius, across, and up to the second from as far before it.
+        // More than 90° around the outside: on by the radius, across, and up to the
+        // second from as far before it.
         return Some(around(first, second, [n1 + t1 * radius, n2 - t2 * radius], [n1, n2]));
     }
     let tangents_meet = (n1 + n2) * (1.0 / (1.0 + n1.dot(n2) / (radius * radius)));
@@ -79,8 +81,8 @@ impl Corner {
     }
 }
 
-/// Around the outside through two points on the tangents: lines are lengthened to them, arcs keep their ends, where
-/// the centre is perpendicular to the corner.
+/// Around the outside through two points on the tangents: lines are lengthened to them, arcs keep their ends,
+/// where the centre is perpendicular to the corner.
 fn around(first: Track, second: Track, points: [Vector; 2], perpendicular: [Vector; 2]) -> Corner {
     let keeps = |track: Track, index: usize| match track.shape {
         Shape::Line => points[index],
@@ -89,8 +91,8 @@ fn around(first: Track, second: Track, points: [Vector; 2], perpendicular: [Vect
     Corner { end: keeps(first, 0), around: points, begin: keeps(second, 1) }
 }
 
-/// The sides differ: the nose crosses the path. Two lines at a right angle or sharper cross where their offset paths
-/// meet; otherwise the first ends and the second begins perpendicular to the corner.
+/// The sides differ: the nose crosses the path. Two lines at a right angle or sharper cross where their
+/// offset paths meet; otherwise the first ends and the second begins perpendicular to the corner.
 fn crossing(first: Track, second: Track, radius: f64) -> Corner {
     let (n1, n2) = (first.end_normal(), second.start_normal());
     let both_lines = first.shape == Shape::Line && second.shape == Shape::Line;
@@ -117,8 +119,8 @@ enum Curve {
 }
 
 impl Curve {
-    /// The offset path of an element that passes `through` in `direction` at `corner`. An arc whose ends differ in
-    /// radius counts as the circle through the end that meets the corner.
+    /// The offset path of an element that passes `through` in `direction` at `corner`. An arc whose ends
+    /// differ in radius counts as the circle through the end that meets the corner.
     fn of(track: Track, corner: Point, through: Vector, direction: Vector) -> Self {
         match track.shape {
             Shape::Line => Self::Line { through, direction },
@@ -129,7 +131,8 @@ impl Curve {
         }
     }
 
-    /// Whether the element may go on from where it is perpendicular to the corner to another place of the curve.
+    /// Whether the element may go on from where it is perpendicular to the corner to
+    /// another place of the curve.
     fn may_lengthen(self, perpendicular: Vector, to: Vector) -> bool {
         match self {
             Self::Line { .. } => true,

@@ -1,7 +1,7 @@
 //! The programmed elements and the nose that follows them.
 //!
-//! In: elements, side and nose as the program gives them. Out: directions, normals and lengths. Knows nothing of
-//! corners and of the order of elements.
+//! In: elements, side and nose as the program gives them. Out: directions, normals and lengths. Knows nothing
+//! of corners and of the order of elements.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::{Add, Mul, Sub};
@@ -230,8 +230,8 @@ impl Track {
         }
     }
 
-    /// Length, mm, of the way of the centre that begins at `begin` from the programmed start and ends at `end` from
-    /// the programmed end; negative when it would run backwards.
+    /// Length, mm, of the way of the centre that begins at `begin` from the programmed start and ends at
+    /// `end` from the programmed end; negative when it would run backwards.
     pub(super) fn length_between(&self, begin: Vector, end: Vector) -> f64 {
         let Shape::Arc { center, turn } = self.shape else {
             let direction = self.start_direction();

@@ -100,8 +100,8 @@ fn centers(compensated: &Compensated, nose: Nose) -> Vec<Point> {
     (0..=STEPS).map(|step| nose.offset().from(place(step))).collect()
 }
 
-/// No move after the start-up brings the nose into an element of `path` that `belongs`; every programmed move but
-/// start-up and cancel touches its element.
+/// No move after the start-up brings the nose into an element of `path` that `belongs`; every programmed move
+/// but start-up and cancel touches its element.
 #[track_caller]
 fn assert_tangent(
     moves: &[Compensated],
@@ -267,7 +267,8 @@ fn a_full_circle_stays_full() {
             element(3, start, leave),
         ]
     };
-    // Along the tangent, and at a right angle to it from inside: lengthened, the circle would run into itself.
+    // Along the tangent, and at a right angle to it from inside: lengthened, the
+    // circle would run into itself.
     let (below, above, inside) = (Point::new(-10.0, 20.0), Point::new(10.0, 20.0), Point::new(0.0, 5.0));
     for path in [path(below, above, line), path(inside, inside, line)] {
         let made = moves(&run(Side::Right, nose(5.0, 0), &path, None));
@@ -345,7 +346,8 @@ fn two_arcs_meet_exactly() {
 
 #[test]
 fn arcs_rounded_to_the_micron_join_smoothly() {
-    // A ball of radius 15, then tangent cylinder, in coordinates of three decimals; then the arc in two pieces.
+    // A ball of radius 15, then tangent cylinder, in coordinates of three decimals;
+    // then the arc in two pieces.
     let split = Point::new(10.607, -4.393);
     let path = [
         line(0, at(0.0, 5.0), at(0.0, 0.0)),

@@ -10,8 +10,8 @@ use crate::geometry::Point;
 /// The end of a move given by an angle and X (radius, mm) or Z: `Z = Z0 + (r - r0) / tan A`, or
 /// `r = r0 + (Z - Z0) · tan A`.
 ///
-/// With both, the end point is as given, provided that its direction is within [`ANGLE_ALLOWANCE`] of the angle.
-/// With neither, the end follows from the next block ([`after_angle`]); here it is not found.
+/// With both, the end point is as given, provided that its direction is within [`ANGLE_ALLOWANCE`] of the
+/// angle. With neither, the end follows from the next block ([`after_angle`]); here it is not found.
 pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> Result<Point, CornerError> {
     match (x, z) {
         (Some(x), Some(z)) => {
@@ -34,8 +34,8 @@ pub fn end_by_angle(from: Point, angle: f64, x: Option<f64>, z: Option<f64>) -> 
     }
 }
 
-/// Where the line from `from` at the first angle meets the line through `to` at the second: the end of a block
-/// that has only an angle.
+/// Where the line from `from` at the first angle meets the line through `to` at the second: the end of a
+/// block that has only an angle.
 pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Result<Point, CornerError> {
     cross_safely(first_angle, second_angle)?;
     let (dx, dz) = (to.x - from.x, to.z - from.z);
@@ -46,8 +46,8 @@ pub fn meet(from: Point, first_angle: f64, to: Point, second_angle: f64) -> Resu
 /// The end of an angle-only block by what the next block has: X (radius, mm), Z and an angle, [`meet`].
 ///
 /// X and Z of the next block count from the program zero: increments would count from the point looked for.
-/// One of X and Z with an angle leaves a whole line of solutions: [`CornerError::NoEndPoint`]. Without an angle, or
-/// with nothing but an angle, [`CornerError::NextIncomplete`].
+/// One of X and Z with an angle leaves a whole line of solutions: [`CornerError::NoEndPoint`]. Without an
+/// angle, or with nothing but an angle, [`CornerError::NextIncomplete`].
 pub fn after_angle(
     from: Point,
     first_angle: f64,

@@ -63,8 +63,8 @@ pub fn join(first: &Piece, second: &Piece, corner: Corner) -> Result<Joined, Cor
 
 /// The centre of the arc that touches both arms, and the distances along them where it does.
 ///
-/// The centre is `radius` to the inside of both. Of several, the one nearest to the corner: it is the one that
-/// shrinks into the corner with its radius.
+/// The centre is `radius` to the inside of both. Of several, the one nearest to the corner: it is the one
+/// that shrinks into the corner with its radius.
 fn round(arms: &[Arm; 2], radius: f64, turn: f64) -> Result<(Point, [f64; 2]), CornerError> {
     let left = radius.copysign(turn);
     // The first arm leads backwards: its left is the other side.
@@ -124,7 +124,8 @@ impl Arm {
             Turn::Counterclockwise => sense,
             Turn::Clockwise => -sense,
         };
-        // An end slightly off the circle is allowed: the circle through the corner is the one that counts here.
+        // An end slightly off the circle is allowed: the circle through the corner is
+        // the one that counts here.
         let radius = center.distance(corner);
         let sweep = Arc { start: piece.from, end: piece.to, center, turn }.sweep().abs();
         Self { side, corner, far, length: sweep * radius, form: Form::Circle { center, radius, spin } }
@@ -168,7 +169,8 @@ impl Arm {
         })
     }
 
-    /// The line or circle at a distance to the left, to the right when negative; none when the arc is too small.
+    /// The line or circle at a distance to the left, to the right when negative; none
+    /// when the arc is too small.
     fn beside(&self, left: f64) -> Option<Form> {
         match self.form {
             Form::Line { through, direction } => {

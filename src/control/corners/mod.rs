@@ -1,8 +1,9 @@
 //! Chamfers, rounded corners and angle words: the geometry between two blocks.
 //!
 //! In: two moves that meet in a virtual corner, or points and angles; mm, radius, radians. Out: the moves
-//! shortened, the piece inserted between them, or end points; else the [`CornerError`]. Knows nothing of letters, but
-//! in [`check_signed`], nor of which control reads which form (GSK980TDi p. 96, NCT 2000M p. 120).
+//! shortened, the piece inserted between them, or end points; else the [`CornerError`]. Knows
+//! nothing of letters, but in [`check_signed`], nor of which control reads which form (GSK980TDi
+//! p. 96, NCT 2000M p. 120).
 
 mod angles;
 mod join;
@@ -16,8 +17,8 @@ use crate::cycles::{Piece, sign};
 use crate::geometry::SAME;
 
 /// Two directions nearer than this, radians (1°), make no corner and no point of intersection: the control
-/// refuses an angle word as near as this to the axis whose coordinate it leaves open, since the way to the end
-/// would be too long, and leaves out the chamfer or rounding of such a corner. \[K\]
+/// refuses an angle word as near as this to the axis whose coordinate it leaves open, since the way to the
+/// end would be too long, and leaves out the chamfer or rounding of such a corner. \[K\]
 pub const ANGLE_ALLOWANCE: f64 = std::f64::consts::PI / 180.0;
 
 /// What takes the place of the virtual corner.
@@ -71,7 +72,8 @@ pub enum CornerError {
     TooLong {
         /// The move that is too short.
         side: Side,
-        /// What the corner takes from it, mm. On an arc: straight for a chamfer, along the arc for a rounding.
+        /// What the corner takes from it, mm. On an arc: straight for a chamfer,
+        /// along the arc for a rounding.
         needed: f64,
         /// What it has, mm, measured in the same way.
         available: f64,
@@ -83,10 +85,12 @@ pub enum CornerError {
     },
     /// The second move goes straight on, or back the same way.
     NoCorner {
-        /// From the first direction to the second, radians, counter-clockwise: near 0 straight on, near ±π back.
+        /// From the first direction to the second, radians, counter-clockwise: near 0
+        /// straight on, near ±π back.
         turn: f64,
     },
-    /// The value of a chamfer or rounding is below zero; without comma the sign has a meaning, here it has none.
+    /// The value of a chamfer or rounding is below zero; without comma the sign has a
+    /// meaning, here it has none.
     Negative {
         /// The value, mm.
         value: f64,
@@ -138,8 +142,8 @@ impl CornerError {
     }
 }
 
-/// The rules of the forms without comma and without direct drawing: both moves along an axis, at right angles,
-/// the letter that of the axis, the sign that of the direction of the next move (§3.2.1).
+/// The rules of the forms without comma and without direct drawing: both moves along an axis, at right
+/// angles, the letter that of the axis, the sign that of the direction of the next move (§3.2.1).
 ///
 /// A value of 0 has no sign to be wrong. The corner itself is then `join` with the amount of the value.
 pub fn check_signed(first: &Piece, second: &Piece, letter: Letter, value: f64) -> Result<(), CornerError> {

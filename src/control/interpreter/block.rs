@@ -68,8 +68,8 @@ impl Interpreter {
         self.words_of(text, block, here)
     }
 
-    /// A block of which only the first words are known: they count, but nothing more is reported for it, nor that what the
-    /// rest may have set is missing.
+    /// A block of which only the first words are known: they count, but nothing more is reported for it, nor
+    /// that what the rest may have set is missing.
     #[cold]
     fn torn_block(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         self.sink.muted = true;

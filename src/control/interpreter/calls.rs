@@ -32,8 +32,8 @@ pub(super) enum CallCode {
 }
 
 impl Interpreter {
-    /// Counts blocks that are carried out through jumps, loops and calls. False: they were too many, and the run
-    /// ends here.
+    /// Counts blocks that are carried out through jumps, loops and calls. False: they were too
+    /// many, and the run ends here.
     #[inline]
     pub(super) fn may_go_on(&mut self, block: &Block) -> bool {
         if self.state.call_stack.calls.is_empty() && self.program.is_first_reading(block.span.start) {
@@ -56,8 +56,8 @@ impl Interpreter {
         self.go_on_within(spent, span)
     }
 
-    /// Counts a macro statement or expression, once the program has left the straight way. False: they were too many,
-    /// and the run ends here.
+    /// Counts a macro statement or expression, once the program has left the straight way. False: they were
+    /// too many, and the run ends here.
     pub(super) fn count_macro_step(&mut self, block: &Block) -> bool {
         if !self.program.has_jumped() {
             return !self.sink.is_full();

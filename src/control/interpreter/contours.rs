@@ -1,7 +1,7 @@
 //! The contour between blocks ns and nf of G70 to G73 (GSK980TDb p. 102).
 //!
-//! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the motion
-//! list, so that everything a block can say about a path can be said in a contour too.
+//! In: P and Q. Out: the moves of these blocks, read by the interpreter itself into a list instead of the
+//! motion list, so that everything a block can say about a path can be said in a contour too.
 
 use super::calls::Here;
 use super::request::Request;
@@ -168,7 +168,8 @@ impl Interpreter {
         let outer_purpose = self.contours.purpose.replace(purpose);
         let no_feed = before.feed.unwrap_or(0.0) == 0.0;
         if purpose == Purpose::Roughing && no_feed {
-            // The F of the contour does not count; its lack is reported for the cycle, not for each of these blocks.
+            // The F of the contour does not count; its lack is reported for the cycle, not
+            // for each of these blocks.
             self.state.feed = Some(1.0);
         }
         let read = self.read_shape(text, block, begins, last, code, purpose);
@@ -462,8 +463,8 @@ impl Shape {
         Contour { start, first, approach, pieces: pieces.filter(|piece| !piece.is_empty()).collect() }
     }
 
-    /// The contour without the rapids at its end, if there are any: many programs leave the contour there and go
-    /// back, which is no part of the shape to be roughed.
+    /// The contour without the rapids at its end, if there are any: many programs leave the contour there and
+    /// go back, which is no part of the shape to be roughed.
     pub(super) fn without_retreat(&self, contour: &Contour) -> Option<Contour> {
         let rapids = self
             .moves
@@ -491,8 +492,8 @@ impl Shape {
     }
 }
 
-/// A sequence number for the block that begins a contour, after byte `from`, or for the one that ends it: the last before the
-/// tool leaves, another cycle or another tool.
+/// A sequence number for the block that begins a contour, after byte `from`, or for the one that ends it: the
+/// last before the tool leaves, another cycle or another tool.
 fn number_missing(text: &[u8], from: u32, number: u32, last: bool) -> Option<Fix> {
     /// A contour of more blocks is not searched.
     const BLOCKS: usize = 500;

@@ -1,7 +1,8 @@
 //! What is not known after something that was not carried out, and what ends it.
 //!
-//! In: blocks that were refused, calls that lead nowhere. Out: [`Doubts`] of the state. A motion is uncertain that begins, ends
-//! or goes on where something is in doubt; the next absolute place of an axis makes that axis certain again.
+//! In: blocks that were refused, calls that lead nowhere. Out: [`Doubts`] of the state. A motion is
+//! uncertain that begins, ends or goes on where something is in doubt; the next absolute place of an axis
+//! makes that axis certain again.
 
 use super::request::{OneShot, Request};
 use super::{AXES, Interpreter};
@@ -18,7 +19,8 @@ use crate::text::parser::{Parser, Resume};
 /// Where the tip is.
 const PLACE: Doubts = Doubts::of(&[Doubt::X, Doubt::Z]);
 
-/// What a program that is not there may have changed. It may also have set a tool or a frame, but hardly one leaves them so.
+/// What a program that is not there may have changed. It may also have set a tool or a frame, but
+/// hardly one leaves them so.
 const BY_A_PROGRAM: Doubts = Doubts::of(&[Doubt::X, Doubt::Z, Doubt::C, Doubt::Code, Doubt::Values]);
 
 impl Interpreter {
@@ -57,7 +59,8 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Path]));
     }
 
-    /// A program that is not there, or a jump that leads nowhere: nothing is reported for what it may have set.
+    /// A program that is not there, or a jump that leads nowhere: nothing is reported
+    /// for what it may have set.
     #[cold]
     pub(super) fn lose_program(&mut self) {
         self.lose(BY_A_PROGRAM);
@@ -120,7 +123,8 @@ impl Interpreter {
         self.lose(lost);
     }
 
-    /// A cycle along a contour whose block cannot be read: its contour is no part of the program all the same.
+    /// A cycle along a contour whose block cannot be read: its contour is no part of
+    /// the program all the same.
     #[cold]
     pub(super) fn pass_over_contour(&mut self, text: &[u8], cycle: &Block, words: &Words) {
         let sequence = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
@@ -145,7 +149,8 @@ impl Interpreter {
         }
     }
 
-    /// A code that is recognised and not done here: how long it makes what follows doubtful depends on what it does.
+    /// A code that is recognised and not done here: how long it makes what follows
+    /// doubtful depends on what it does.
     #[cold]
     pub(super) fn lose_to_unsupported(&mut self, tenths: Option<u64>, words: &Words) {
         match tenths {

@@ -196,8 +196,8 @@ impl Interpreter {
         }
     }
 
-    /// The R level. R counts from the initial level towards the hole (system A); one that would lead away from it,
-    /// or a system with absolute words, means a place.
+    /// The R level. R counts from the initial level towards the hole (system A); one that would lead away
+    /// from it, or a system with absolute words, means a place.
     fn r_level(&self, memory: &HoleMemory, level: f64) -> f64 {
         let Some(r) = memory.r else { return level };
         let absolute = self.dialect.g_system != GSystem::A && !self.state.incremental;
@@ -212,7 +212,8 @@ impl Interpreter {
         if absolute || away { place } else { level + r }
     }
 
-    /// The lead of a tap, mm. On FANUC its F is a feed like any other: a minute's feed by the turns of a minute.
+    /// The lead of a tap, mm. On FANUC its F is a feed like any other: a minute's feed
+    /// by the turns of a minute.
     fn tap_lead(&mut self, text: &[u8], block: &Block, words: &Words, kind: Hole) -> Option<f64> {
         let lead = self.lead(text, block, words, kind.code())?;
         let (rpm, gsk) = (self.state.spindle.rpm, self.dialect.control == Control::Gsk);

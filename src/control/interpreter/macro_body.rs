@@ -1,7 +1,8 @@
 //! The body of a macro that is run as a main program: nobody gave its arguments.
 //!
-//! In: vacant variables that are read. Out: which variables have a value that nobody knows, and statements that depend on
-//! them. One message says so; a value that is not known raises no alarm, and what comes of it is uncertain.
+//! In: vacant variables that are read. Out: which variables have a value that nobody knows, and
+//! statements that depend on them. One message says so; a value that is not known raises no alarm, and
+//! what comes of it is uncertain.
 
 use super::calls::Here;
 use super::macros::{Mark, loop_mark};
@@ -15,7 +16,8 @@ use crate::text::block::Block;
 use crate::text::parser::Parser;
 
 impl Interpreter {
-    /// A vacant variable is read that may stand for an argument: reported, if the main program is the body of a macro.
+    /// A vacant variable is read that may stand for an argument: reported, if the main
+    /// program is the body of a macro.
     #[cold]
     pub(super) fn miss_arguments(&mut self, text: &[u8], block: &Block, variable: u32) {
         let is_own = self.state.variables.level() == 0 && !self.state.variables.lacks_arguments();
@@ -27,8 +29,8 @@ impl Interpreter {
         self.lose(Doubts::of(&[Doubt::Values]));
     }
 
-    /// Whether the main program can only be the body of a macro: it goes back by M99, and neither ends nor selects a tool.
-    /// A program that a bar feeder repeats ends with M99, too, but has its tools.
+    /// Whether the main program can only be the body of a macro: it goes back by M99, and neither ends nor
+    /// selects a tool. A program that a bar feeder repeats ends with M99, too, but has its tools.
     fn is_macro_body(&mut self, text: &[u8]) -> bool {
         if let Some(known) = self.program.is_macro_body {
             return known;
@@ -50,7 +52,8 @@ impl Interpreter {
         *self.program.is_macro_body.insert(returns && !is_main)
     }
 
-    /// What a statement that depends on what nobody knows may have done: given a value to a variable, or led somewhere.
+    /// What a statement that depends on what nobody knows may have done: given a value to a
+    /// variable, or led somewhere.
     #[cold]
     pub(super) fn unknown_condition(&mut self, text: &[u8], block: &Block, statement: &[u8]) {
         match macros::assigned(behind_condition(statement), &mut Store::new(self, text, block)) {
@@ -59,7 +62,8 @@ impl Interpreter {
         }
     }
 
-    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the program goes on after it.
+    /// A statement that depends on what nobody knows and has no value, or leads somewhere: the
+    /// program goes on after it.
     #[cold]
     pub(super) fn unknown_statement(
         &mut self,

@@ -1,7 +1,7 @@
 //! Macro statements, values from variables, and macro calls (G65, G66, G67) as blocks use them.
 //!
-//! In: the text of a block. Out: what it does to the variables, the words with their values, and where the program
-//! goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
+//! In: the text of a block. Out: what it does to the variables, the words with their values, and where the
+//! program goes on. Evaluating is `control::macros`; here are jumps, loops, calls and messages.
 
 use super::calls::Here;
 use super::store::Store;
@@ -113,7 +113,8 @@ impl Interpreter {
         }
     }
 
-    /// A statement that is wrong. A loop that it begins is run once, so that its END needs no message of its own.
+    /// A statement that is wrong. A loop that it begins is run once, so that its END
+    /// needs no message of its own.
     fn faulty_statement(&mut self, text: &[u8], block: &Block, here: Here, fault: &MacroError) {
         let mark = loop_mark(text, block);
         if matches!(mark, Some((Mark::End, _)))
@@ -188,7 +189,8 @@ impl Interpreter {
         Flow::Next
     }
 
-    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so such a loop was reported as nested in itself.
+    /// One more loop is under way. Beyond the limit none is: numbers have one digit, so such a loop was
+    /// reported as nested in itself.
     fn open_loop(&mut self, own: Loop) {
         let loops = self.state.call_stack.loops();
         if loops.len() < LOOPS {
@@ -240,8 +242,8 @@ impl Interpreter {
         found
     }
 
-    /// The block after the END of a loop that begins here, looked for once. The loops met on the way need no search
-    /// of their own.
+    /// The block after the END of a loop that begins here, looked for once. The loops met on the way
+    /// need no search of their own.
     fn end_of_loop(&mut self, text: &[u8], block: &Block, number: u32, here: Here) -> Option<Resume> {
         if let Some(found) = self.program.loop_ends.get(&here.at.byte) {
             return *found;
@@ -294,7 +296,8 @@ impl Interpreter {
         self.evaluated_words(text, block, own, here)
     }
 
-    /// Carries out a block whose expressions came to these values; `None`: they have none, which was reported.
+    /// Carries out a block whose expressions came to these values; `None`: they have
+    /// none, which was reported.
     fn evaluated_words(&mut self, text: &[u8], block: &Block, own: Option<Block>, here: Here) -> Flow {
         match own {
             Some(own) => {
@@ -319,7 +322,8 @@ impl Interpreter {
         }
     }
 
-    /// The block with its values in place of expressions; words with a vacant variable are left out. `None`: reported.
+    /// The block with its values in place of expressions; words with a vacant variable are
+    /// left out. `None`: reported.
     #[cold]
     pub(super) fn evaluated(&mut self, text: &[u8], block: &Block) -> Option<Block> {
         let mut own = block.clone();
@@ -348,7 +352,8 @@ impl Interpreter {
         Some(own)
     }
 
-    /// The value of a word's expression, rounded to some places if they are given. The outer `None`: reported.
+    /// The value of a word's expression, rounded to some places if they are given.
+    /// The outer `None`: reported.
     fn value_of(
         &mut self,
         text: &[u8],

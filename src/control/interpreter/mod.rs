@@ -1,8 +1,8 @@
 //! Blocks to motions: what the control does with one block after the other.
 //!
 //! In: blocks, the setup. Out: motions and messages. Values become millimetres and radii here and nowhere
-//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain until what they
-//! depend on is known again.
+//! else. An error drops the motion of its block, the position stays, and later motions are marked uncertain
+//! until what they depend on is known again.
 //!
 //! Order within a block: plane, unit and feed mode – G96/G97 with S – F – T – M03, M04 –
 //! coordinate system – compensation – motion or cycle – M05, M00, M01, M02, M30.
@@ -129,7 +129,8 @@ impl Interpreter {
         self
     }
 
-    /// Something happens: what whoever listens reports of it is reported. `text`: empty where the event names no word.
+    /// Something happens: what whoever listens reports of it is reported. `text`: empty
+    /// where the event names no word.
     #[inline]
     fn observe(&mut self, text: &[u8], event: Event<'_>) {
         if self.observer.is_some() {
@@ -230,7 +231,8 @@ impl Interpreter {
         }
     }
 
-    /// What is reported for the setup: many faults of one kind have no other place than the beginning of the text.
+    /// What is reported for the setup: many faults of one kind have no other place than
+    /// the beginning of the text.
     pub fn report_of_setup(&mut self, diagnostic: Diagnostic) {
         self.sink.report_of_setup(diagnostic);
     }

@@ -79,7 +79,8 @@ impl Interpreter {
         self.state.position.x.abs() <= SAME
     }
 
-    /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is drawn as an uncertain one.
+    /// Y and V: at Y0 they change nothing. Elsewhere it is reported once, and the motion of X and Z is
+    /// drawn as an uncertain one.
     #[inline(never)]
     pub(super) fn other_axes(&mut self, text: &[u8], words: &Words) {
         let reading = self.reading();
@@ -372,7 +373,8 @@ impl Interpreter {
         }
     }
 
-    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (seeds 001 and 002, GSK980TDb p. 122).
+    /// G32: one thread cut; G34: one whose lead changes; G33 on GSK: in and out again (seeds 001
+    /// and 002, GSK980TDb p. 122).
     #[inline(never)]
     pub(super) fn thread(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let code = match self.state.motion {
@@ -470,8 +472,8 @@ fn gsk_pull_out(from: Point, to: Point, out: f64, along: f64) -> [Option<Point>;
     [Some(leave), Some(end)]
 }
 
-/// How far a G34 gets until its lead is zero, mm: n turns make a thread of F·n + K·n²/2, and the lead is zero after F/−K of
-/// them. Nothing where it does not fall.
+/// How far a G34 gets until its lead is zero, mm: n turns make a thread of F·n + K·n²/2, and the lead is zero
+/// after F/−K of them. Nothing where it does not fall.
 fn lead_ends(lead: f64, change: f64) -> Option<f64> {
     (change < 0.0).then(|| lead * lead / (-2.0 * change))
 }

@@ -1,5 +1,5 @@
-//! G70 to G76 as blocks call them (seed 003): what is the same in all, and the cycles along a contour. G74 and G75 are in
-//! `pecks`, G76 in `threads`.
+//! G70 to G76 as blocks call them (seed 003): what is the same in all, and the cycles along a contour. G74
+//! and G75 are in `pecks`, G76 in `threads`.
 //!
 //! In: the words of a block. Out: the moves of the cycle. The geometry is in `cycles`; here are the words,
 //! their units and their alarms. A cycle that cannot run makes no motion at all.
@@ -361,8 +361,8 @@ impl Interpreter {
         self.setup.limits.moves_per_cycle.min(self.setup.limits.motions.saturating_sub(self.sink.kept()))
     }
 
-    /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself, or too few
-    /// are left for it and the run ends.
+    /// Refuses a cycle of more than `most` moves, found out after so many steps: it has too many by itself,
+    /// or too few are left for it and the run ends.
     pub(super) fn refuse_long_cycle(&mut self, block: &Block, code: &'static str, steps: usize, most: usize) {
         let span = block.words_span();
         if !self.spend(steps, block) {

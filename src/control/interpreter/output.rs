@@ -34,7 +34,8 @@ impl Interpreter {
         self.state.position = motion.to;
     }
 
-    /// M00, M01: the program stops once all moves before it are made, those that wait for a next one included.
+    /// M00, M01: the program stops once all moves before it are made, those that
+    /// wait for a next one included.
     #[cold]
     pub(super) fn stop(&mut self, block: &Block, kind: StopKind) {
         // A contour is read for its shape alone.

@@ -1,8 +1,8 @@
 //! The way of the programmed path to the motion list: corners first, then nose radius compensation.
 //!
-//! In: straight moves and arcs as blocks program them. Out: motions. A move with a chamfer, a rounding or an open
-//! angle waits for the next one; under compensation every move does. Whatever is no part of the path (cycles,
-//! threads, G28, changes of the frame) first settles what waits.
+//! In: straight moves and arcs as blocks program them. Out: motions. A move with a chamfer, a rounding or an
+//! open angle waits for the next one; under compensation every move does. Whatever is no part of the path
+//! (cycles, threads, G28, changes of the frame) first settles what waits.
 
 use super::Interpreter;
 use crate::control::codes::Compensation;
@@ -48,8 +48,8 @@ impl Interpreter {
         }
     }
 
-    /// A move while nothing waits, is compensated or recorded: straight into the motion list, as nearly all moves of
-    /// long programs. False: it has to go the whole way.
+    /// A move while nothing waits, is compensated or recorded: straight into the motion list, as nearly all
+    /// moves of long programs. False: it has to go the whole way.
     #[inline]
     pub(super) fn travel_plainly(
         &mut self,
@@ -136,8 +136,8 @@ impl Interpreter {
         }
     }
 
-    /// Joins a waiting move to the next one, which it may shorten at its start. False: reported; the waiting move is
-    /// dropped.
+    /// Joins a waiting move to the next one, which it may shorten at its start. False: reported;
+    /// the waiting move is dropped.
     fn join(&mut self, pending: Pending, next: &mut PathMove) -> bool {
         let first = piece(&pending.path_move.motion);
         let Some(joint) = &pending.joint else {
@@ -401,8 +401,8 @@ impl Interpreter {
         self.flush_compensation();
     }
 
-    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing is reported for
-    /// it. One fault, one message.
+    /// The next move is not carried out: a corner or an open angle that waits for it is left out, and nothing
+    /// is reported for it. One fault, one message.
     #[cold]
     pub(super) fn forget_next_move(&mut self) {
         let Some(pending) = &mut self.state.pending else { return };
@@ -486,8 +486,8 @@ impl Interpreter {
         Some(if tool_offset::nose_entry(&self.state, &self.setup).0 < 0.0 { side.opposite() } else { side })
     }
 
-    /// A cycle starts here: its start point is the programmed one, so an approach that only begins compensation
-    /// goes there uncompensated.
+    /// A cycle starts here: its start point is the programmed one, so an approach that only begins
+    /// compensation goes there uncompensated.
     pub(super) fn arrive_for_cycle(&mut self) {
         let only_approach =
             |compensating: &Compensating| compensating.is_new && compensating.waiting.len() == 1;
@@ -509,8 +509,8 @@ fn piece(motion: &Motion) -> Piece {
     Piece { from: motion.from, to: motion.to, arc }
 }
 
-/// What is wrong with a corner word without comma. I and K are always held to their sign and axis; C and R, which
-/// many controls take as the comma forms, only where they are negative or the control is strict.
+/// What is wrong with a corner word without comma. I and K are always held to their sign and axis; C and R,
+/// which many controls take as the comma forms, only where they are negative or the control is strict.
 fn signed_fault(
     first: &Piece,
     second: &Piece,

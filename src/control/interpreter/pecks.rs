@@ -1,7 +1,7 @@
 //! G74 and G75 as blocks call them, and what P and Q of G74 to G76 count.
 //!
-//! In: the words of a block. Out: the moves of the cycle, amounts as lengths. The geometry is in `cycles::grooving`, the
-//! guess of the unit in `cycles::units`.
+//! In: the words of a block. Out: the moves of the cycle, amounts as lengths. The geometry is in
+//! `cycles::grooving`, the guess of the unit in `cycles::units`.
 
 use super::multiples::{INCREMENT, NEAR};
 use super::request::Request;
@@ -163,7 +163,8 @@ impl Interpreter {
         }
     }
 
-    /// Says that P and Q were read as millimetres, or that a control takes no point there. False: it does not.
+    /// Says that P and Q were read as millimetres, or that a control takes no point
+    /// there. False: it does not.
     pub(super) fn report_amounts(&mut self, text: &[u8], words: &Words, reading: units::Reading) -> bool {
         let pointed = [b'P', b'Q'].into_iter().find(|&address| {
             self.amount(words, address).is_some_and(|amount| amount.written == Written::WithPoint)

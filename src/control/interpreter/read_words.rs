@@ -145,11 +145,13 @@ impl Interpreter {
         }
     }
 
-    /// A G code this control does not have: an alarm; of the numbers machine makers use, a question of the machine.
+    /// A G code this control does not have: an alarm; of the numbers machine makers use,
+    /// a question of the machine.
     #[inline(never)]
     fn unknown_g(&mut self, text: &[u8], request: &mut Request, tenths: Option<u64>, word: &Word) {
         let quoted = quote(text, word.span);
-        // Tool length offsets of mills: on a lathe the T word has them, and on some machines with a B axis G43.
+        // Tool length offsets of mills: on a lathe the T word has them, and on some
+        // machines with a B axis G43.
         if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
             self.report(Diagnostic::new(Message::MakerG { word: quoted }, word.span));

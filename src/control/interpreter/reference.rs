@@ -1,4 +1,5 @@
-//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (seed 002); and what G10 writes (FANUC 16i/18i-TB B-63524EN p. 285).
+//! Reference points and machine coordinates: G27, G28, G29, G30, G53 (seed 002); and what G10 writes (FANUC
+//! 16i/18i-TB B-63524EN p. 285).
 //!
 //! In: the words of a block. Out: rapids, and changed tables.
 
@@ -125,8 +126,9 @@ impl Interpreter {
         }
         request.moved = true;
         let (from, offset) = (self.state.position, self.state.frames.offset());
-        // Most machines count from their reference point, where the slides are as far out as they go: what lies at
-        // zero or below is counted from there, for in the frame of the work it would be inside the chuck.
+        // Most machines count from their reference point, where the slides are as far out as they
+        // go: what lies at zero or below is counted from there, for in the frame of the work it
+        // would be inside the chuck.
         let from_reference = x.unwrap_or(0.0) <= 0.0 && z.unwrap_or(0.0) <= 0.0;
         let zero = match from_reference {
             true => self.reference_point(),

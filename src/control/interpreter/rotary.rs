@@ -1,8 +1,8 @@
-//! The C axis: as an axis of its own, and as the second axis of a virtual plane under polar (G12.1) and cylindrical
-//! (G07.1) interpolation (seed 002, FANUC 15i B-63324EN p. 80).
+//! The C axis: as an axis of its own, and as the second axis of a virtual plane under polar (G12.1) and
+//! cylindrical (G07.1) interpolation (seed 002, FANUC 15i B-63324EN p. 80).
 //!
-//! In: the words of a block. Out: moves of the path, in the plane while one is in force, and what the machine makes
-//! of them.
+//! In: the words of a block. Out: moves of the path, in the plane while one is in force, and what
+//! the machine makes of them.
 
 use super::Interpreter;
 use super::request::Request;
@@ -154,8 +154,8 @@ impl Interpreter {
         }
     }
 
-    /// A code that ends the plane is refused: what follows is written for the plane of turning all the same. One fault,
-    /// one message.
+    /// A code that ends the plane is refused: what follows is written for the plane of turning all the
+    /// same. One fault, one message.
     fn leave_plane_refused(&mut self, switch: Switch) {
         if switch == Switch::Off && self.state.virtual_plane.is_some() {
             self.leave_plane();

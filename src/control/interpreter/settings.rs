@@ -1,5 +1,5 @@
-//! What a block sets without moving the tool: F, S, T, coordinate systems, speed limits; and the one-shot codes
-//! G04 and G28, which use the words of their block in their own way.
+//! What a block sets without moving the tool: F, S, T, coordinate systems, speed limits; and the one-shot
+//! codes G04 and G28, which use the words of their block in their own way.
 
 use super::Interpreter;
 use super::request::{OneShot, Request};
@@ -150,7 +150,8 @@ impl Interpreter {
             }
             _ => {
                 let diagnostic = Diagnostic::new(Message::DwellNoTime, block.words_span());
-                // Many controls take a lone G04 as an exact stop; with the spindle stopped no groove waits for a turn.
+                // Many controls take a lone G04 as an exact stop; with the spindle stopped
+                // no groove waits for a turn.
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
                     && !self.state.spindle.still
                     && !words.has_any(letters(b"XUPF"));

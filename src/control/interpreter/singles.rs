@@ -136,8 +136,8 @@ impl Interpreter {
         }
     }
 
-    /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed line;
-    /// nothing without compensation or radius.
+    /// How far compensation moves a straight cut along an axis, mm, so that the nose touches the programmed
+    /// line; nothing without compensation or radius.
     fn nose_shift(&self, from: Point, to: Point, along: Axis) -> f64 {
         let Some(side) = self.side() else { return 0.0 };
         cycle_shift(side, tool_offset::nose(&self.state, &self.setup), from, to, along).unwrap_or(0.0)

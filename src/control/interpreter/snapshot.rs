@@ -1,7 +1,9 @@
-//! The control between two blocks, kept so that a change of the text needs only a part of the program to run again.
+//! The control between two blocks, kept so that a change of the text needs only a part of
+//! the program to run again.
 //!
-//! In: the place of the next block. Out: a [`Snapshot`] to go back to, or to be met by another run. A snapshot is only
-//! made while nothing that was carried out has looked elsewhere in the text: no call, jump, loop or contour so far.
+//! In: the place of the next block. Out: a [`Snapshot`] to go back to, or to be met by another run. A
+//! snapshot is only made while nothing that was carried out has looked elsewhere in the text: no call,
+//! jump, loop or contour so far.
 
 use super::Interpreter;
 use super::contours::Contours;
@@ -12,7 +14,8 @@ use crate::motion::{Chunk, Motions};
 use crate::source::shift::Shift;
 use crate::text::parser::Resume;
 
-/// The control between two blocks on the straight way through the text. What came before it does not depend on what comes after.
+/// The control between two blocks on the straight way through the text. What came before it does not
+/// depend on what comes after.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     /// The block to come.
@@ -99,7 +102,8 @@ impl Interpreter {
         self.sink.begin_chunk(Chunk::new(at.byte, at.line, self.state.position));
     }
 
-    /// Whether everything so far was carried out on the straight way through the text, with an eye on nothing else.
+    /// Whether everything so far was carried out on the straight way through the text,
+    /// with an eye on nothing else.
     pub fn is_straight(&self) -> bool {
         self.program.is_straight() && !self.sink.is_full() && self.trace.is_none()
     }
@@ -149,8 +153,8 @@ impl Interpreter {
         })
     }
 
-    /// Whether this run goes on from here as another did from its snapshot `index`, once the places there are moved
-    /// along.
+    /// Whether this run goes on from here as another did from its snapshot `index`, once the
+    /// places there are moved along.
     pub fn meets(&self, other: &Remainder, index: usize, shift: &Shift) -> bool {
         let there = &other.snapshots[index];
         let reported = self.sink.diagnostics.len();
@@ -176,8 +180,9 @@ impl Interpreter {
         is_heard_alike && self.state.goes_on_like(&there.state)
     }
 
-    /// Takes over what another run gave after its snapshot `index`, which this run has just met. The snapshots of that
-    /// run after it are those of this run from here on. As many messages are hidden here as there.
+    /// Takes over what another run gave after its snapshot `index`, which this run has just met.
+    /// The snapshots of that run after it are those of this run from here on. As many messages
+    /// are hidden here as there.
     pub fn take_over(&mut self, other: Remainder, index: usize, shift: &Shift) -> Vec<Snapshot> {
         let Remainder { mut snapshots, mut motions, mut diagnostics, hidden, mut state, mut observer } =
             other;

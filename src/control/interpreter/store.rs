@@ -1,6 +1,7 @@
 //! The variables of a run, as the evaluation of macros reads and writes them.
 //!
-//! In: numbers of variables. Out: their values, whether they are known, and what reading and writing does to the run.
+//! In: numbers of variables. Out: their values, whether they are known, and what reading
+//! and writing does to the run.
 
 use super::Interpreter;
 use crate::control::macros::{Found, Knowledge, MacroErrorKind, Memory, Stored, Variables};

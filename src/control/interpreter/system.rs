@@ -1,6 +1,7 @@
 //! System variables (#1000 and up): what a program can read from the control and write to it.
 //!
-//! In: numbers of variables. Out: values as a program writes them: X a diameter, lengths in the program's unit.
+//! In: numbers of variables. Out: values as a program writes them: X a diameter,
+//! lengths in the program's unit.
 
 use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};

@@ -1,7 +1,7 @@
 //! G76 as blocks call it: `P(m)(r)(a) Q R`, then the thread (seeds 001 and 003, GSK980TDb pp. 135, 138).
 //!
-//! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor remarks in
-//! `lint::thread`.
+//! In: the words of a block. Out: the passes. The geometry is in `cycles::threading`; what an instructor
+//! remarks in `lint::thread`.
 
 use super::{AXES, Interpreter};
 use crate::control::events::{Event, ThreadPass, ThreadingCall};

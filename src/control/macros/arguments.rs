@@ -15,11 +15,11 @@ pub struct ArgumentError {
 /// Most sets of I, J and K in one call.
 const SETS: usize = 10;
 
-/// The local variables #1 to #33 from the words of a call: letter and value, in the order they are written. The
-/// caller has taken out what is no argument: G65 or G66 itself, P, L, and words whose value is vacant.
+/// The local variables #1 to #33 from the words of a call: letter and value, in the order they are written.
+/// The caller has taken out what is no argument: G65 or G66 itself, P, L, and words whose value is vacant.
 ///
-/// Both specifications may be mixed: each letter has its variable, and I, J, K begin a next set whenever one of
-/// them does not follow in alphabetical order. Where two words reach the same variable, the later holds.
+/// Both specifications may be mixed: each letter has its variable, and I, J, K begin a next set whenever one
+/// of them does not follow in alphabetical order. Where two words reach the same variable, the later holds.
 pub fn arguments(words: impl Iterator<Item = (u8, f64)>) -> Result<Locals, ArgumentError> {
     let mut locals = [None; LOCALS];
     let mut set = 0;

@@ -1,7 +1,7 @@
 //! A place in the text of a macro.
 //!
-//! In: bytes, any bytes at all. Out: signs, names and numbers, one after another. Blanks and comments may stand
-//! anywhere between them. Knows nothing of what they mean.
+//! In: bytes, any bytes at all. Out: signs, names and numbers, one after another. Blanks and comments may
+//! stand anywhere between them. Knows nothing of what they mean.
 
 use std::ops::Range;
 
@@ -48,8 +48,8 @@ pub(super) struct Cursor<'t> {
     at: usize,
     /// End of what was taken last.
     end: usize,
-    /// A comment with a bracket too many was met: from then on the first `)` ends a comment, so that no text is
-    /// searched again and again for an end that never comes.
+    /// A comment with a bracket too many was met: from then on the first `)` ends a comment, so that no text
+    /// is searched again and again for an end that never comes.
     unbalanced: bool,
 }
 

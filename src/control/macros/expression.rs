@@ -12,8 +12,8 @@
 //! function  = name "[" sum [ "," sum ] "]" [ "/" "[" sum "]" ]       two numbers for ATAN and POW only
 //! ```
 //!
-//! In: text and the memory of the variables. Out: a value, or the [`MacroError`]. The text is read once, but for a
-//! look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion.
+//! In: text and the memory of the variables. Out: a value, or the [`MacroError`]. The text is read once, but
+//! for a look ahead at AND, OR and XOR; five brackets inside each other are the deepest recursion.
 
 use std::ops::Range;
 
@@ -22,8 +22,8 @@ use super::functions::{self, Function};
 use super::{MacroError, MacroErrorKind, Memory};
 use crate::limits::BRACKETS;
 
-/// The value after an address letter; `None` when it is a vacant variable, which drops the word. `increment` is
-/// the least increment of the address, in its own unit, to which ROUND rounds here.
+/// The value after an address letter; `None` when it is a vacant variable, which drops the word. `increment`
+/// is the least increment of the address, in its own unit, to which ROUND rounds here.
 pub fn address_value(
     text: &[u8],
     increment: f64,

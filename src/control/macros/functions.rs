@@ -13,8 +13,8 @@ const SMALLEST: f64 = 1e-29;
 /// Sines and the like as near as this to a multiple of a half are one: COS\[90\] is 0, SIN\[30\] is 0.5.
 const ROUND_RESULT: f64 = 1e-12;
 
-/// What FIX, FUP and ROUND take for the error of earlier arithmetic, relative: FIX\[0.29*100\] is 29. A control
-/// may give 28 here.
+/// What FIX, FUP and ROUND take for the error of earlier arithmetic, relative: FIX\[0.29*100\] is 29. A
+/// control may give 28 here.
 const ARITHMETIC_ERROR: f64 = 1e-12;
 
 /// How far below 0 the argument of SQRT, or beyond 1 that of ASIN and ACOS, is taken for the error of earlier

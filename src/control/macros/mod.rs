@@ -1,8 +1,8 @@
 //! Custom macro B: variables, expressions and statements.
 //!
 //! In: the text of an address value or of a macro statement, and the [`Memory`] its variables are in. Out: a
-//! number, or the [`Action`] the statement asks for; else the [`MacroError`]. Evaluated straight from the text: no
-//! tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions
+//! number, or the [`Action`] the statement asks for; else the [`MacroError`]. Evaluated straight from the
+//! text: no tree is kept, so a loop reads its blocks again each time round. Knows nothing of blocks, motions
 //! or the meaning of system variables.
 
 mod arguments;

@@ -9,8 +9,8 @@
 //! print      = ( "POPEN" | "PCLOS" | "BPRNT" | "DPRNT" | "SETVN" ) …
 //! ```
 //!
-//! In: the text of a block without its `/` and its sequence number, and the memory of the variables. Out: what
-//! the caller has to do. Knows the grammar of one block only: loops and jump targets are the caller's.
+//! In: the text of a block without its `/` and its sequence number, and the memory of the variables. Out:
+//! what the caller has to do. Knows the grammar of one block only: loops and jump targets are the caller's.
 
 use std::ops::Range;
 

@@ -145,8 +145,8 @@ impl Variables {
         is_room
     }
 
-    /// Leaves a macro: the local variables of the program that called it are back. In the main program nothing
-    /// happens.
+    /// Leaves a macro: the local variables of the program that called it are back. In the
+    /// main program nothing happens.
     pub fn pop_level(&mut self) {
         if self.levels.len() > 1 {
             Arc::make_mut(&mut self.levels).pop();
@@ -183,7 +183,8 @@ impl Variables {
         self.unknown.is_some()
     }
 
-    /// Whether the value of a variable is not known. What a macro was handed by a program without its arguments is not.
+    /// Whether the value of a variable is not known. What a macro was handed by a program
+    /// without its arguments is not.
     pub fn is_unknown(&self, variable: u32) -> bool {
         let Some(unknown) = &self.unknown else { return false };
         let (index, bit) = bit_of(variable);

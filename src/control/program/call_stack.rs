@@ -1,6 +1,7 @@
 //! The calls and loops that a program is in.
 //!
-//! Plain values, part of [`State`](crate::control::modal::State). What calls and jumps do is in `interpreter/calls`.
+//! Plain values, part of [`State`](crate::control::modal::State). What calls and jumps do
+//! is in `interpreter/calls`.
 
 use crate::text::parser::Resume;
 

@@ -1,8 +1,9 @@
-//! The way a program takes through its text: where to read next, and the limits on reading the same blocks again.
+//! The way a program takes through its text: where to read next, and the limits on
+//! reading the same blocks again.
 //!
-//! In: places in the text, and what asks for a jump, a call or another round. Out: the next place; the message of the limit
-//! that is exceeded. Knows nothing of what a block does. What has to be known to go back to a block (calls and loops under
-//! way) is [`CallStack`], a part of the state.
+//! In: places in the text, and what asks for a jump, a call or another round. Out: the next place; the
+//! message of the limit that is exceeded. Knows nothing of what a block does. What has to be known to go back
+//! to a block (calls and loops under way) is [`CallStack`], a part of the state.
 
 mod budget;
 mod call_stack;
@@ -50,7 +51,8 @@ impl Program {
         self.labels.get_or_insert_with(|| Labels::new(text))
     }
 
-    /// Whether the block at byte `start` of the main program is read for the first time; it counts as read from here on.
+    /// Whether the block at byte `start` of the main program is read for the first time; it
+    /// counts as read from here on.
     #[inline]
     pub fn is_first_reading(&mut self, start: u32) -> bool {
         let is_first = start >= self.unread_from;
@@ -76,7 +78,8 @@ impl Program {
         self.has_jumped
     }
 
-    /// Whether nothing so far was carried out, or looked for, anywhere else than on the straight way through the text.
+    /// Whether nothing so far was carried out, or looked for, anywhere else than on the
+    /// straight way through the text.
     pub fn is_straight(&self) -> bool {
         self.labels.is_none() && self.loop_ends.is_empty() && !self.has_jumped
     }
@@ -99,7 +102,8 @@ impl Program {
         self.heads.contains(&at.byte)
     }
 
-    /// The same program, of which nothing from `at` on has been read. Only right for one that was read straight through so far.
+    /// The same program, of which nothing from `at` on has been read. Only right for one that was
+    /// read straight through so far.
     pub fn back_at(self, at: Resume, work: usize) -> Self {
         let heads = self.heads.into_iter().filter(|&head| head < at.byte).collect();
         let budget = Budget::after_work(work);

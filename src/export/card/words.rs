@@ -49,7 +49,8 @@ pub(super) fn words(language: Language) -> &'static Words {
     }
 }
 
-/// What one code of several with the same function does: `index` counts the codes of its row in the table of codes.
+/// What one code of several with the same function does: `index` counts the codes of its
+/// row in the table of codes.
 pub(super) fn one_of(function: Function, index: usize, language: Language) -> Option<String> {
     let [en, zh, ru] = match (function, index) {
         (Function::Spindle, 0) => ["spindle forward", "主轴正转", "шпиндель вперёд"],

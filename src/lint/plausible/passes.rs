@@ -71,7 +71,8 @@ impl Pass {
         self.before = Some(motion);
     }
 
-    /// The Z beyond which nothing of the blank is left: a face was cut there, or other tools than `tool` began their cuts.
+    /// The Z beyond which nothing of the blank is left: a face was cut there, or other tools
+    /// than `tool` began their cuts.
     pub fn empty_beyond(&self, tool: u16) -> Option<f64> {
         let others = match self.own.filter(|_| tool != self.tool) {
             Some(own) => farther(self.others, own),

@@ -48,7 +48,8 @@ impl Program<'_> {
         word.address == b'I' && !word.negative && self.rows[word.block].thread
     }
 
-    /// A single number without a point in a program that writes points, unless it is meant to count increments.
+    /// A single number without a point in a program that writes points, unless it is
+    /// meant to count increments.
     pub(super) fn missing_points(&self) -> Vec<Diagnostic> {
         if self.decimal == DecimalRule::LeastIncrement {
             return Vec::new();

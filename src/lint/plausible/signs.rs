@@ -1,7 +1,8 @@
 //! Lost minus signs: a Z that cuts away from the chuck.
 //!
-//! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck outward or in the
-//! sub-spindle. `passes` states how a tool came to a move; only where no such reading is left is a minus missed.
+//! A positive Z is often meant: the tool leaves over the face, comes out of a bore, works from the chuck
+//! outward or in the sub-spindle. `passes` states how a tool came to a move; only where no such reading
+//! is left is a minus missed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -156,7 +157,8 @@ impl Program<'_> {
         cuts
     }
 
-    /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one that a rapid brought there.
+    /// A cut that leads away from the chuck, in front of the work: `Z20` for `Z-20`; or one
+    /// that a rapid brought there.
     pub(super) fn lost_minus(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let lengths = self.positive_lengths();
@@ -215,7 +217,8 @@ impl Program<'_> {
         cycle && next.is_some_and(|next| !next.negative && next.value < own.value)
     }
 
-    /// Whether a rapid led to `place`, in front of a face that is cut already, and the tool then cuts straight in there.
+    /// Whether a rapid led to `place`, in front of a face that is cut already, and the tool
+    /// then cuts straight in there.
     fn plunges_in_air(&self, pass: &Pass, from: usize, to: usize, place: f64) -> bool {
         let last = self.motions.get(to - 1);
         if last.kind != MotionKind::Rapid || last.cycle.is_some() || (last.to.z - place).abs() > 0.001 {
@@ -244,7 +247,8 @@ impl Program<'_> {
         self.words.iter().any(|word| word.address == b'G' && (55.0..=59.0).contains(&word.value))
     }
 
-    /// Whether the motions of a block cut toward +Z to `place`, in front of the work, where cuts begin at `front`.
+    /// Whether the motions of a block cut toward +Z to `place`, in front of the work,
+    /// where cuts begin at `front`.
     fn leads_away(&self, pass: &Pass, from: usize, to: usize, place: f64, front: f64) -> bool {
         // A corner takes off a little at the end.
         let reaches = |z: f64| (place - CORNER..=place + 0.001).contains(&z);

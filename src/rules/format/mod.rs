@@ -1,8 +1,8 @@
 //! A rule as it is written: `src/rules/<slug>.md`.
 //!
-//! In: the text of the file. Out: its parts, or every mistake in it with its line. `src/rules/README.md` describes the format.
-//! Shared by the build script, the rule pages and their tests, so it uses nothing but the standard library and must not
-//! know what a program does or what the parts are used for.
+//! In: the text of the file. Out: its parts, or every mistake in it with its line. `src/rules/README.md`
+//! describes the format. Shared by the build script, the rule pages and their tests, so it uses nothing but
+//! the standard library and must not know what a program does or what the parts are used for.
 
 pub mod message;
 pub mod page;

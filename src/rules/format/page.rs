@@ -1,4 +1,5 @@
-//! The page of a rule: its texts in all languages, a program it is triggered in, and the same program corrected.
+//! The page of a rule: its texts in all languages, a program it is triggered in, and
+//! the same program corrected.
 
 use super::{LANGUAGES, Mistakes};
 
@@ -74,7 +75,8 @@ pub struct Text {
     pub repair: String,
 }
 
-/// Blanks in front of a line of a program, so that carets below it have room after `//`. They are no part of it.
+/// Blanks in front of a line of a program, so that carets below it have room after
+/// `//`. They are no part of it.
 pub const INDENT: &str = "   ";
 
 /// Most characters of a title.

@@ -1,8 +1,9 @@
 //! The strokes of a scene as an image that is made anew when they or the camera change, and moved until then.
 //!
-//! In: a scene and a view. Out: the strokes on a canvas of their own. Few strokes are drawn at once, with their widths
-//! and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile the last image is moved
-//! to where the camera is. While the tool goes on, only what it has done since is added. Knows nothing of what lies under or over the strokes.
+//! In: a scene and a view. Out: the strokes on a canvas of their own. Few strokes are drawn at once, with
+//! their widths and dashes. Many are plotted in slices, so that whoever draws is free again soon; meanwhile
+//! the last image is moved to where the camera is. While the tool goes on, only what it has done since is
+//! added. Knows nothing of what lies under or over the strokes.
 
 use std::ops::Range;
 
@@ -32,8 +33,8 @@ const CROWDED: usize = 40_000;
 const QUICK: usize = 4_000;
 /// More motions at once than this are drawn with all others.
 const FEW: usize = 400;
-/// Frames that the tool stands before the strokes that were added one by one are drawn all together: a frame that came
-/// late must not make the next ones late.
+/// Frames that the tool stands before the strokes that were added one by one are drawn all together: a frame
+/// that came late must not make the next ones late.
 const STANDING: u32 = 12;
 /// How long plotting goes on before others have their turn, ms.
 const SLICE: f64 = 8.0;
@@ -75,7 +76,8 @@ struct Target {
 enum Made {
     /// Of all strokes together.
     AtOnce,
-    /// Strokes were added one after the other as the tool went on: where they lie on one another they are a little darker.
+    /// Strokes were added one after the other as the tool went on: where they lie on one another
+    /// they are a little darker.
     Added {
         /// Where the tool was seen last.
         tool: Playhead,
@@ -166,7 +168,8 @@ impl StrokeLayer {
             self.made = Made::Added { tool, frames: 0 };
             return Ok(Progress::Waiting);
         }
-        // While the camera moves, what takes long is only moved; it is drawn once the camera has stood for a frame.
+        // While the camera moves, what takes long is only moved; it is drawn once the
+        // camera has stood for a frame.
         let camera = Some(*view.camera());
         if motions > QUICK && self.shown.is_some() && self.moved != camera && !self.shows_same_camera(view) {
             self.moved = camera;
@@ -188,7 +191,8 @@ impl StrokeLayer {
         }
     }
 
-    /// The motions that the image lacks, if it shows what it should but for a few that the tool has made since.
+    /// The motions that the image lacks, if it shows what it should but for a few
+    /// that the tool has made since.
     fn done_since(&self, target: &Target) -> Option<Range<usize>> {
         let shown = self.shown.as_ref()?;
         let (from, to) = (shown.view.playhead?.motion, target.view.playhead?.motion);
@@ -210,7 +214,8 @@ impl StrokeLayer {
 
     fn plot(&mut self, scene: &Scene, target: Target, in_view: &[&Stretch]) -> Result<Progress, JsValue> {
         let view = &target.view;
-        // An image for another place of the tool is finished all the same: while it moves, there is a newer one each time.
+        // An image for another place of the tool is finished all the same: while it moves, there
+        // is a newer one each time.
         let goes_on = |of: &Target| {
             of.path_index == target.path_index
                 && of.view.camera() == view.camera()
@@ -391,7 +396,8 @@ fn plot_stretch(plot: &mut Plot, scene: &Scene, stretch: &Stretch, done: Option<
     plot.lift();
 }
 
-/// Rows of the pictures of a plot, one over the other in their colours: red, green, blue and opacity of each pixel.
+/// Rows of the pictures of a plot, one over the other in their colours: red, green, blue
+/// and opacity of each pixel.
 fn coloured(plot: &Plot, rows: Range<usize>, colours: &Colours) -> Vec<u8> {
     let (width, _) = plot.size();
     let part = rows.start * width..rows.end * width;

@@ -57,7 +57,8 @@ impl Pen {
         self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)
     }
 
-    /// From here on, paths are in mm, with Z to the right and X up (down for a front turret); `width` and `dash` stay in CSS pixels.
+    /// From here on, paths are in mm, with Z to the right and X up (down for a front turret); `width` and
+    /// `dash` stay in CSS pixels.
     pub fn world(&self, view: &View, width: f64, dash: Dash, colour: &str) -> Result<(), JsValue> {
         let (camera, ratio) = (view.camera(), view.pixel_ratio());
         let zero = camera.to_screen(Default::default());
@@ -101,7 +102,8 @@ impl Pen {
         Ok(())
     }
 
-    /// Sets the pixels of rows `width` device pixels wide, from the row `top` on: red, green, blue and opacity of each.
+    /// Sets the pixels of rows `width` device pixels wide, from the row `top` on: red, green,
+    /// blue and opacity of each.
     pub fn put(&self, pixels: &[u8], width: usize, top: usize) -> Result<(), JsValue> {
         let image = ImageData::new_with_u8_clamped_array(Clamped(pixels), width as u32)?;
         self.context.put_image_data(&image, 0.0, top as f64)

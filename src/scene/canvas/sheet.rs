@@ -1,6 +1,7 @@
 //! The sheet the strokes are drawn on: paper, grid, the work, centre line and rulers; and how strokes look.
 //!
-//! In: a scene and a view. Out: pixels. Line weights are those of a technical drawing: cuts heavy, the rest thin.
+//! In: a scene and a view. Out: pixels. Line weights are those of a technical drawing:
+//! cuts heavy, the rest thin.
 
 use wasm_bindgen::JsValue;
 

@@ -1,6 +1,7 @@
 //! Measures in a comment: `CR:.016`, `W=3`, `H4`, `Ø8.5`, `10MM`, `1/2"`, `35 DEG`.
 //!
-//! In: a comment in capitals and the unit of the program. Out: millimetres. What has a unit of its own has that.
+//! In: a comment in capitals and the unit of the program. Out: millimetres. What has a
+//! unit of its own has that.
 
 /// What a program measures lengths in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +31,8 @@ struct Measure<'a> {
     before: &'a str,
     /// Letters and `"` after it.
     behind: &'a str,
-    /// Whether it is written right at the letters before it and has no decimal point, as a counter is (`GROOVE1`).
+    /// Whether it is written right at the letters before it and has no decimal point, as
+    /// a counter is (`GROOVE1`).
     glued: bool,
 }
 

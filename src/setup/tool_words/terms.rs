@@ -17,8 +17,8 @@ pub enum Form {
 }
 use Form::{Part, Stem, Word};
 
-/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term stands after it;
-/// a term without a kind says what is made, not what with.
+/// Terms and the kind of tool they name. The first one that is found counts, so what is part of a longer term
+/// stands after it; a term without a kind says what is made, not what with.
 #[rustfmt::skip]
 pub const KINDS: &[(Form, &str, Option<ToolKind>)] = &[
     // What only sounds like a tool.
@@ -152,8 +152,8 @@ pub fn insert(text: &str) -> Option<Tool> {
     None
 }
 
-/// `CNMG120408`, `CCGT 09T304`, `VNMG 2.5-1-SF`: shape, clearance, tolerance, kind (ISO 1832), then metric digits in pairs, or
-/// those of ANSI B212.4, the last of which is the nose radius in 64ths of an inch.
+/// `CNMG120408`, `CCGT 09T304`, `VNMG 2.5-1-SF`: shape, clearance, tolerance, kind (ISO 1832), then metric
+/// digits in pairs, or those of ANSI B212.4, the last of which is the nose radius in 64ths of an inch.
 fn turning(word: &str, next: &str) -> Option<Tool> {
     let letters = word.get(..4)?;
     let sets = ["CDVTWSRK", "NBCPAEFDG", "MGUEACHJKLN", "GMTNAWXQRUHFJ"];
@@ -201,7 +201,8 @@ fn threading(word: &str) -> Option<Tool> {
     known.then(|| Tool { kind: Some(Threading), side: Some(side), ..Tool::default() })
 }
 
-/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a grooving insert, and its width where that is known to stand in it.
+/// `MGMN300`, `DGN 2002C`, `TAG N2A`, `GIQR 11-2.00-0.10`: a grooving insert, and its width where
+/// that is known to stand in it.
 fn blade(word: &str, next: &str) -> Option<Tool> {
     let (name, side) = BLADES.iter().find(|(name, _)| word.starts_with(name))?;
     let own = &word[name.len()..];

@@ -1,5 +1,5 @@
-// `expect` for every engine: what Playwright says of its own elements is said here of those of other engines. Each matcher asks again
-// until it holds or the time is up; its message says what was seen last.
+// `expect` for every engine: what Playwright says of its own elements is said here of those of other engines.
+// Each matcher asks again until it holds or the time is up; its message says what was seen last.
 import { expect as playwrights } from '@playwright/test';
 import { setTimeout as pause } from 'node:timers/promises';
 import type { Question } from './finder';
@@ -73,7 +73,10 @@ async function until<T>(what: string, patience: Patience, look: () => Promise<T>
 }
 
 function matchers(of: ForeignLocator, wantsIt: boolean): Matchers {
-  /** Of one element. `none` is what holds where there is no element; without it, neither the matcher nor its opposite does. */
+  /**
+   * Of one element. `none` is what holds where there is no element; without it, neither the
+   * matcher nor its opposite does.
+   */
   const one = (name: string, question: Question, good: (answer: unknown) => boolean, patience: Patience = {}, none?: boolean): Promise<void> =>
     until(`${of}: ${wantsIt ? '' : 'not '}${name}`, patience, () => of.ask(question), (seen) =>
       seen.length === 1 ? good(seen[0]) === wantsIt : seen.length === 0 && none === wantsIt,

@@ -1,5 +1,6 @@
-// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and reports how they are.
-// It is put into a page as one script, when it is first needed there. Names and roles are those of dom-accessibility-api.
+// Runs in the page: finds elements by role, label, text or selector, through shadow roots, and reports how
+// they are. It is put into a page as one script, when it is first needed there. Names and roles are those
+// of dom-accessibility-api.
 import { computeAccessibleName, getRole } from 'dom-accessibility-api';
 
 export type Wanted = { readonly text: string; readonly exact: boolean } | { readonly source: string; readonly flags: string };

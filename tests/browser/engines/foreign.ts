@@ -1,4 +1,5 @@
-// A page of an engine that Playwright does not drive, made of its driver and of `finder`, which runs in the page.
+// A page of an engine that Playwright does not drive, made of its driver and of
+// `finder`, which runs in the page.
 import { readdirSync, statSync, writeFileSync } from 'node:fs';
 import { copyFile, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -16,7 +17,10 @@ const PAUSE = 60;
 const wanted = (text: Text, exact = false): Wanted =>
   text instanceof RegExp ? { source: text.source, flags: text.flags } : { text, exact };
 
-/** A function and its arguments as an expression. What a transpiler leaves undefined, such as `this`, is no part of it. */
+/**
+ * A function and its arguments as an expression. What a transpiler leaves undefined, such as
+ * `this`, is no part of it.
+ */
 const call = (act: string, args: readonly unknown[]): string =>
   `(${act})(${args.map((each) => (each === undefined ? 'undefined' : JSON.stringify(each))).join(',')})`;
 
@@ -282,7 +286,10 @@ export class ForeignPage extends Finder implements Page {
     this.popups.push(page);
     return page;
   }
-  /** The next file that lies complete in the folder of saved files: at rest for a while, an empty one for long. */
+  /**
+   * The next file that lies complete in the folder of saved files: at rest for a
+   * while, an empty one for long.
+   */
   private async download(): Promise<Download | undefined> {
     const names = readdirSync(this.tab.downloads);
     const name = names.find((each) => {

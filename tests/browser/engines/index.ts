@@ -1,5 +1,6 @@
-// `test` and `expect` of the tests that run in every engine: the page they are given is Playwright's own in Chromium, and a
-// `ForeignPage` in Firefox and WebKit. Which engine it is stands in the project of playwright.config.ts.
+// `test` and `expect` of the tests that run in every engine: the page they are given is Playwright's
+// own in Chromium, and a `ForeignPage` in Firefox and WebKit. Which engine it is stands in the
+// project of playwright.config.ts.
 import {
   test as base, type Page as PlaywrightPage, type PlaywrightTestArgs, type PlaywrightTestOptions, type PlaywrightWorkerArgs,
   type PlaywrightWorkerOptions, type TestType,

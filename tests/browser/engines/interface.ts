@@ -1,7 +1,11 @@
-// What the tests that run in every engine may ask of a page. It is a part of Playwright's interface, so Playwright's own page is
-// one of these, and `ForeignPage` is the other, on top of a driver that knows nothing but scripts, keys and the pointer.
+// What the tests that run in every engine may ask of a page. It is a part of Playwright's interface, so
+// Playwright's own page is one of these, and `ForeignPage` is the other, on top of a driver that knows
+// nothing but scripts, keys and the pointer.
 
-/** A text that is looked for: a string is found anywhere, upper and lower case alike, unless it has to be `exact`. */
+/**
+ * A text that is looked for: a string is found anywhere, upper and lower case alike,
+ * unless it has to be `exact`.
+ */
 export type Text = string | RegExp;
 
 /** The roles the page has and the tests ask for. */
@@ -26,7 +30,10 @@ export interface Finds {
   locator(selector: string, options?: { has?: Locator; hasText?: Text }): Locator;
 }
 
-/** Elements, found anew whenever something is asked of them. An act waits until there is one element and it can be acted on. */
+/**
+ * Elements, found anew whenever something is asked of them. An act waits until there is one
+ * element and it can be acted on.
+ */
 export interface Locator extends Finds {
   filter(options: { has?: Locator; hasText?: Text }): Locator;
   first(): Locator;
@@ -84,7 +91,10 @@ export interface BasicPage extends Finds {
   goto(address: string): Promise<unknown>;
   reload(): Promise<unknown>;
   url(): string;
-  /** Evaluates a function in the page; it uses nothing from outside itself, and its argument and result are JSON. */
+  /**
+   * Evaluates a function in the page; it uses nothing from outside itself, and its
+   * argument and result are JSON.
+   */
   evaluate<R, A>(act: (argument: A) => R | Promise<R>, argument: A): Promise<R>;
   evaluate<R>(act: () => R | Promise<R>): Promise<R>;
   /** Runs in every page before its own scripts. */

@@ -4,7 +4,8 @@ import { crc32, deflateSync } from 'node:zlib';
 /** The dump's rows from `top` on, so many wide and high; 24-bit colour only. */
 export function png(dump: Buffer, area: { top: number; width: number; height: number }): Buffer {
   const field = (index: number): number => dump.readUInt32BE(4 * index);
-  // Of X11/XWDFile.h: `header_size`, `pixmap_width`, `byte_order`, `bytes_per_line`, `ncolors`. What `bits_per_pixel` says differs by the visual.
+  // Of X11/XWDFile.h: `header_size`, `pixmap_width`, `byte_order`, `bytes_per_line`, `ncolors`. What
+  // `bits_per_pixel` says differs by the visual.
   const [header, wide, order, stride, colours] = [field(0), field(4), field(7), field(12), field(19)];
   if (stride !== 4 * wide || order !== 0) throw new Error(`xwd wrote rows of ${stride} bytes for ${wide} pixels in byte order ${order}: only four a pixel, lowest first, are read`);
   const start = header + 12 * colours;

@@ -1,4 +1,5 @@
-// Where the programs of an engine are: what the environment names (`cargo xtask test` does), else Debian's usual places.
+// Where the programs of an engine are: what the environment names (`cargo xtask test` does),
+// else Debian's usual places.
 import { existsSync, readdirSync } from 'node:fs';
 
 const PLACES = {

@@ -1,5 +1,5 @@
-// A server in front of the page's own, which puts scripts into each document before all others. WebDriver has no way to run a script
-// so early, and none to hear of errors: both are done by what is put in.
+// A server in front of the page's own, which puts scripts into each document before all others. WebDriver has
+// no way to run a script so early, and none to hear of errors: both are done by what is put in.
 import { createServer } from 'node:http';
 
 export interface Relay {

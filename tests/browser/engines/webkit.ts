@@ -1,4 +1,5 @@
-// Drives WebKitGTK's MiniBrowser on a display of its own (Xvfb) over WebDriver, whose few calls are plain JSON.
+// Drives WebKitGTK's MiniBrowser on a display of its own (Xvfb) over WebDriver, whose
+// few calls are plain JSON.
 import { type ChildProcess, execFile, spawn } from 'node:child_process';
 import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:net';

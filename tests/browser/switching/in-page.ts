@@ -1,5 +1,5 @@
-// What the switching test does inside the page. Each function is sent to the browser as source, so it uses nothing from outside
-// itself, and its argument and result are JSON.
+// What the switching test does inside the page. Each function is sent to the browser as source, so it uses
+// nothing from outside itself, and its argument and result are JSON.
 
 import type { State, Step } from './state';
 
@@ -12,7 +12,10 @@ interface Playground extends HTMLElement {
 /** What a page shows, in words and as fingerprints of pixels. */
 export type Look = Readonly<Record<string, string>>;
 
-/** Runs before the scripts of each page: one that neither keeps anything for the next one nor leaves anything out of what it reports. */
+/**
+ * Runs before the scripts of each page: one that neither keeps anything for the next one nor leaves
+ * anything out of what it reports.
+ */
 export function prepare(): void {
   localStorage.clear();
   // The page would keep the program when it is left.
@@ -86,7 +89,8 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
       if (to.language !== now?.language) choose('language', to.language);
       if (to.theme !== now?.theme) choose('theme', to.theme);
       if (to.turret !== now?.turret) {
-        // The button shows where the turret is, which the setup may say: it is turned until it is where it should be.
+        // The button shows where the turret is, which the setup may say: it is turned until
+        // it is where it should be.
         for (let turn = 0; turn < 3; turn++) {
           await playground.settled;
           const button = found<HTMLButtonElement>('.views > button.level');

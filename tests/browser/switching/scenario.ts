@@ -1,8 +1,9 @@
-// Switching at random, and what the page shows then held against a fresh start of the same state: pixels, motions, messages, words.
+// Switching at random, and what the page shows then held against a fresh start of the same state: pixels,
+// motions, messages, words.
 //
-// In: a page of any engine, of which it uses nothing but opening an address and evaluating a function. Out: an error that names
-// the seed and the steps, and what differs. The pixels are read from the canvas of the page, so they are what is presented, not
-// what the worker believes to have painted.
+// In: a page of any engine, of which it uses nothing but opening an address and evaluating a function. Out:
+// an error that names the seed and the steps, and what differs. The pixels are read from the canvas of the
+// page, so they are what is presented, not what the worker believes to have painted.
 
 import { go, look, picture, prepare, ready, type Look } from './in-page';
 import { pool, random, step, type State, type Step } from './state';

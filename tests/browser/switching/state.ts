@@ -1,7 +1,7 @@
 // The states the switching test goes through, and the random steps from one to the next.
 //
-// In: a seed. Out: states as plain values, so that a fresh page can be brought to any of them, and what is done to a page on the
-// way. Must not know: the page.
+// In: a seed. Out: states as plain values, so that a fresh page can be brought to any of them, and what is
+// done to a page on the way. Must not know: the page.
 
 /** What a page shows: everything it should look like follows from this. */
 export interface State {

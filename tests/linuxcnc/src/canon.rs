@@ -77,7 +77,8 @@ fn call(line: &str) -> Option<(&str, &str)> {
 }
 
 impl Machine {
-    /// Carries out one function. `None`: it is not written as expected. Functions without a meaning here do nothing.
+    /// Carries out one function. `None`: it is not written as expected. Functions without
+    /// a meaning here do nothing.
     fn run(&mut self, name: &str, arguments: &str) -> Option<Option<Motion>> {
         let numbers: Vec<f64> = arguments.split([',', ' ']).filter_map(|word| word.parse().ok()).collect();
         let number = |index: usize| numbers.get(index).copied();

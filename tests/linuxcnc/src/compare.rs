@@ -1,4 +1,5 @@
-//! In: a program and what either side made of it. Out: whether they are one, up to the differences that are known.
+//! In: a program and what either side made of it. Out: whether they are one, up to the
+//! differences that are known.
 
 use std::collections::BTreeMap;
 
@@ -180,7 +181,8 @@ impl Check<'_> {
         })
     }
 
-    /// Whether our motions of two blocks meet in one direction, or in opposite ones; or nothing is left of the first.
+    /// Whether our motions of two blocks meet in one direction, or in opposite ones; or
+    /// nothing is left of the first.
     fn fits_exactly(&self, first: usize, second: usize) -> bool {
         let (Some(first), Some(second)) = (self.ours_at(first).last(), self.ours_at(second).first()) else {
             return self.ours_at(first).is_empty();
@@ -197,7 +199,8 @@ impl Check<'_> {
         (z1 * x2 - x1 * z2).abs() < 1e-3
     }
 
-    /// The programmed elements of a contour whose compensation begins at a block, from the words of their blocks.
+    /// The programmed elements of a contour whose compensation begins at a block, from
+    /// the words of their blocks.
     fn ways(&self, first: usize) -> Vec<(usize, Way)> {
         let compensated = (first..self.places.len()).take_while(|&block| self.places[block] != Place::Plain);
         let blocks: Vec<usize> = compensated.filter(|&block| self.program.blocks[block].moves()).collect();
@@ -312,7 +315,8 @@ impl Check<'_> {
         Err(Failure { what: what.into(), block, detail })
     }
 
-    /// Blocks under compensation, from the one that begins it up to `end`, and whether it is known to end there.
+    /// Blocks under compensation, from the one that begins it up to `end`, and whether
+    /// it is known to end there.
     fn contour(
         &self,
         first: usize,
@@ -461,7 +465,8 @@ impl Check<'_> {
         let tip = nose.vector();
         let from = element.programmed.from;
         let middle = Point::new(from.x - tip.x * nose.radius, from.z - tip.z * nose.radius);
-        // Where a joint is tangent but for the rounding of the program, ours may make a motion shorter than can be seen.
+        // Where a joint is tangent but for the rounding of the program, ours may make a motion
+        // shorter than can be seen.
         let seen = |motion: &&Motion| motion.from.distance(motion.to) > TOLERANCE;
         let moves = |motions: &[Motion]| motions.iter().filter(seen).count();
         match corner {
@@ -502,8 +507,8 @@ impl Check<'_> {
         units.next().unwrap_or(Unit::Millimetre)
     }
 
-    /// Largest difference of two places in a block, mm. Places printed in inches are coarse, and so are those that
-    /// offsets printed in inches are added to.
+    /// Largest difference of two places in a block, mm. Places printed in inches are coarse, and so are those
+    /// that offsets printed in inches are added to.
     fn tolerance(&self, block: usize) -> f64 {
         let blocks = &self.program.blocks[..=block.min(self.program.blocks.len() - 1)];
         match blocks.contains(&Block::Unit(Unit::Inch)) {

@@ -1,4 +1,5 @@
-//! The programmed elements of a contour and the corners between them, worked out from the neutral program alone.
+//! The programmed elements of a contour and the corners between them, worked out from
+//! the neutral program alone.
 
 use std::f64::consts::PI;
 
@@ -43,7 +44,8 @@ pub struct InContour {
     pub index: usize,
     /// The element before it is a full circle.
     pub after_circle: bool,
-    /// Its offset path and that of the element before it only touch, or the element before has no length left.
+    /// Its offset path and that of the element before it only touch, or the element
+    /// before has no length left.
     pub fits_exactly: bool,
     /// No G40 ends the contour.
     pub unfinished: bool,

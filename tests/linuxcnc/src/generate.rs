@@ -127,8 +127,8 @@ impl Maker<'_> {
         let turn = self.random.pick(&[Turn::Clockwise, Turn::Counterclockwise]);
         let radius = self.millimetres(0.2, 40.0);
         let (begin, end) = (self.random.fraction() * TAU, self.random.fraction() * TAU);
-        // Radius values, in counts: the centre is rounded first, the end is as near to the circle as it can be.
-        // Sometimes the centre lies straight across or along, and one of I and K is not written.
+        // Radius values, in counts: the centre is rounded first, the end is as near to the circle as it can
+        // be. Sometimes the centre lies straight across or along, and one of I and K is not written.
         let (i, k) = match self.random.within(0, 9) {
             0 => (None, Some(-radius)),
             1 => (Some(radius), None),
@@ -407,7 +407,8 @@ impl Contour {
             // An arc of the very radius of the nose fits or not by binary rounding.
             let fives = if 5 * fives == maker.nose { fives + 1 } else { fives };
             let end = maker.random.pick(&HEADINGS);
-            // To the centre from a point of the circle: a quarter turn from the heading, to the left with G03.
+            // To the centre from a point of the circle: a quarter turn from the
+            // heading, to the left with G03.
             let inwards = |heading: (Count, Count)| match turn {
                 Turn::Counterclockwise => (heading.1 * fives, -heading.0 * fives),
                 Turn::Clockwise => (-heading.1 * fives, heading.0 * fives),

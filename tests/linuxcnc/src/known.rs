@@ -1,5 +1,5 @@
-//! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is distinguished from
-//! a fault. Whatever is not here is a fault of one of the two.
+//! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is
+//! distinguished from a fault. Whatever is not here is a fault of one of the two.
 
 use gcode_playground::message::Message;
 
@@ -198,7 +198,8 @@ pub fn refused_by_linuxcnc(message: &str, refused: &Refused) -> Option<KnownDiff
 fn gouging(at: InContour) -> Option<KnownDifference> {
     let corners = [at.last_but_one, at.before];
     if at.index <= 2 && at.entry != Corner::Straight {
-        // The element after the entry begins elsewhere, and what is left of it may be too short for the next corner.
+        // The element after the entry begins elsewhere, and what is left of it may be too
+        // short for the next corner.
         Some(KnownDifference::StartUp)
     } else if at.after_circle {
         Some(KnownDifference::CompensatedCircle)
@@ -210,8 +211,8 @@ fn gouging(at: InContour) -> Option<KnownDifference> {
         // Between its perpendicular points the element turns a little too far.
         Some(KnownDifference::NearlyStraight)
     } else if corners.contains(&Corner::Outer) && corners.contains(&Corner::Inner) {
-        // Ours makes the element before longer, for it reaches to where the offset paths meet at its outer corner; what
-        // the inner corner takes away then leaves enough of it.
+        // Ours makes the element before longer, for it reaches to where the offset paths meet at its outer
+        // corner; what the inner corner takes away then leaves enough of it.
         Some(KnownDifference::OuterCorner)
     } else {
         None

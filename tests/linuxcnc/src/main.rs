@@ -1,9 +1,9 @@
-//! Random programs in the language that lathe controls and LinuxCNC share, run by the playground and by LinuxCNC's
-//! stand-alone interpreter, and their motions compared. `cargo xtask compare-linuxcnc` starts it.
+//! Random programs in the language that lathe controls and LinuxCNC share, run by the playground and by
+//! LinuxCNC's stand-alone interpreter, and their motions compared. `cargo xtask compare-linuxcnc` starts it.
 //!
-//! In: how many programs, and a seed. Out: what was compared, a table of the differences that are meant, and exit 0; or
-//! the smallest program that shows a difference that is not, both outputs, and exit 1; or 2 when the command line is
-//! not understood or LinuxCNC is missing.
+//! In: how many programs, and a seed. Out: what was compared, a table of the differences that are meant, and
+//! exit 0; or the smallest program that shows a difference that is not, both outputs, and exit 1; or 2 when
+//! the command line is not understood or LinuxCNC is missing.
 //!
 //! Flow: `generate` → `translate` → `motion` (ours) and `rs274` → `canon` (theirs) → `compare`, with `known`.
 

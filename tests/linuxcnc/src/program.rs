@@ -1,7 +1,8 @@
 //! A program in the language that lathe controls and LinuxCNC share, before it is written in either.
 //!
-//! Numbers are counts of the least increment of the unit in force: 0.001 mm, 0.0001 inch. X is a diameter, as it is
-//! written; I and R are radius values. Any list of blocks is a program, so that blocks can be deleted one by one.
+//! Numbers are counts of the least increment of the unit in force: 0.001 mm, 0.0001 inch. X is a
+//! diameter, as it is written; I and R are radius values. Any list of blocks is a program, so that blocks
+//! can be deleted one by one.
 
 use gcode_playground::control::compensation::Side;
 use gcode_playground::geometry::Turn;
@@ -109,7 +110,8 @@ pub enum Block {
     Home { x: Axis, z: Axis },
     /// G50 X Z or U W: the point where the tool stands gets other coordinates. G92 in LinuxCNC.
     Preset { x: Axis, z: Axis },
-    /// G52: all frames are moved. Added to each frame by G10 L2 in LinuxCNC, whose G52 is a G92 of another kind.
+    /// G52: all frames are moved. Added to each frame by G10 L2 in LinuxCNC, whose G52
+    /// is a G92 of another kind.
     Local { x: Option<Count>, z: Option<Count> },
     /// G54 to G59, from 0.
     Frame(usize),

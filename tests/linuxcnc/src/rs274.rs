@@ -1,7 +1,7 @@
 //! Runs LinuxCNC's stand-alone interpreter. In: programs. Out: what it makes of each.
 //!
-//! Many programs go into one file. `rs274` stops at the first error; the programs after it are then run again, in a
-//! file of their own, so that an error ends one program only.
+//! Many programs go into one file. `rs274` stops at the first error; the programs after it are then run
+//! again, in a file of their own, so that an error ends one program only.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,5 @@
-//! In: a program that fails. Out: a smaller one that fails in the same way: blocks are left out, many at a time first.
+//! In: a program that fails. Out: a smaller one that fails in the same way: blocks are left
+//! out, many at a time first.
 
 use crate::program::Program;
 

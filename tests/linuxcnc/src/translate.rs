@@ -1,7 +1,7 @@
 //! In: a neutral program. Out: its text for the playground (G-code system A) and for LinuxCNC.
 //!
-//! Line 1 of ours prepares; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment `(Bn)` precedes the
-//! block: comments keep their order with the motions, even where compensation holds motions back.
+//! Line 1 of ours prepares; block `n` (from 0) is line `n + 2`. In LinuxCNC's text a comment `(Bn)` precedes
+//! the block: comments keep their order with the motions, even where compensation holds motions back.
 
 use std::fmt::Write;
 
@@ -153,8 +153,8 @@ pub fn linuxcnc(program: &Program, name: usize) -> String {
     text
 }
 
-/// What has to be known to say in LinuxCNC's language what ours says otherwise: where the tool stands (for U with Z,
-/// X with W and G50 U W, which have no like there), what G52 adds to a frame, the lead of a thread.
+/// What has to be known to say in LinuxCNC's language what ours says otherwise: where the tool stands (for U
+/// with Z, X with W and G50 U W, which have no like there), what G52 adds to a frame, the lead of a thread.
 struct Account {
     unit: Unit,
     /// Feed or lead, mm.

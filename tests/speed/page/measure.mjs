@@ -1,5 +1,5 @@
-// One round in headless Chromium, as a line of JSON: `node tests/speed/page/measure.mjs FILE`. PLAYGROUND_CHROMIUM names the
-// browser; without it Playwright's own is used.
+// One round in headless Chromium, as a line of JSON: `node tests/speed/page/measure.mjs FILE`.
+// PLAYGROUND_CHROMIUM names the browser; without it Playwright's own is used.
 import { createReadStream } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';

@@ -1,4 +1,5 @@
-// What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the public wasm interface only.
+// What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the
+// public wasm interface only.
 import init, { Drawn, Playground } from '../../../www/pkg/gcode_playground.js';
 import { median, time } from '../stopwatch.mjs';
 

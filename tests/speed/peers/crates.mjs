@@ -1,4 +1,5 @@
-// One measurement of the floor, or of a crate, in wasm: `node tests/speed/peers/crates.mjs NAME fresh|settled FILE`.
+// One measurement of the floor, or of a crate, in wasm:
+// `node tests/speed/peers/crates.mjs NAME fresh|settled FILE`.
 import { readFileSync } from 'node:fs';
 import { initSync, Input } from './pkg/bench_peers.js';
 import { median } from '../stopwatch.mjs';

@@ -1,5 +1,6 @@
-// One measurement of a peer from npm, used as its documentation shows: `node tests/speed/peers/npm.mjs NAME FILE`. What it
-// makes is kept until the clock has stopped. `rows` are segments, or lines where a peer only reads.
+// One measurement of a peer from npm, used as its documentation shows:
+// `node tests/speed/peers/npm.mjs NAME FILE`. What it makes is kept until the clock has stopped. `rows` are
+// segments, or lines where a peer only reads.
 import { readFileSync } from 'node:fs';
 
 const peers = { 'gcode-interpreter': interpreter, 'gcode-parser': parser, 'gcode-preview': preview, 'gcode-toolpath': toolpath, 'gcode-utils': utils, three };
@@ -33,7 +34,10 @@ async function parser() {
   };
 }
 
-/** A viewer of 3D prints. Its reading is not exported apart from its canvas, so the object is made without one. */
+/**
+ * A viewer of 3D prints. Its reading is not exported apart from its canvas, so the
+ * object is made without one.
+ */
 async function preview() {
   const { WebGLPreview } = await import('gcode-preview');
   return (text) => {

@@ -1,10 +1,11 @@
 //! The pages of the reference as HTML.
 //!
-//! In: the documents of `www/docs`. Out: files by name: plain HTML without scripts, and one style sheet, that of the rule
-//! pages with a few rules of its own. Must not know: what the documents are about.
+//! In: the documents of `www/docs`. Out: files by name: plain HTML without scripts, and one style sheet, that
+//! of the rule pages with a few rules of its own. Must not know: what the documents are about.
 //!
-//! A link from one document to another (`setup.md#fields`) becomes a link between the pages (`setup.html#fields`), so
-//! links work in the repository and on the site. Headings get the anchors that they have in the repository.
+//! A link from one document to another (`setup.md#fields`) becomes a link between the pages
+//! (`setup.html#fields`), so links work in the repository and on the site. Headings get the anchors that
+//! they have in the repository.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;

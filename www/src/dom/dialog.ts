@@ -1,7 +1,7 @@
 // A dialog over the page: a heading, a line about it, what it is for, and buttons; Close is the last of them.
 //
-// In: the parts between heading and buttons. Out: an element to put into the page. A click beside it closes it.
-// Must not know: what it shows.
+// In: the parts between heading and buttons. Out: an element to put into the page. A click beside it closes
+// it. Must not know: what it shows.
 
 import { make } from './dom';
 

@@ -1,7 +1,7 @@
 // Files dropped on a part of the page.
 //
-// In: the element they may be dropped on. Out: `dropped`, with the first of them. While one is over it, the element's
-// `data-drop` says so. Must not know: what is done with a file.
+// In: the element they may be dropped on. Out: `dropped`, with the first of them. While one is over it, the
+// element's `data-drop` says so. Must not know: what is done with a file.
 
 export interface DropEvents {
   /** What to say while a file is held over the element. */

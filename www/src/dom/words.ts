@@ -1,7 +1,8 @@
 // The words of the page in all its languages.
 //
-// Each panel has its own, in its file; here are those that several use. The messages about a program come translated from the
-// interpreter. Sentences with numbers are functions, so that each language forms its own plurals.
+// Each panel has its own, in its file; here are those that several use. The messages about a
+// program come translated from the interpreter. Sentences with numbers are functions, so that each
+// language forms its own plurals.
 
 import type { Language } from './language';
 

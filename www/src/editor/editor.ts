@@ -1,9 +1,9 @@
 // The program editor: CodeMirror 6 with the core's own highlighting and messages.
 //
-// In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did it
-// (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and `fileChanged`
-// when the text is another file's, be it by undo.
-// Must not know: the language it edits. Offsets count every line end as one unit, as everywhere in this page.
+// In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did
+// it (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and
+// `fileChanged` when the text is another file's, be it by undo. Must not know: the language it edits. Offsets
+// count every line end as one unit, as everywhere in this page.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
@@ -25,7 +25,10 @@ import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
 import { Unsent } from './unsent';
 
-/** Lines above and below the visible ones whose tokens are asked for too, so that slow scrolling asks for none. */
+/**
+ * Lines above and below the visible ones whose tokens are asked for too, so that
+ * slow scrolling asks for none.
+ */
 const MARGIN_LINES = 60;
 /** Longer stretches (a file without line ends) stay without colours. */
 const HIGHLIGHT_LIMIT = 200_000;

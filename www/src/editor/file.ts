@@ -1,8 +1,8 @@
 // What belongs to the text in the editor without being seen in it: the file it came from, and its line ends.
 //
-// In: a text with its own line ends, and its file. Out: the same text again, edited or not, with each line end as it was;
-// new ones are as most are. Kept in the editor's state, so undo brings back the file along with its text.
-// Must not know: bytes, or how a file is opened or saved.
+// In: a text with its own line ends, and its file. Out: the same text again, edited or not, with each line
+// end as it was; new ones are as most are. Kept in the editor's state, so undo brings back the file along
+// with its text. Must not know: bytes, or how a file is opened or saved.
 
 import { invertedEffects } from '@codemirror/commands';
 import {

@@ -1,6 +1,7 @@
 // Keeps the block that runs in sight, unless the reader is looking at another one.
 //
-// In: the editor's view, a place in its text. Out: the editor scrolled, and nothing around it. Must not know: what runs.
+// In: the editor's view, a place in its text. Out: the editor scrolled, and nothing around it.
+// Must not know: what runs.
 
 import { EditorView } from '@codemirror/view';
 

@@ -1,4 +1,5 @@
-// What is painted over the program's text: the core's tokens, the block under the pointer, the block being run.
+// What is painted over the program's text: the core's tokens, the block under the
+// pointer, the block being run.
 //
 // In: ranges of the document, sent as effects. Out: decorations, moved along with every change of the text
 // until newer ranges come. Must not know: where the ranges come from; a token class is a number and a colour.

@@ -1,7 +1,7 @@
 // Files the reader opens, drops or saves: bytes to text and back.
 //
-// In: a `File`, or a text and its file. Out: the text and how it was read, or why there is none; the bytes to save. What
-// was opened and is saved unchanged has the same bytes. Must not know: what the text is for.
+// In: a `File`, or a text and its file. Out: the text and how it was read, or why there is none; the bytes to
+// save. What was opened and is saved unchanged has the same bytes. Must not know: what the text is for.
 
 import { Text } from '@codemirror/state';
 import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
@@ -70,8 +70,9 @@ export type Reread =
   | { readonly kind: 'no-place'; readonly character: string };
 
 /**
- * The text when another encoding is chosen. One that was guessed may be wrong: its bytes are read again, with what was
- * edited since. The characters stay as they are when it was certain, or becomes Unicode and the bytes are none.
+ * The text when another encoding is chosen. One that was guessed may be wrong: its bytes are read
+ * again, with what was edited since. The characters stay as they are when it was certain, or becomes
+ * Unicode and the bytes are none.
  */
 export function reread(text: string, from: Encoding, to: Encoding): Reread {
   const before = isUnicode(from) ? undefined : encode(text, from);

@@ -1,7 +1,7 @@
 // Links to the pages of the rules and to the reference, which are built beside the page.
 //
-// In: a diagnostic. Out: a link to the page of its rule, in the reader's language. Also on another site the pages are
-// where this module came from. Must not know: what a rule is about.
+// In: a diagnostic. Out: a link to the page of its rule, in the reader's language. Also on another site the
+// pages are where this module came from. Must not know: what a rule is about.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

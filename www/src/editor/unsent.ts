@@ -1,13 +1,16 @@
 // What of the text the worker has not received yet.
 //
-// In: the changes of the editor's document. Out: what brings the worker's text up to date soonest: what changed, or all
-// of it in pieces. Must not know: the worker, or what the text is for.
+// In: the changes of the editor's document. Out: what brings the worker's text up to date soonest: what
+// changed, or all of it in pieces. Must not know: the worker, or what the text is for.
 
 import type { ChangeSet, Text } from '@codemirror/state';
 import { inPieces } from '../files/line-ends';
 import type { TextChange, TextCommand } from '../protocol/protocol';
 
-/** Longer documents are made text piece by piece. When more than this is put in at once, all of the text is sent. */
+/**
+ * Longer documents are made text piece by piece. When more than this is put in at
+ * once, all of the text is sent.
+ */
 const LONG = 1 << 20;
 /** Each change costs the worker a walk over its text; of more than these all of the text is sent. */
 const MOST_CHANGES = 100;
@@ -47,7 +50,10 @@ export class Unsent {
   }
 }
 
-/** The last in the text first: each then stands where the text was. Nothing when they are too many or too long. */
+/**
+ * The last in the text first: each then stands where the text was. Nothing when they
+ * are too many or too long.
+ */
 function listed(changes: ChangeSet): TextChange[] | undefined {
   const list: TextChange[] = [];
   let inserted = 0;

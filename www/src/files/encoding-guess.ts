@@ -1,9 +1,10 @@
 // Which encoding a program file is in.
 //
-// In: bytes. Out: an encoding in which they are text that becomes the same bytes again. Files with a byte order mark and
-// valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as Chinese, Russian and Western
-// text, and the reading that surprises least is taken. src/cli/encoding.rs does the same on the command line, with the
-// same table; tests/encodings.json holds both to it. Must not know: what stands in a program.
+// In: bytes. Out: an encoding in which they are text that becomes the same bytes again. Files with a byte
+// order mark and valid UTF-8 are certain; otherwise what is not ASCII (comments, as a rule) is read as
+// Chinese, Russian and Western text, and the reading that surprises least is taken. src/cli/encoding.rs does
+// the same on the command line, with the same table; tests/encodings.json holds both to it. Must not know:
+// what stands in a program.
 
 import plausible from '../../../src/cli/plausible.json';
 import { decode, type Encoding } from './encodings';
@@ -30,7 +31,10 @@ export function guess(bytes: Uint8Array): Guess {
   return { encoding: 'windows-1252', text: new TextDecoder('windows-1252').decode(bytes), binary };
 }
 
-/** Control characters other than blanks, line ends, tape codes and the end of a file, one in a hundred or more. */
+/**
+ * Control characters other than blanks, line ends, tape codes and the end of a file,
+ * one in a hundred or more.
+ */
 function isBinary(bytes: Uint8Array): boolean {
   let strange = 0;
   for (const byte of bytes) {
@@ -40,8 +44,8 @@ function isBinary(bytes: Uint8Array): boolean {
 }
 
 /**
- * Whether what may be valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets nobody has in a
- * program, in UTF-8, that are common characters in GB18030.
+ * Whether what may be valid UTF-8 is so by chance, as short Chinese comments can be: letters of alphabets
+ * nobody has in a program, in UTF-8, that are common characters in GB18030.
  */
 function isRatherChinese(bytes: Uint8Array): boolean {
   let beyondAscii = 0;
@@ -73,7 +77,8 @@ function lookedAt(bytes: Uint8Array): { end: number; count: number } {
   return { end, count };
 }
 
-// ---- how much each reading surprises: natural logarithms of one over a rough probability, added up ----------
+// ---- how much each reading surprises: natural logarithms of one over a rough
+// probability, added up ----------
 
 /** The most that characters of the first level of GB 2312 surprise. */
 const COMMON = 9.8;
@@ -101,7 +106,10 @@ let russianTable: ByteTable | undefined;
 let westernTable: ByteTable | undefined;
 let commonHanzi: ReadonlySet<string> | undefined;
 
-/** Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and Latin neighbours are not. */
+/**
+ * Words of Cyrillic letters, the frequent ones more likely; capitals after small letters and
+ * Latin neighbours are not.
+ */
 function russian(bytes: Uint8Array): number {
   const { surprise, upper, lower } = (russianTable ??= byteTable('windows-1251', (character) => {
     const rank = plausible.cyrillic.indexOf(character.toLowerCase());
@@ -144,7 +152,9 @@ function western(bytes: Uint8Array): number {
   return total;
 }
 
-/** Pairs of bytes, those of the characters of a workshop most likely; one that is no pair at all rules it out. */
+/**
+ * Pairs of bytes, those of the characters of a workshop most likely; one that is no pair at all rules it out.
+ */
 function chinese(bytes: Uint8Array): number {
   commonHanzi ??= new Set(plausible.hanzi);
   const decoder = new TextDecoder('gb18030');

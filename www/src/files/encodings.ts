@@ -1,8 +1,9 @@
 // The encodings of program files: bytes to text and back, without loss.
 //
-// In: bytes, or a text and the name of an encoding. Out: the other one, or why there is none. What is decoded here is
-// encoded to the very same bytes again, or it is not decoded at all. The way back is made from the browser's own
-// decoder, so there are no tables. Must not know: what a text is for, or which encoding is the likely one.
+// In: bytes, or a text and the name of an encoding. Out: the other one, or why there is none. What is
+// decoded here is encoded to the very same bytes again, or it is not decoded at all. The way back is made
+// from the browser's own decoder, so there are no tables. Must not know: what a text is for, or which
+// encoding is the likely one.
 
 /** Those with a byte order mark have it as part of their name, so that it is written again. */
 export const ENCODINGS = ['utf-8', 'utf-8-bom', 'utf-16le', 'utf-16be', 'gb18030', 'windows-1251', 'windows-1252'] as const;

@@ -1,4 +1,5 @@
-// The thread a program file is read in: guessing the encoding of a long one takes longer than a page may stand still.
+// The thread a program file is read in: guessing the encoding of a long one takes longer
+// than a page may stand still.
 //
 // In: a `File`. Out: its text in pieces, then how it was read; or that it cannot be read. Lives for one file.
 // Must not know: the page, or what the text is for.

@@ -1,7 +1,7 @@
 // The line ends of a text, apart from the text.
 //
-// In: a text as it is in its file. Out: the same with every line end as one unit, in pieces; which line ends they were.
-// Must not know: bytes, the editor, or what the text is for.
+// In: a text as it is in its file. Out: the same with every line end as one unit, in pieces; which line ends
+// they were. Must not know: bytes, the editor, or what the text is for.
 
 export type LineEndText = '\n' | '\r\n' | '\r';
 

@@ -1,6 +1,7 @@
 // A program that an address holds: `#program=…&setup=…&language=…`, percent-encoded.
 //
-// In: the part of an address from `#` on. Out: the program, and the setup as JSON. Must not know: what they say.
+// In: the part of an address from `#` on. Out: the program, and the setup as JSON.
+// Must not know: what they say.
 
 export interface LinkedProgram {
   readonly text: string;

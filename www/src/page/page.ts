@@ -1,8 +1,8 @@
 // The page around the element: header, gallery, the reader's choices, and what is kept between visits.
 //
-// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls. Out: attributes and the value of the
-// element; the sentence above the program. Must not know: how the element works inside, or what a setup holds
-// beyond the name of its control.
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls.
+// Out: attributes and the value of the element; the sentence above the program. Must not know: how the
+// element works inside, or what a setup holds beyond the name of its control.
 
 import '../shell/element';
 import './page.css';

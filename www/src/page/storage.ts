@@ -1,7 +1,7 @@
 // What the browser remembers between visits: the last program of this page, and the reader's choices.
 //
-// In and out: plain values. A browser that refuses to store (private mode, full) is no error: nothing is kept.
-// Must not know: what a program is.
+// In and out: plain values. A browser that refuses to store (private mode, full) is no error: nothing is
+// kept. Must not know: what a program is.
 
 export interface KeptProgram {
   /** With the line ends of its file, if it is one's. */

@@ -73,7 +73,8 @@ class CodesPanel implements Panel {
         bodies.set(row.section, body);
       }
       const own = row[first.key];
-      // Where there is no room for the other columns, the others' codes stand after the words, if they differ.
+      // Where there is no room for the other columns, the others' codes stand after
+      // the words, if they differ.
       const differing = others.filter(({ key }) => row[key] !== '' && row[key] !== own);
       const what = make('td', {}, ...prose(row.does));
       if (row.note !== '') what.append(make('span', { className: 'note' }, row.note));

@@ -38,7 +38,10 @@ export class Drawing {
   readonly #fit = make('button', { type: 'button' }, icon('fit'));
   readonly #zoomIn = make('button', { type: 'button' }, icon('plus'));
   readonly #zoomOut = make('button', { type: 'button' }, icon('minus'));
-  /** What the kinds of strokes look like, and the buttons to fit and zoom: the element decides where they stand. */
+  /**
+   * What the kinds of strokes look like, and the buttons to fit and zoom: the element
+   * decides where they stand.
+   */
   readonly legend = make('ul', { className: 'legend', part: 'legend' });
   readonly viewButtons = make('div', { className: 'view-buttons' });
   readonly #empty = make('p', { className: 'empty', hidden: true });

@@ -1,8 +1,8 @@
 // The button "Export" and its menu: what can be saved as a file, beside the program itself.
 //
-// In: whether there is a run to export. Out: a file, handed to the browser. A menu button as ARIA describes it: Enter, Space and
-// the arrow up open it, arrows, Home, End and first letters move in it, Escape closes it.
-// Must not know: how a file is made.
+// In: whether there is a run to export. Out: a file, handed to the browser. A menu button as ARIA describes
+// it: Enter, Space and the arrow up open it, arrows, Home, End and first letters move in it, Escape closes
+// it. Must not know: how a file is made.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

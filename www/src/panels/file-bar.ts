@@ -1,7 +1,7 @@
 // The open file: its name and encoding, opening and saving.
 //
-// In: files that are chosen or dropped on the editor, the encoding the reader names. Out: the program, the bytes to save.
-// Must not know: how bytes become text.
+// In: files that are chosen or dropped on the editor, the encoding the reader names. Out: the program, the
+// bytes to save. Must not know: how bytes become text.
 
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';

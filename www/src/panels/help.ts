@@ -1,4 +1,5 @@
-// The popover with keys and gestures, and the ways to the table of codes, to the pages of the rules and to the reference.
+// The popover with keys and gestures, and the ways to the table of codes, to the pages of the
+// rules and to the reference.
 //
 // Must not know: who answers to the keys.
 

@@ -1,7 +1,9 @@
-// The line that says that the stock is inferred and what was not checked because of it, and the button that takes it over.
+// The line that says that the stock is inferred and what was not checked because of it, and the
+// button that takes it over.
 //
-// In: what is given and what is inferred; the answers of the setup form. Out: `taken`: the form with that stock filled in. Must not
-// know: how a stock is inferred, or what a setup holds beyond the group of the stock.
+// In: what is given and what is inferred; the answers of the setup form. Out: `taken`: the form
+// with that stock filled in. Must not know: how a stock is inferred, or what a setup holds
+// beyond the group of the stock.
 
 import { make } from '../dom/dom';
 import type { SetupOverview, SetupAnswer, SetupForm, SetupPlace } from '../protocol/protocol';

@@ -1,10 +1,10 @@
 // What a panel is, and what it may ask of the shell around it.
 //
-// A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this folder, with its
-// words in all languages at the end of the file, its styles beside it in a style sheet of the same name, and one line in the
-// list of `index.ts`. What is too large for one file, or is loaded when it is first needed, is a component beside it, with its
-// own words. A panel knows the shell by `Shell`, and other panels by the services they offer.
-// Must not know: where text and setup are kept, or how runs begin.
+// A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this
+// folder, with its words in all languages at the end of the file, its styles beside it in a style sheet of
+// the same name, and one line in the list of `index.ts`. What is too large for one file, or is loaded when it
+// is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and
+// other panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
 
 import type { Language } from '../dom/language';
 import type { Editor } from '../editor/editor';
@@ -12,7 +12,10 @@ import type { ProgramFile, ProgramText } from '../editor/file';
 import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, SetupGroup, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
-/** Where panels stand, in the order of the list: over, beside and under the editor, around the pictures, in the line at the foot. */
+/**
+ * Where panels stand, in the order of the list: over, beside and under the editor, around the
+ * pictures, in the line at the foot.
+ */
 export const REGIONS = ['notices', 'bar', 'problems', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
 export type Region = (typeof REGIONS)[number];
 

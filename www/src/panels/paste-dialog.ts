@@ -1,8 +1,8 @@
-// The programs found in a text: a list of them, and the chosen one cleaned, with every change marked and questions where
-// something cannot be known.
+// The programs found in a text: a list of them, and the chosen one cleaned, with every change marked and
+// questions where something cannot be known.
 //
-// In: the list, and the pieces of a program when it is chosen. Out: `chosen` (show this one) and `taken` with its text.
-// Must not know: how programs are found, or where the text goes.
+// In: the list, and the pieces of a program when it is chosen. Out: `chosen` (show this one) and `taken` with
+// its text. Must not know: how programs are found, or where the text goes.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

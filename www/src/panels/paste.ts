@@ -1,6 +1,9 @@
-// What becomes of a text that may hold more than a program: it is searched, and where it does, a dialog offers its programs.
+// What becomes of a text that may hold more than a program: it is searched, and where it does, a
+// dialog offers its programs.
 //
-// In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit when the reader takes a program. The text itself is in the editor before, so nothing is lost. Must not know: how programs are found.
+// In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit when the
+// reader takes a program. The text itself is in the editor before, so nothing is lost. Must not
+// know: how programs are found.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
@@ -9,7 +12,10 @@ import type { Panel, PanelKind, Shell } from './panel';
 import type { PasteDialog } from './paste-dialog';
 import pasteStyles from './paste.css?inline';
 
-/** UTF-16 units of a text that is searched without being asked to: longer ones are programs, as a rule, and take a while. */
+/**
+ * UTF-16 units of a text that is searched without being asked to: longer ones are programs, as
+ * a rule, and take a while.
+ */
 const SEARCHED = 1_000_000;
 /** A shorter text is a word or two. */
 const WORTH_SEARCHING = 12;

@@ -1,7 +1,8 @@
-// The pictures: the section and, beside it, the end face; the legend and the buttons to fit and zoom stand in the playback.
+// The pictures: the section and, beside it, the end face; the legend and the buttons to fit and
+// zoom stand in the playback.
 //
-// In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the stroke the reader chooses.
-// Must not know: how a stroke is found, or what it means.
+// In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the
+// stroke the reader chooses. Must not know: how a stroke is found, or what it means.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';

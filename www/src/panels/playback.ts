@@ -1,9 +1,8 @@
 // The bar under the drawing: play, step, scrub, speed, stops, and what is read off where the tool is.
 //
-// In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the block it is in is
-// marked in the text.
-// While it plays, each painted frame asks how far the tool has come; while it is paused nothing runs.
-// Must not know: how the path is drawn, or what a stroke means.
+// In: whether there is anything to play and, as answers, where the tool is. Out: where the tool is to be; the
+// block it is in is marked in the text. While it plays, each painted frame asks how far the tool has come;
+// while it is paused nothing runs. Must not know: how the path is drawn, or what a stroke means.
 
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';

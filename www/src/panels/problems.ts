@@ -1,7 +1,7 @@
 // The list of problems under the editor.
 //
-// In: the diagnostics of the newest run. Out: the place the reader wants to see, the repairs the reader wants made: one, or all
-// safe fixes at once. Must not know: what a diagnostic is about.
+// In: the diagnostics of the newest run. Out: the place the reader wants to see, the repairs the reader wants
+// made: one, or all safe fixes at once. Must not know: what a diagnostic is about.
 
 import { icon, make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';

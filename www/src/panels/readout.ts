@@ -1,6 +1,7 @@
 // The read-out of the playback: place, feed, spindle, time and tool, as on a control's position screen.
 //
-// In: what the interpreter reads off where the tool is. Out: an element. Must not know: how the numbers come about.
+// In: what the interpreter reads off where the tool is. Out: an element. Must not know:
+// how the numbers come about.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,7 +1,8 @@
-// The button "Write as a cycle" and its dialog: which plain moves can be written as a cycle, each as it is and as it would be.
+// The button "Write as a cycle" and its dialog: which plain moves can be written as a cycle, each as
+// it is and as it would be.
 //
-// In: the offers, as an answer; those where the cursor stands come first. Out: the edits of the one that the reader takes.
-// Must not know: what a cycle is.
+// In: the offers, as an answer; those where the cursor stands come first. Out: the edits of the one that the
+// reader takes. Must not know: what a cycle is.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

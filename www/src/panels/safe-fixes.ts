@@ -1,7 +1,7 @@
 // The repairs that can be made without asking, all at once.
 //
-// In: the diagnostics of a run. Out: the edits of the first safe repair of each; of those that touch the same text the first
-// is taken, as `src/repair.rs` does. Must not know: what a repair is about.
+// In: the diagnostics of a run. Out: the edits of the first safe repair of each; of those that touch the same
+// text the first is taken, as `src/repair.rs` does. Must not know: what a repair is about.
 
 import type { Diagnostic, Fix } from '../protocol/protocol';
 

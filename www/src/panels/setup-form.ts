@@ -1,8 +1,8 @@
 // The dialog in which stock, tools, start, machine and tailstock are said, and where that is kept.
 //
-// In: the groups of fields, and answers to what is entered: both the interpreter's, labels and messages in words. Out:
-// `read` and `another` (questions), `kept` (the reader has applied it).
-// Must not know: what a field is for, or which values it can have.
+// In: the groups of fields, and answers to what is entered: both the interpreter's, labels and messages in
+// words. Out: `read` and `another` (questions), `kept` (the reader has applied it). Must not know: what a
+// field is for, or which values it can have.
 
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';

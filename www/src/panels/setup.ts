@@ -1,7 +1,7 @@
 // The setup: the button that opens its form, whether tools and stock are inferred, and the form itself.
 //
-// In: what is given and what is inferred; answers to what is entered. Out: the setup, kept in the program or on the page.
-// Must not know: what a setup may hold, or how anything is inferred.
+// In: what is given and what is inferred; answers to what is entered. Out: the setup, kept in the program or
+// on the page. Must not know: what a setup may hold, or how anything is inferred.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,8 +1,8 @@
 // The body that is turned from a half-section, as plain numbers for whoever draws it.
 //
-// In: the pieces of the section. Out: the turned surface with its normals, and its edges. A quarter is left out: that
-// between up and the viewer. The spindle axis is the first axis, up the second, the viewer is at the far end of the third.
-// Threads are rings, as the section shows them. Must not know: how it is drawn.
+// In: the pieces of the section. Out: the turned surface with its normals, and its edges. A quarter is left
+// out: that between up and the viewer. The spindle axis is the first axis, up the second, the viewer is at
+// the far end of the third. Threads are rings, as the section shows them. Must not know: how it is drawn.
 
 import type { SectionPiece } from '../protocol/protocol';
 
@@ -28,7 +28,10 @@ const TURN = (3 * Math.PI) / 2;
 const FLATS = { least: 24, most: 144, places: 600_000 };
 /** Corners nearer to the axis are on it, mm. */
 const ON_AXIS = 1e-4;
-/** Arcs come as chords: a corner is one of those if it turns less than this, and stands out of its neighbours less. */
+/**
+ * Arcs come as chords: a corner is one of those if it turns less than this, and stands
+ * out of its neighbours less.
+ */
 const SMOOTH = { angle: Math.PI / 6, height: 0.006 };
 
 /** The closed outlines of a piece, material on the left. */

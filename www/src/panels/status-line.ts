@@ -1,7 +1,7 @@
 // The slim line at the foot: "42 motions · 14 lines · no problems", and how numbers without a point are read.
 //
-// In: the summary of the newest run, or how far a long one is. Out: the reader has seen enough of that, or wants numbers without
-// a point read otherwise. Must not know: how a program is run.
+// In: the summary of the newest run, or how far a long one is. Out: the reader has seen enough of that, or
+// wants numbers without a point read otherwise. Must not know: how a program is run.
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';

@@ -1,4 +1,5 @@
-// The switches of the operator's panel that the text has a use for: levels of block skip, and which program is run.
+// The switches of the operator's panel that the text has a use for: levels of block skip,
+// and which program is run.
 //
 // In: what is in the text, and how the switches stand. Out: the switch that the reader turns.
 // Must not know: what a skipped block is, or how a program is found.

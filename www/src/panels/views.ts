@@ -1,4 +1,5 @@
-// The row over the pictures: which of them are shown, the turret's side, and the part that later ones are compared with.
+// The row over the pictures: which of them are shown, the turret's side, and the part that
+// later ones are compared with.
 //
 // In: what there is to see, and the width there is. Must not know: how anything is drawn or compared.
 

@@ -1,7 +1,8 @@
-// The button "Expand cycles" and its dialog: the program with every cycle as plain moves, to read, copy or take over.
+// The button "Expand cycles" and its dialog: the program with every cycle as plain moves,
+// to read, copy or take over.
 //
-// In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes it over.
-// Must not know: how a cycle is expanded.
+// In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes
+// it over. Must not know: how a cycle is expanded.
 
 import { defaultKeymap } from '@codemirror/commands';
 import { EditorState } from '@codemirror/state';

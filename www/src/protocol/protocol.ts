@@ -1,10 +1,10 @@
 // What the page and the worker say to each other: the only things that cross between the two threads.
 //
-// Down go commands (state, no answer) and questions (each with an id and exactly one answer); up come events. Every change of
-// text or setup begins a run with a number of its own, and whatever comes up names the run it belongs to: what belongs to an
-// earlier one than the page has asked for is dropped by core-client.ts, the one place where it arrives.
-// The interpreter's own types are taken from its generated package, never written again.
-// Must not know: how either side does its work.
+// Down go commands (state, no answer) and questions (each with an id and exactly one answer); up come events.
+// Every change of text or setup begins a run with a number of its own, and whatever comes up names the run it
+// belongs to: what belongs to an earlier one than the page has asked for is dropped by core-client.ts, the
+// one place where it arrives. The interpreter's own types are taken from its generated package, never written
+// again. Must not know: how either side does its work.
 
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
@@ -116,12 +116,18 @@ export interface Questions {
     ask: { readonly from: 'here' | 'start'; readonly seconds: number; readonly pace: Pace; readonly stops: StopSwitch };
     answer: Readout | undefined;
   };
-  /** The tool is put where so much of the animation has been shown, 0 to 1; without that, the whole path is shown. */
+  /**
+   * The tool is put where so much of the animation has been shown, 0 to 1; without
+   * that, the whole path is shown.
+   */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
   /** Where the tool is, in the language of now. */
   readout: { ask: undefined; answer: Readout | undefined };
-  /** `x` a diameter; `other` is Z in the section, C on the face; all mm. The answer is CSS pixels from the picture's top left corner. */
+  /**
+   * `x` a diameter; `other` is Z in the section, C on the face; all mm. The answer is CSS pixels from the
+   * picture's top left corner.
+   */
   locate: {
     ask: { readonly picture: PictureName; readonly x: number; readonly other: number };
     answer: { readonly x: number; readonly y: number };
@@ -151,7 +157,10 @@ export interface SetupTyped {
 
 export type QuestionKind = keyof Questions;
 
-/** Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The others' hold as they are. */
+/**
+ * Questions whose answers hold for a run: once there is another one, the answer is `undefined`. The
+ * others' hold as they are.
+ */
 export const OF_THE_RUN = {
   tokens: true, pick: true, play: true, seek: true, step: true, readout: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true,
@@ -200,7 +209,10 @@ export interface Report {
   readonly overview: SetupOverview;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
-  /** The whole report; or the path, as the part takes longer; or the part that belongs to the path reported before; or what was reported, in another language. */
+  /**
+   * The whole report; or the path, as the part takes longer; or the part that belongs to the path reported
+   * before; or what was reported, in another language.
+   */
   readonly stage: 'whole' | 'path' | 'part' | 'again';
   /** Why the setup that was sent last is not the one it ran under. */
   readonly setupRejected: string | undefined;
@@ -228,13 +240,19 @@ export type RunEvent =
   | { readonly kind: 'views'; readonly views: ViewsState }
   | { readonly kind: 'switches'; readonly inText: SwitchesInText }
   | { readonly kind: 'pictures'; readonly pictures: Pictures }
-  /** The run has ended, all material is off, and its last picture is shown; so many messages of the page were heard by then. */
+  /**
+   * The run has ended, all material is off, and its last picture is shown; so many messages of
+   * the page were heard by then.
+   */
   | { readonly kind: 'settled'; readonly heard: number }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
 
 export type WorkerEvent = LifeEvent | (RunEvent & { readonly run: number });
 
-/** Whether a message may change what is shown: these are counted on both sides, so that the page knows what was heard. */
+/**
+ * Whether a message may change what is shown: these are counted on both sides, so that the
+ * page knows what was heard.
+ */
 export function counts(message: Command | Question): boolean {
   return message.kind !== 'shown' && !(message.kind === 'question' && message.about === 'ping');
 }

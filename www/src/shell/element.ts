@@ -15,8 +15,8 @@
 //   program   2                    the O number that is run; overrides `program` of the setup
 // The last two follow the reader, who finds a switch for each where the text has a use for it.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
-// text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(), openFile(file),
-// saveFile(), focus(), and for automation
+// text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
+// openFile(file), saveFile(), focus(), and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
 //                              with the number of the run. Numbers grow with every change of text or setup.

@@ -1,6 +1,7 @@
 // Where the regions of the panels stand around the editor.
 //
-// In: the editor. Out: the frame, and for each region what its panels stand in. Must not know: which panels there are.
+// In: the editor. Out: the frame, and for each region what its panels stand in. Must not
+// know: which panels there are.
 
 import { make } from '../dom/dom';
 import type { Region } from '../panels/panel';

@@ -1,6 +1,7 @@
 // The setup that belongs to the program in the editor: it goes with it, and comes back with undo.
 //
-// In: what the reader does with the text. Out: attributes as they are to be. Must not know: what a setup holds beyond the control.
+// In: what the reader does with the text. Out: attributes as they are to be. Must not know: what a setup
+// holds beyond the control.
 
 import { neutralSetup, type SetupAttributes } from './start';
 
@@ -33,8 +34,9 @@ export class ProgramSetup {
   }
 
   /**
-   * How the program is run once the reader has edited it: an emptied editor begins another program, though the switches stay in
-   * sight; undo brings back the one before, and how it was run. Nothing where all stays as it is.
+   * How the program is run once the reader has edited it: an emptied editor begins another program,
+   * though the switches stay in sight; undo brings back the one before, and how it was run. Nothing
+   * where all stays as it is.
    */
   follow(how: 'edited' | 'undone', length: number, attributes: Attributes): RunAs | undefined {
     const lengthBefore = this.#lengthBefore;

@@ -1,7 +1,8 @@
 // The runs of the program: what has changed since the last one was begun, and the line to the worker.
 //
-// In: changes of text and setup. Out: what the worker reports of the newest run. What is changed in one go is run in one go; what
-// is typed quickly goes together. A worker that is lost is replaced. Must not know: panels, attributes, or what a setup holds.
+// In: changes of text and setup. Out: what the worker reports of the newest run. What is changed in one go is
+// run in one go; what is typed quickly goes together. A worker that is lost is replaced. Must not know:
+// panels, attributes, or what a setup holds.
 
 import type { Editor } from '../editor/editor';
 import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';

@@ -1,8 +1,9 @@
 // Whether the page shows all there is to show.
 //
-// In: that something is under way, and that the worker has nothing more to show. Out: a promise of the number of the run,
-// and a call each time. The layout may follow what was shown, and then the picture the layout: so the page is settled once two
-// frames have passed in which nothing else came. Must not know: what was under way.
+// In: that something is under way, and that the worker has nothing more to show. Out: a promise of the
+// number of the run, and a call each time. The layout may follow what was shown, and then the picture
+// the layout: so the page is settled once two frames have passed in which nothing else came. Must not
+// know: what was under way.
 
 export class Settling {
   readonly #settled: (run: number) => void;

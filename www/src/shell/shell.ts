@@ -1,8 +1,9 @@
-// The shell: the editor, the panels around it, and what they ask of each other, of the worker and of the page around.
+// The shell: the editor, the panels around it, and what they ask of each other, of the
+// worker and of the page around.
 //
-// In: what the reader does, what the worker reports. Out: the same to the panels; attributes and events of the element, its host.
-// Which panels there are, it knows from `panels/index.ts` alone. Must not know: G-code. What is written and what it means is the
-// interpreter's business, behind core-client.ts.
+// In: what the reader does, what the worker reports. Out: the same to the panels; attributes and events of
+// the element, its host. Which panels there are, it knows from `panels/index.ts` alone. Must not know:
+// G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';

@@ -5,7 +5,10 @@
 
 import type { SwitchesSet } from '../panels/panel';
 
-/** The element's own text, without slotted children, without the blank first and last line and the common indent. */
+/**
+ * The element's own text, without slotted children, without the blank first and last
+ * line and the common indent.
+ */
 export function initialProgram(element: HTMLElement): string {
   const own = [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
   const lines = own.map((node) => (node.nodeType === Node.COMMENT_NODE ? '' : (node.textContent ?? ''))).join('').split('\n');

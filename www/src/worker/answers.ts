@@ -1,7 +1,7 @@
 // What the worker answers: one row for each question.
 //
-// In: the `Playground` and what is asked. Out: the answer, whether it changes what is drawn, and whether it has to wait.
-// Must not know: runs, or how answers reach the page.
+// In: the `Playground` and what is asked. Out: the answer, whether it changes what is drawn, and whether it
+// has to wait. Must not know: runs, or how answers reach the page.
 
 import { Playground } from '../../pkg/gcode_playground.js';
 import type { QuestionKind, Questions, WrittenOut } from '../protocol/protocol';

@@ -1,9 +1,9 @@
 // The page's end of the line to the worker.
 //
-// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the worker's events, and
-// promises of answers, of the newest run only: whatever belongs to an earlier one ends here. Watches that the worker answers
-// at all; one that is silent for 15 s, or has failed, is ended and reported as lost.
-// Must not know: what the commands mean, or what is on the page.
+// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the worker's
+// events, and promises of answers, of the newest run only: whatever belongs to an earlier one ends here.
+// Watches that the worker answers at all; one that is silent for 15 s, or has failed, is ended and reported
+// as lost. Must not know: what the commands mean, or what is on the page.
 
 import { counts, OF_THE_RUN, type Answer, type Command, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type WorkerEvent } from '../protocol/protocol';
 
@@ -64,7 +64,10 @@ export class CoreClient {
     return this.#run;
   }
 
-  /** Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker hears of it a little later. */
+  /**
+   * Text or setup have changed: what comes of earlier runs is not wanted any more, even if the worker
+   * hears of it a little later.
+   */
   outdate(): void {
     if (this.#run === this.#told) this.#run = ++newestRun;
     this.#listener.unsettled();
@@ -84,8 +87,8 @@ export class CoreClient {
   }
 
   /**
-   * The promise stays open for ever when the worker is lost: whoever waits hears of it by `lost`. What is asked about a run is
-   * answered with `undefined` once there is another one.
+   * The promise stays open for ever when the worker is lost: whoever waits hears of it by `lost`. What is
+   * asked about a run is answered with `undefined` once there is another one.
    */
   ask<K extends QuestionKind>(about: K, ask: Questions[K]['ask']): Promise<Answer<K>> {
     return new Promise((resolve) => {

@@ -1,6 +1,7 @@
 // The worker's half of the pictures: the section and the end face, each on a canvas of its own.
 //
-// In: what happens to a picture. Out: images, and what there is to see beside the section. Must not know: when things are drawn.
+// In: what happens to a picture. Out: images, and what there is to see beside the section. Must not
+// know: when things are drawn.
 
 import { Drawn, type PictureName, type Playground } from '../../pkg/gcode_playground.js';
 import type { CanvasCommand, Pictures, ViewsState } from '../protocol/protocol';
@@ -29,7 +30,9 @@ export function fitAll(core: Playground): void {
   for (const picture of PICTURES) core.fit(picture);
 }
 
-/** Paints the pictures of the run that is current; the first that is not done says what is still to be done. */
+/**
+ * Paints the pictures of the run that is current; the first that is not done says what is still to be done.
+ */
 export function drawAll(core: Playground): Drawn {
   return PICTURES.map((picture) => core.draw(picture)).find((drawn) => drawn !== Drawn.All) ?? Drawn.All;
 }

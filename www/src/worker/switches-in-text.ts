@@ -1,7 +1,8 @@
 // Which switches of the operator's panel a text gives something to do.
 //
-// In: a text, a part at a time. Out: the levels of the blocks marked with a slash, and the programs that begin in it. A quick look, not a
-// reading: a switch shown in vain does nothing. Must not know: what is done with a marked block or a chosen program.
+// In: a text, a part at a time. Out: the levels of the blocks marked with a slash, and the programs that
+// begin in it. A quick look, not a reading: a switch shown in vain does nothing. Must not know: what is done
+// with a marked block or a chosen program.
 
 import type { ProgramHead, SwitchesInText } from '../protocol/protocol';
 

@@ -1,7 +1,8 @@
 // How a whole text reaches the interpreter's memory.
 //
-// In: a text in pieces. Out: nothing; the `Playground` has it. A long text is encoded straight into the memory of the
-// module, which takes a tenth of the time of handing over a string. Must not know: what the text is.
+// In: a text in pieces. Out: nothing; the `Playground` has it. A long text is encoded straight
+// into the memory of the module, which takes a tenth of the time of handing over a string. Must
+// not know: what the text is.
 
 import type { Playground } from '../../pkg/gcode_playground.js';
 

@@ -1,10 +1,10 @@
 // The interpreter's own thread: owns the `Playground`, its text and the canvas it draws on.
 //
-// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to: `tell` is the only
-// door. A program is run in slices, and between slices the messages that have come in are read, so newer text ends an older run
-// at once. Pictures cross as images, one at a time: the next one leaves when the page has shown the last, so that "settled" is
-// what the page shows, not what was painted here.
-// Must not know: the page, the editor, or anything of what the program means.
+// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to:
+// `tell` is the only door. A program is run in slices, and between slices the messages that have come in are
+// read, so newer text ends an older run at once. Pictures cross as images, one at a time: the next one leaves
+// when the page has shown the last, so that "settled" is what the page shows, not what was painted here. Must
+// not know: the page, the editor, or anything of what the program means.
 
 import init, { Drawn, Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
@@ -39,7 +39,10 @@ interface Going {
 /** How far the current run is. */
 type Stage =
   | ({ readonly kind: 'running' } & Going)
-  /** Material is being taken off; whether the path has been reported before the part is there, and its picture shown. */
+  /**
+   * Material is being taken off; whether the path has been reported before the part is
+   * there, and its picture shown.
+   */
   | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
   | { readonly kind: 'done' };
 

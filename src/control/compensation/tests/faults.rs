@@ -53,8 +53,8 @@ fn a_valley_between_two_arcs_that_touch_is_an_overcut() {
 
 #[test]
 fn a_short_slope_between_two_inner_corners_is_an_overcut() {
-    // Two corners of 45°, each takes r·tan 22.5° = 0.331 of the slope; a step with one inner and one outer corner
-    // takes nothing.
+    // Two corners of 45°, each takes r·tan 22.5° = 0.331 of the slope; a step with one inner and one
+    // outer corner takes nothing.
     let slope = |rise: f64| {
         lines(&[at(50.0, 5.0), at(20.0, 5.0), at(20.0, 0.0), at(20.0 + 2.0 * rise, -rise), {
             at(40.0, -rise)
@@ -127,8 +127,8 @@ fn an_arc_about_its_own_start_or_end_is_a_fault() {
 
 #[test]
 fn a_line_that_misses_the_offset_arc_has_no_intersection() {
-    // Down a face into a hollow of radius 3, where the centre of the nose keeps within 1 of the middle: the face may
-    // stand up to 2 inside the widest place.
+    // Down a face into a hollow of radius 3, where the centre of the nose keeps within 1 of the middle: the
+    // face may stand up to 2 inside the widest place.
     let hollow = |inside: f64| {
         let rim = Point::new(20.0 - (9.0 - (3.0 - inside) * (3.0 - inside)).sqrt(), -(3.0 - inside));
         [

@@ -1,5 +1,5 @@
-//! The floor: what anything that makes motions of a text must at least do. It reads the decimals and keeps a row for each
-//! line that moves. No message, no cycle, no check of anything.
+//! The floor: what anything that makes motions of a text must at least do. It reads the decimals and keeps a
+//! row for each line that moves. No message, no cycle, no check of anything.
 
 /// A straight move or an arc.
 pub struct Segment {

@@ -1,7 +1,7 @@
 //! The floor and the peers behind one interface, for wasm and native alike.
 //!
-//! In: the bytes of a program and a name. Out: how many rows came of it, and the rows themselves, so that dropping them
-//! is not measured.
+//! In: the bytes of a program and a name. Out: how many rows came of it, and the rows themselves, so that
+//! dropping them is not measured.
 
 pub mod floor;
 #[cfg(feature = "peers")]
