@@ -277,6 +277,16 @@ impl Run {
         self.decided
     }
 
+    /// The setup as it was given, with the decimal rule that was decided for the program: whoever runs
+    /// the text once more reads its numbers as this run does.
+    pub fn setup_to_repeat(&self) -> Setup {
+        let mut setup = self.given.clone();
+        if let Some(rule) = self.decided {
+            setup.dialect.decimal = Some(rule.into());
+        }
+        setup
+    }
+
     /// Begins a run of the same text under another setup. A decimal rule that was
     /// decided for the program stays.
     pub fn set_setup(&mut self, given: Setup) {

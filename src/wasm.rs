@@ -201,7 +201,8 @@ impl Playground {
 
     /// The program with every cycle, corner and compensation expanded to plain moves.
     pub fn expand(&self) -> String {
-        crate::expand::expand(self.current.run().text(), &self.setup)
+        let run = self.current.run();
+        crate::expand::expand(run.text(), &run.setup_to_repeat())
     }
 
     /// The table of supported codes, first as the control of this program writes them.

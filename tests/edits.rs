@@ -336,3 +336,23 @@ fn a_change_costs_no_more_than_its_surroundings_after_a_stop_too() {
     assert!(type_in_line(9_000, 1_400));
     check(&run, &setup);
 }
+
+/// What repeats a run (a program expanded, moves offered as cycles) reads its numbers as the run does, also after what
+/// decided that was deleted.
+#[test]
+fn a_run_repeated_reads_numbers_as_the_run_does() {
+    let text = b"G20\nG00 X20000 Z1000\nG71 U800 R500\nG01 Z-5000 F100\nX25000\nM30\n";
+    let mut run = Run::new(text.to_vec(), Setup::default());
+    finish(&mut run);
+    assert_eq!(run.decided_rule(), Some(DecimalRule::LeastIncrement));
+    let tail = b"G00 X20\nM30\n";
+    run.edit(TextEdit { start: 0, end: text.len(), insert: tail.to_vec() });
+    finish(&mut run);
+    let mut again = Run::new(tail.to_vec(), run.setup_to_repeat());
+    finish(&mut again);
+    assert_eq!(run.decided_rule(), Some(DecimalRule::LeastIncrement));
+    assert_eq!(again.motions().get(0), run.motions().get(0));
+    let mut other = Run::new(tail.to_vec(), Setup::default());
+    finish(&mut other);
+    assert_ne!(other.motions().get(0), run.motions().get(0));
+}

@@ -32,7 +32,7 @@ impl Playground {
     ) -> Result<Option<Vec<u8>>, JsValue> {
         let format = file_format(format)?;
         self.current.finish_part();
-        Ok(file(format, &Ran { current: &self.current, given: &self.setup }, self.language))
+        Ok(file(format, &Ran { current: &self.current }, self.language))
     }
 
     /// What the name of such a file ends in.
@@ -74,8 +74,6 @@ fn file_format(name: &str) -> Result<FileFormat, JsValue> {
 /// The current program, all of its material off.
 struct Ran<'a> {
     current: &'a Current,
-    /// The setup that was handed in.
-    given: &'a Setup,
 }
 
 impl Exportable for Ran<'_> {
@@ -100,10 +98,10 @@ impl Exportable for Ran<'_> {
     }
 
     fn expanded(&self) -> Vec<u8> {
-        expand(self.text(), self.given).into_bytes()
+        expand(self.text(), &self.current.run().setup_to_repeat()).into_bytes()
     }
 
     fn x_plus(&self) -> XPlus {
-        XPlus::Up
+        self.current.turret().into()
     }
 }

@@ -16,7 +16,7 @@ impl Playground {
         let byte = |offset: u32| self.current.lines().byte_at_utf16(text, offset) as usize;
         let start = byte(from);
         let selection = Some(Span::new(start, byte(to).max(start)));
-        let found = offers(text, &self.setup, selection);
+        let found = offers(text, &self.current.run().setup_to_repeat(), selection);
         let rows = found.iter().map(|offer| places.rewriting(offer, selection, self.language));
         to_js(&rows.collect::<Vec<_>>())
     }
