@@ -40,16 +40,16 @@ pub struct Compensated {
     /// The programmed end point; of a move around a corner, the corner.
     pub programmed: Point,
     /// Whether the program asks for it.
-    pub origin: Origin,
+    pub made_by: MadeBy,
 }
 
 /// Whether a compensated move stands in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
+pub enum MadeBy {
     /// It is a programmed element, moved and lengthened or shortened.
-    Programmed,
+    Program,
     /// The control puts it in, to lead the nose around a corner.
-    Corner,
+    Compensation,
 }
 
 /// Why an element cannot be compensated; it is left out.
@@ -199,7 +199,7 @@ impl Compensator {
             Stage::StartUp(first) => {
                 // Type A: perpendicular to the next element at its start (§4.2).
                 let begin = next.start_normal() * self.nose.radius;
-                self.give(&first, begin, Shape::Line, Origin::Programmed, out);
+                self.give(&first, begin, Shape::Line, MadeBy::Program, out);
                 self.wait(element, Begin::OnPath(begin));
             }
             Stage::Standing => self.enter(element, out),
@@ -235,7 +235,7 @@ impl Compensator {
             Stage::Commanded => self.stage = Stage::Commanded,
             Stage::StartUp(first) => {
                 let end = Track::new(&first, self.side).end_normal() * self.nose.radius;
-                self.give(&first, end, Shape::Line, Origin::Programmed, out);
+                self.give(&first, end, Shape::Line, MadeBy::Program, out);
             }
             Stage::Waiting(waiting) => {
                 let end = Track::new(&waiting.element, waiting.side).end_normal() * self.nose.radius;
@@ -263,7 +263,7 @@ impl Compensator {
             Shape::Line if self.tip == element.to => {}
             Shape::Line => {
                 let beside = self.nose.offset();
-                self.give(&element, beside, Shape::Line, Origin::Programmed, out);
+                self.give(&element, beside, Shape::Line, MadeBy::Program, out);
             }
         }
     }
@@ -363,7 +363,7 @@ impl Compensator {
         let begin = match waiting.begin {
             Begin::OnPath(begin) => begin,
             Begin::Beside => {
-                self.give(element, end, Shape::Line, Origin::Programmed, out);
+                self.give(element, end, Shape::Line, MadeBy::Program, out);
                 return true;
             }
         };
@@ -388,7 +388,7 @@ impl Compensator {
             // An arc the corners take away whole has no length, and must not look like a full circle.
             Shape::Arc { .. } | Shape::Line => Shape::Line,
         };
-        self.give(element, end, shape, Origin::Programmed, out);
+        self.give(element, end, shape, MadeBy::Program, out);
         true
     }
 
@@ -396,7 +396,7 @@ impl Compensator {
     fn join(&mut self, element: &Element, joint: Vector, out: &mut impl FnMut(Outcome)) {
         let corner = Element { to: element.from, ..*element };
         if !self.shown(corner.to, joint).is_same(self.tip) {
-            self.give(&corner, joint, Shape::Line, Origin::Corner, out);
+            self.give(&corner, joint, Shape::Line, MadeBy::Compensation, out);
         }
     }
 
@@ -406,12 +406,12 @@ impl Compensator {
         element: &Element,
         end: Vector,
         shape: Shape,
-        origin: Origin,
+        made_by: MadeBy,
         out: &mut impl FnMut(Outcome),
     ) {
         let to = self.shown(element.to, end);
         let Element { id, travel, to: programmed, .. } = *element;
-        out(Ok(Compensated { id, travel, from: self.tip, to, shape, programmed, origin }));
+        out(Ok(Compensated { id, travel, from: self.tip, to, shape, programmed, made_by }));
         self.tip = to;
     }
 

@@ -123,7 +123,7 @@ fn assert_clear(
 ) {
     for compensated in moves.iter().filter(|compensated| compensated.id != path[0].id) {
         for center in centers(compensated, nose) {
-            if compensated.origin == Origin::Corner {
+            if compensated.made_by == MadeBy::Compensation {
                 let gap = center.distance(compensated.programmed) - nose.radius;
                 assert!(gap >= -allowed, "{gap} too near the corner: {center:?} {compensated:?}");
             }
@@ -138,8 +138,7 @@ fn assert_clear(
 #[track_caller]
 fn assert_touches(moves: &[Compensated], nose: Nose, path: &[Element]) {
     for element in &path[1..] {
-        let compensated =
-            moves.iter().find(|made| made.id == element.id && made.origin == Origin::Programmed);
+        let compensated = moves.iter().find(|made| made.id == element.id && made.made_by == MadeBy::Program);
         let centers = centers(compensated.expect("one move for each element"), nose);
         let nearest = centers.iter().map(|center| distance(*center, element)).fold(f64::MAX, f64::min);
         assert!((nearest - nose.radius).abs() <= NEAR, "{nearest} from {element:?}");
@@ -240,7 +239,7 @@ fn a_sharp_outer_corner_is_rounded_with_a_straight_feed() {
     // A point of 45°: out along the cylinder, back under a turn of 135°.
     let path = lines(&[at(60.0, 5.0), at(60.0, 0.0), at(60.0, -20.0), at(40.0, -10.0)]);
     let made = moves(&run(Side::Right, nose(2.0, 0), &path, None));
-    assert_eq!(made[2].origin, Origin::Corner);
+    assert_eq!(made[2].made_by, MadeBy::Compensation);
     assert_eq!((made[2].id, made[2].programmed), (2, at(60.0, -20.0)));
     let root = 2f64.sqrt();
     assert!(made[1].to.distance(Point::new(32.0, -22.0)) < NEAR);
@@ -411,7 +410,7 @@ fn changing_the_side_crosses_the_path() {
     compensator.push(path[2], &mut keep);
     compensator.flush(&mut keep);
     assert_ends(&made, &[at(22.0, 2.0), at(22.0, -10.0), at(18.0, -10.0), at(18.0, -20.0)]);
-    assert_eq!(made[2].origin, Origin::Corner);
+    assert_eq!(made[2].made_by, MadeBy::Compensation);
 }
 
 /// Two balls of radius 2 and 3 side by side, the way in and out perpendicular: a valley of 180°.

@@ -6,7 +6,7 @@
 
 use super::Interpreter;
 use crate::control::codes::Compensation;
-use crate::control::compensation::{Compensator, Element, Origin, Outcome, Reason, Shape, Side, Travel};
+use crate::control::compensation::{Compensator, Element, MadeBy, Outcome, Reason, Shape, Side, Travel};
 use crate::control::corners::{self, ANGLE_ALLOWANCE, CornerError, Joined};
 use crate::control::events::{CompensatedMove, Event};
 use crate::control::modal::{Angle, Compensating, Follower, Joint, PathMove, Pending};
@@ -318,7 +318,7 @@ impl Interpreter {
                         }
                     };
                     let Motion { from, to, center: own, .. } = path_move.motion;
-                    let programmed = matches!(moved.origin, Origin::Programmed).then_some(Programmed {
+                    let programmed = matches!(moved.made_by, MadeBy::Program).then_some(Programmed {
                         from,
                         to,
                         center: own,
@@ -353,7 +353,7 @@ impl Interpreter {
                     }
                 }
             }
-            if !matches!(outcome, Ok(moved) if moved.origin == Origin::Corner) {
+            if !matches!(outcome, Ok(moved) if moved.made_by == MadeBy::Compensation) {
                 let at = compensating.compensator.tip();
                 let at = outcome.map_or(at, |moved| moved.to);
                 let (now, later) = compensating.dwells.drain(..).partition(|(after, _)| *after == id);

@@ -197,16 +197,18 @@ impl Interpreter {
         let gsk = self.dialect.control == Control::Gsk;
         let given = |address: u8| words.get(address).filter(|_| gsk).and_then(|word| reading.length(word));
         match (given(b'J'), given(b'K')) {
-            (None, None) => {
-                let length = 0.1 * f64::from(self.state.thread_chamfer) * lead;
-                (self.state.thread_chamfer_on && length > 0.0)
-                    .then_some(PullOut { along: length, out: length })
-            }
+            (None, None) => self.chamfer(lead),
             (j, k) => {
                 let (j, k) = (j.map(f64::abs), k.map(f64::abs));
                 Some(PullOut { along: k.or(j).unwrap_or(0.0), out: j.or(k).unwrap_or(0.0) })
             }
         }
+    }
+
+    /// How a thread is left by the chamfer in tenths of a lead (parameter 5130), if it is switched on.
+    pub(super) fn chamfer(&self, lead: f64) -> Option<PullOut> {
+        let length = 0.1 * f64::from(self.state.thread_chamfer) * lead;
+        (self.state.thread_chamfer_on && length > 0.0).then_some(PullOut { along: length, out: length })
     }
 
     pub(super) fn run_moves(

@@ -6,7 +6,7 @@
 use super::{AXES, Interpreter};
 use crate::control::events::{Event, ThreadPass, ThreadingCall};
 use crate::control::words::{Words, plain, quote};
-use crate::cycles::single::{PullOut, Single};
+use crate::cycles::single::Single;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
 use crate::geometry::Point;
@@ -58,7 +58,6 @@ impl Interpreter {
             return None;
         }
         let taper = if one_block { length(b'I') } else { length(b'R') }.unwrap_or(0.0);
-        let pull_out = 0.1 * f64::from(self.state.thread_chamfer) * lead;
         let parameters = self.state.parameters;
         let how = MultiThread {
             end,
@@ -68,8 +67,7 @@ impl Interpreter {
             least_depth,
             allowance: if one_block { 0.0 } else { parameters.thread_allowance },
             finishing: parameters.finishing,
-            pull_out: (self.state.thread_chamfer_on && pull_out > 0.0)
-                .then_some(PullOut { along: pull_out, out: pull_out }),
+            pull_out: self.chamfer(lead),
             angle: angle.to_radians(),
             clamp: match self.dialect.g76_clamp {
                 G76Clamp::Prev => threading::Clamp::Previous,

@@ -82,9 +82,9 @@ proptest! {
         let (path, nose) = (random_path(&pieces), nose(radius, tip));
         let outcomes = run(side, nose, &path, None);
         if faults(&outcomes).is_empty() {
-            assert_tangent(&moves(&outcomes), nose, &path, |made, element| match made.origin {
-                Origin::Programmed => made.id.abs_diff(element.id) <= 1,
-                Origin::Corner => made.id == element.id || made.id == element.id + 1,
+            assert_tangent(&moves(&outcomes), nose, &path, |made, element| match made.made_by {
+                MadeBy::Program => made.id.abs_diff(element.id) <= 1,
+                MadeBy::Compensation => made.id == element.id || made.id == element.id + 1,
             });
         }
     }
@@ -97,7 +97,7 @@ proptest! {
         let outcomes = run(side, nose, &path, None);
         if faults(&outcomes).is_empty() {
             assert_tangent(&moves(&outcomes), nose, &path, |made, element| {
-                made.origin == Origin::Programmed && made.id == element.id
+                made.made_by == MadeBy::Program && made.id == element.id
             });
         }
     }
@@ -109,9 +109,9 @@ proptest! {
         let (path, nose) = (random_path(&pieces), nose(radius, tip));
         let outcomes = run(side, nose, &path, None);
         if faults(&outcomes).is_empty() {
-            assert_clear(&moves(&outcomes), nose, &path, |made, element| match made.origin {
-                Origin::Programmed => made.id.abs_diff(element.id) <= 2,
-                Origin::Corner => made.id == element.id || made.id == element.id + 1,
+            assert_clear(&moves(&outcomes), nose, &path, |made, element| match made.made_by {
+                MadeBy::Program => made.id.abs_diff(element.id) <= 2,
+                MadeBy::Compensation => made.id == element.id || made.id == element.id + 1,
             }, ALLOWED + NEAR);
         }
     }
@@ -123,7 +123,7 @@ proptest! {
         prop_assert_eq!(made.len(), path.len());
         for (made, element) in made.iter().zip(&path) {
             prop_assert_eq!((made.id, made.from, made.to), (element.id, element.from, element.to));
-            prop_assert_eq!((made.shape, made.origin), (element.shape, Origin::Programmed));
+            prop_assert_eq!((made.shape, made.made_by), (element.shape, MadeBy::Program));
         }
     }
 
@@ -143,7 +143,7 @@ proptest! {
         let path = random_path(&pieces);
         let outcomes = run(side, nose(radius, 3), &path, None);
         let mut ids: Vec<u32> = outcomes.iter().filter_map(|outcome| match outcome {
-            Ok(made) => (made.origin == Origin::Programmed).then_some(made.id),
+            Ok(made) => (made.made_by == MadeBy::Program).then_some(made.id),
             Err(fault) => Some(fault.id),
         }).collect();
         ids.sort_unstable();
@@ -172,7 +172,7 @@ proptest! {
                 match (made, plain) {
                     (Ok(made), Ok(plain)) => {
                         prop_assert!(mirrored(made.to, axis).distance(plain.to) < NEAR);
-                        prop_assert_eq!((made.id, made.origin), (plain.id, plain.origin));
+                        prop_assert_eq!((made.id, made.made_by), (plain.id, plain.made_by));
                         match (mirrored_shape(made.shape, axis), plain.shape) {
                             (
                                 Shape::Arc { center, turn },
