@@ -498,7 +498,7 @@ mod tests {
     #[test]
     fn every_language() {
         assert!(html(PROGRAM, Language::Chinese).contains("主轴正转"));
-        assert!(html(PROGRAM, Language::Russian).contains("шпиндель вперёд"));
+        assert!(html(PROGRAM, Language::Russian).contains("прямое вращение шпинделя"));
     }
 
     #[test]

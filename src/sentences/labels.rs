@@ -72,7 +72,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::ToolDiameter => ["Diameter", "直径", "Диаметр"],
         Name::Reach => ["Reach", "伸出长度", "Вылет"],
         Name::Shank => ["Bar diameter", "刀杆直径", "Диаметр державки"],
-        Name::Angle => ["Angle of the point", "尖角", "Угол острия"],
+        Name::Angle => ["Angle of the point", "尖角", "Угол при вершине"],
         Name::ToolRadius => ["Cutter radius", "铣刀半径", "Радиус фрезы"],
         Name::GeometryR => ["Offset R", "刀补 R", "Корректор R"],
         Name::StartX => ["X (diameter)", "X（直径）", "X (диаметр)"],
@@ -152,8 +152,8 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
         (Name::Side, "outside") => language.among(["outside", "外圆", "снаружи"]),
         (Name::Side, "inside") => language.among(["bore", "内孔", "отверстие"]),
         (Name::Side, "face") => language.among(["end face", "端面", "торец"]),
-        (Name::Turret, "rear") => language.among(["rear", "后置", "за шпинделем"]),
-        (Name::Turret, "front") => language.among(["front", "前置", "перед шпинделем"]),
+        (Name::Turret, "rear") => language.among(["rear", "后置", "за осью шпинделя"]),
+        (Name::Turret, "front") => language.among(["front", "前置", "перед осью шпинделя"]),
         (Name::Decimal, "auto") => {
             language.among(["inferred from the program", "按程序判断", "по программе"])
         }
