@@ -85,13 +85,13 @@ impl Reason {
 
     fn english(self) -> &'static str {
         match self {
-            Self::FullWidth => "Full-width signs became plain ones",
+            Self::FullWidth => "Full-width characters were replaced with plain ones",
             Self::Minus => "A printed dash became a minus",
             Self::LetterForDigit => "A letter stood in place of a digit",
             Self::ZeroForO => "A zero stood in place of the letter O of the program number",
             Self::LookAlike => "A letter of another script stood in place of the address",
-            Self::DecimalPoint => "Another sign stood in place of the decimal point",
-            Self::Invisible => "Invisible signs were taken out",
+            Self::DecimalPoint => "Another character was in place of the decimal point",
+            Self::Invisible => "Invisible characters were removed",
             Self::Split => "Several blocks stood on one line",
             Self::Bullet => "A bullet or a table line was left out",
             Self::LineNumber => "A line or list number was left out",
@@ -100,7 +100,7 @@ impl Reason {
             Self::Remark => "The text after the block became a comment",
             Self::Prose => "Text that is no block was left out",
             Self::Format => "A format with placeholders was left out",
-            Self::Noise => "Stray signs were left out",
+            Self::Noise => "Stray characters were removed",
             Self::UnreadableSign => "The sign cannot be read; it may have been a minus",
             Self::LostMinus => {
                 "No minus is left in this program and the cut would lead away from the part; was this one negative?"

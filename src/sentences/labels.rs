@@ -72,7 +72,7 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::ToolDiameter => ["Diameter", "直径", "Диаметр"],
         Name::Reach => ["Reach", "伸出长度", "Вылет"],
         Name::Shank => ["Bar diameter", "刀杆直径", "Диаметр державки"],
-        Name::Angle => ["Angle of the point", "尖角", "Угол при вершине"],
+        Name::Angle => ["Thread angle or drill point angle", "尖角", "Угол при вершине"],
         Name::ToolRadius => ["Cutter radius", "铣刀半径", "Радиус фрезы"],
         Name::GeometryR => ["Offset R", "刀补 R", "Корректор R"],
         Name::StartX => ["X (diameter)", "X（直径）", "X (диаметр)"],

@@ -160,8 +160,8 @@ const WORDS = words({
     notKnown: 'not known',
     unknownTime: (rapids: number, cuts: number) =>
       [
-        rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid rate.' : '',
-        cuts > 0 ? 'How long some cuts take is not known: they lack a feed or a turning spindle.' : '',
+        rapids > 0 ? 'How long rapids take is not known: the setup gives no rapid traverse rate.' : '',
+        cuts > 0 ? 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.' : '',
       ].join(' ').trim(),
     assumed: (tool: string) => `${tool}, assumed`,
   },
