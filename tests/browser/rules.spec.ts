@@ -21,6 +21,8 @@ for (const [language, more, heading, failing] of [
     await page.locator('#language').selectOption(language);
     await type(page, FAULTY);
     const link = page.getByRole('region', { name: /Problems|问题|Замечания/ }).getByRole('link', { name: more });
+    // Until the text is typed the link is that of the empty program.
+    await expect(link).toHaveAttribute('href', /number-missing/);
     await expect(link).toHaveCount(1);
     await expect(link).toHaveAttribute('rel', 'noopener');
     const rule = await follow(page, () => link.click());
