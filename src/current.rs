@@ -20,6 +20,7 @@ use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::Motions;
+use crate::parts::in_part;
 use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
@@ -172,15 +173,7 @@ impl Current {
         if !self.run.is_finished() {
             return false;
         }
-        match std::mem::replace(&mut self.derived.material, Material::Untouched) {
-            Material::Off(machined) => self.derived.material = Material::Off(machined),
-            Material::Untouched => {
-                let simulation = Simulation::new(self.run.motions(), self.run.setup());
-                self.remove(simulation, motions);
-            }
-            Material::UnderWay(simulation) => self.remove(*simulation, motions),
-        }
-        matches!(self.derived.material, Material::Off(_))
+        remove_material(self, motions)
     }
 
     fn remove(&mut self, simulation: Simulation, motions: usize) {
@@ -194,10 +187,7 @@ impl Current {
 
     /// Takes no more material off; a message says so.
     pub fn stop_machining(&mut self) {
-        match std::mem::replace(&mut self.derived.material, Material::Untouched) {
-            Material::UnderWay(simulation) => self.finish_material(simulation.stop()),
-            other => self.derived.material = other,
-        }
+        stop_machining(self);
     }
 
     /// Takes off what is still to be taken off, of a program that has run.
@@ -528,6 +518,29 @@ impl Current {
         let Self { run, view_state, .. } = self;
         let section = &mut view_state.views[Plane::Section];
         section.steps = labels(run.motions(), &section.highlight, section.hover);
+    }
+}
+
+in_part! {
+    Machine "0080"
+    fn remove_material(current: &mut Current, motions: usize) -> bool {
+        match std::mem::replace(&mut current.derived.material, Material::Untouched) {
+            Material::Off(machined) => current.derived.material = Material::Off(machined),
+            Material::Untouched => {
+                let simulation = Simulation::new(current.run.motions(), current.run.setup());
+                current.remove(simulation, motions);
+            }
+            Material::UnderWay(simulation) => current.remove(*simulation, motions),
+        }
+        matches!(current.derived.material, Material::Off(_))
+    }
+
+    Machine "0081"
+    fn stop_machining(current: &mut Current) {
+        match std::mem::replace(&mut current.derived.material, Material::Untouched) {
+            Material::UnderWay(simulation) => current.finish_material(simulation.stop()),
+            other => current.derived.material = other,
+        }
     }
 }
 

@@ -24,6 +24,7 @@ pub mod lint;
 pub mod machine;
 pub mod message;
 pub mod motion;
+pub mod parts;
 pub mod paste;
 pub mod playback;
 pub mod provenance;

@@ -27,8 +27,10 @@ use crate::current::Current;
 use crate::current::per_plane::PerPlane;
 use crate::findings;
 use crate::geometry::Point;
+use crate::machine::region::Region;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
+use crate::parts::{Part, in_part};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
@@ -165,18 +167,7 @@ impl Playground {
     /// The messages so far.
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
-        let places = self.places();
-        let run = self.current.run();
-        let (levels, told) = (&run.setup().rules, run.diagnostics());
-        let simulation = self.current.simulation().into_iter();
-        let findings = simulation
-            .flat_map(|simulation| findings::diagnostics(simulation, self.current.motions(), levels, told));
-        let unit = run.state().unit;
-        let findings = findings.map(|found| found.in_unit(unit));
-        let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
-        sort_by_place(&mut all);
-        let rows = all.iter().map(|found| places.diagnostic(found, self.language));
-        to_js(&rows.collect::<Vec<_>>())
+        diagnostics(self)
     }
 
     /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
@@ -201,14 +192,13 @@ impl Playground {
 
     /// The program with every cycle, corner and compensation expanded to plain moves.
     pub fn expand(&self) -> String {
-        let run = self.current.run();
-        crate::expand::expand(run.text(), &run.setup_to_repeat())
+        expanded(self)
     }
 
     /// The table of supported codes, first as the control of this program writes them.
     #[wasm_bindgen(unchecked_return_type = "Codes")]
     pub fn codes(&self) -> Result<JsValue, JsValue> {
-        to_js(&api::codes(self.current.run().code_list(), self.language))
+        codes(self)
     }
 
     /// Lights up the strokes of the block at an offset.
@@ -232,10 +222,49 @@ impl Playground {
     /// What is left of the blank, when all motions are done; nothing where there is no blank.
     #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
     pub fn part(&self) -> Result<JsValue, JsValue> {
-        match self.current.part() {
-            Some(region) => to_js(&api::Part::new(region)),
-            None => Ok(JsValue::UNDEFINED),
-        }
+        self.current.part().map_or(Ok(JsValue::UNDEFINED), part)
+    }
+}
+
+in_part! {
+    Machine "0060"
+    fn diagnostics(playground: &Playground) -> Result<JsValue, JsValue> {
+        let places = playground.places();
+        let (run, motions) = (playground.current.run(), playground.current.motions());
+        let (levels, told) = (&run.setup().rules, run.diagnostics());
+        let simulation = playground.current.simulation().into_iter();
+        let findings =
+            simulation.flat_map(|simulation| findings::diagnostics(simulation, motions, levels, told));
+        let unit = run.state().unit;
+        let findings = findings.map(|found| found.in_unit(unit));
+        let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
+        sort_by_place(&mut all);
+        let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
+        to_js(&rows.collect::<Vec<_>>())
+    }
+
+    Tools "0061"
+    fn expanded(playground: &Playground) -> String {
+        let run = playground.current.run();
+        crate::expand::expand(run.text(), &run.setup_to_repeat())
+    }
+
+    Tools "0062"
+    fn codes(playground: &Playground) -> Result<JsValue, JsValue> {
+        to_js(&api::codes(playground.current.run().code_list(), playground.language))
+    }
+
+    Machine "0063"
+    fn part(region: &Region) -> Result<JsValue, JsValue> {
+        to_js(&api::Part::new(region))
+    }
+}
+
+/// The code of a part has been put into the module: what is in it can be called from now on.
+#[wasm_bindgen(js_name = partLoaded)]
+pub fn part_loaded(name: &str) {
+    if let Some(part) = Part::ALL.into_iter().find(|part| part.name() == name) {
+        part.loaded();
     }
 }
 

@@ -9,6 +9,7 @@ use crate::machine::compare::{Comparison, parts};
 use crate::machine::feature::{Thread, threads};
 use crate::machine::region::Region;
 use crate::motion::Motions;
+use crate::parts::in_part;
 use crate::run::Run;
 use crate::scene::face::Face;
 use crate::scene::work::{Moment, Work};
@@ -53,11 +54,7 @@ impl Machined {
 
     /// Lays the part over the one that was kept, or ends that.
     pub(super) fn compare(&mut self, run: &Run, kept: Option<&Kept>) {
-        self.comparison = kept.and_then(|kept| {
-            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), run.setup())]);
-            Some(Comparison::of(&first?, &second?))
-        });
-        self.shown = None;
+        compare(self, run, kept);
     }
 
     /// Brings the work to the moment at which the tool is at a place.
@@ -66,15 +63,7 @@ impl Machined {
         if self.shown.as_ref().is_some_and(|shown| shown.moment == moment) {
             return;
         }
-        let work = Work::of(&self.simulation, motions, moment);
-        let work = work.map(|work| match &self.comparison {
-            Some(comparison) if moment.is_none() => work.compared_with(comparison),
-            _ => work,
-        });
-        let mut works = PerPlane::default();
-        works[Plane::Section] = work;
-        works[Plane::Face] = self.face.as_ref().and_then(|face| face.work(&self.simulation, place));
-        self.shown = Some(Shown { moment, works });
+        show(self, motions, moment, place);
     }
 
     pub(super) fn simulation(&self) -> &SimulationResult {
@@ -108,5 +97,29 @@ impl Machined {
             Some(at) => self.simulation.part_at(motions, at.motion, at.share),
             None => self.part.clone(),
         }
+    }
+}
+
+in_part! {
+    Machine "0090"
+    fn compare(machined: &mut Machined, run: &Run, kept: Option<&Kept>) {
+        machined.comparison = kept.and_then(|kept| {
+            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), run.setup())]);
+            Some(Comparison::of(&first?, &second?))
+        });
+        machined.shown = None;
+    }
+
+    Machine "0091"
+    fn show(machined: &mut Machined, motions: &Motions, moment: Option<Moment>, place: Option<Place>) {
+        let work = Work::of(&machined.simulation, motions, moment);
+        let work = work.map(|work| match &machined.comparison {
+            Some(comparison) if moment.is_none() => work.compared_with(comparison),
+            _ => work,
+        });
+        let mut works = PerPlane::default();
+        works[Plane::Section] = work;
+        works[Plane::Face] = machined.face.as_ref().and_then(|face| face.work(&machined.simulation, place));
+        machined.shown = Some(Shown { moment, works });
     }
 }

@@ -161,20 +161,19 @@ fn sentences(rules: &[RuleFile]) -> String {
     let mut out = String::new();
     put(
         &mut out,
-        "/// The templates of each language, in the order of the messages: a sentence, and on a second line its help.",
+        "// The templates of each language, in the order of the messages: a sentence, and on a second line its help.",
     );
     let count = messages(rules).count();
-    put(&mut out, format_args!("static TEMPLATES: [[&str; {count}]; {}] = [", LANGUAGES.len()));
-    for index in 0..LANGUAGES.len() {
-        put(&mut out, "    [");
+    for (index, language) in LANGUAGES.iter().enumerate() {
+        let name = language.to_uppercase();
+        put(&mut out, format_args!("pub(super) static {name}: [&str; {count}] = ["));
         for (_, message) in messages(rules) {
             let said = &message.sentences[index];
             let help = said.help.iter().map(|help| format!("\n{help}")).collect::<String>();
-            put(&mut out, format_args!("        {},", quote(format!("{}{help}", said.message))));
+            put(&mut out, format_args!("    {},", quote(format!("{}{help}", said.message))));
         }
-        put(&mut out, "    ],");
+        put(&mut out, "];\n");
     }
-    put(&mut out, "];");
     out
 }
 

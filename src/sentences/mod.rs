@@ -7,6 +7,7 @@ mod phrases;
 mod template;
 #[cfg(test)]
 mod tests;
+mod texts;
 
 pub use language::Language;
 pub use phrases::{describe_motion, describe_rewrite};

@@ -1,8 +1,8 @@
 //! What a stroke of the picture is, and the titles of fixes and rewritings, as templates of every language.
 
-mod en;
-mod ru;
-mod zh;
+pub(super) mod en;
+pub(super) mod ru;
+pub(super) mod zh;
 
 use super::language::Language;
 use super::template::fill;
@@ -41,11 +41,7 @@ phrases! {
 
 impl Language {
     pub(super) fn phrase(self, phrase: Phrase) -> &'static str {
-        match self {
-            Self::English => en::phrase(phrase),
-            Self::Chinese => zh::phrase(phrase),
-            Self::Russian => ru::phrase(phrase),
-        }
+        (self.texts().phrase)(phrase)
     }
 }
 

@@ -9,15 +9,6 @@ use super::language::Language;
 use crate::message::{Arguments, Diagnostic, Message, Value};
 use crate::units::{Unit, number};
 
-include!(concat!(env!("OUT_DIR"), "/sentences.rs"));
-
-impl Language {
-    /// The template of a message, and on a second line that of its help.
-    fn template(self, message: &Message) -> &'static str {
-        TEMPLATES[self as usize][message.index()]
-    }
-}
-
 /// The text of a message.
 pub struct Sentence {
     /// One sentence that stands alone.
@@ -41,7 +32,7 @@ impl Message {
 
     /// The message in a language, lengths in a unit.
     pub fn sentence_in(&self, language: Language, unit: Unit) -> Sentence {
-        let template = language.template(self);
+        let template = language.texts().templates[self.index()];
         let mut arguments = self.arguments();
         for (_, value) in &mut arguments {
             if let Value::Length(length) = value {

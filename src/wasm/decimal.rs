@@ -4,6 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::Playground;
 use crate::api;
+use crate::parts::in_part;
 
 #[wasm_bindgen]
 impl Playground {
@@ -11,7 +12,7 @@ impl Playground {
     /// where there is nothing to say.
     #[wasm_bindgen(js_name = decimalNotice)]
     pub fn decimal_notice(&self) -> Option<String> {
-        api::decimal_notice(self.current.run(), self.language)
+        notice(self)
     }
 
     /// Decides what numbers without a point count anew, for the text as it is: after a paste or a click, not
@@ -19,5 +20,12 @@ impl Playground {
     #[wasm_bindgen(js_name = decideDecimalRule)]
     pub fn decide_decimal_rule(&mut self) {
         self.current.decide_decimal_rule();
+    }
+}
+
+in_part! {
+    Machine "0070"
+    fn notice(playground: &Playground) -> Option<String> {
+        api::decimal_notice(playground.current.run(), playground.language)
     }
 }

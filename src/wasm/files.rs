@@ -15,6 +15,7 @@ use crate::expand::expand;
 use crate::export::file::{Exportable, FileFormat, file};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
+use crate::parts::in_part;
 use crate::scene::Plane;
 use crate::scene::camera::XPlus;
 use crate::scene::canvas::{Painter, Progress};
@@ -31,8 +32,7 @@ impl Playground {
         #[wasm_bindgen(unchecked_param_type = "FileFormat")] format: &str,
     ) -> Result<Option<Vec<u8>>, JsValue> {
         let format = file_format(format)?;
-        self.current.finish_part();
-        Ok(file(format, &Ran { current: &self.current }, self.language))
+        Ok(bytes_of(self, format))
     }
 
     /// What the name of such a file ends in.
@@ -61,14 +61,28 @@ impl Playground {
     /// there is no blank, or not yet.
     #[wasm_bindgen(unchecked_return_type = "SectionPiece[]")]
     pub fn section(&mut self) -> Result<JsValue, JsValue> {
-        let shown = self.current.part_shown();
-        to_js(&shown.map(|region| api::section(&region)).unwrap_or_default())
+        section(self)
     }
 }
 
-fn file_format(name: &str) -> Result<FileFormat, JsValue> {
-    FileFormat::deserialize(name.into_deserializer())
-        .map_err(|problem: ValueError| JsValue::from_str(&problem.to_string()))
+in_part! {
+    Machine "0030"
+    fn bytes_of(playground: &mut Playground, format: FileFormat) -> Option<Vec<u8>> {
+        playground.current.finish_part();
+        file(format, &Ran { current: &playground.current }, playground.language)
+    }
+
+    Machine "0031"
+    fn section(playground: &mut Playground) -> Result<JsValue, JsValue> {
+        let shown = playground.current.part_shown();
+        to_js(&shown.map(|region| api::section(&region)).unwrap_or_default())
+    }
+
+    Machine "0032"
+    fn file_format(name: &str) -> Result<FileFormat, JsValue> {
+        FileFormat::deserialize(name.into_deserializer())
+            .map_err(|problem: ValueError| JsValue::from_str(&problem.to_string()))
+    }
 }
 
 /// The current program, all of its material off.

@@ -6,6 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::to_js;
 use crate::api::paste::{self as rows, FoundPrograms};
+use crate::parts::in_part;
 use crate::paste::{Found, find};
 use crate::sentences::Language;
 
@@ -21,22 +22,38 @@ impl PastedText {
     /// Looks through a text.
     #[wasm_bindgen(constructor)]
     pub fn new(text: String) -> PastedText {
-        let found = find(&text);
+        let found = programs_in(&text);
         PastedText { text, found }
     }
 
     /// What there is.
     #[wasm_bindgen(unchecked_return_type = "FoundPrograms")]
     pub fn programs(&self) -> Result<JsValue, JsValue> {
-        to_js(&FoundPrograms::new(&self.found))
+        programs(&self.found)
     }
 
     /// One of the programs, with the reasons in the language of a tag; nothing where
     /// there is none of that number.
     #[wasm_bindgen(unchecked_return_type = "FoundPiece[]")]
     pub fn pieces(&self, program: usize, tag: &str) -> Result<JsValue, JsValue> {
-        let program = self.found.programs.get(program);
-        let language = Language::from_tag(tag);
-        to_js(&program.map(|program| rows::pieces(&self.text, program, language)).unwrap_or_default())
+        pieces(self, program, Language::from_tag(tag))
+    }
+}
+
+in_part! {
+    Tools "0011"
+    fn programs_in(text: &str) -> Found {
+        find(text)
+    }
+
+    Tools "0012"
+    fn programs(found: &Found) -> Result<JsValue, JsValue> {
+        to_js(&FoundPrograms::new(found))
+    }
+
+    Tools "0013"
+    fn pieces(pasted: &PastedText, program: usize, language: Language) -> Result<JsValue, JsValue> {
+        let program = pasted.found.programs.get(program);
+        to_js(&program.map(|program| rows::pieces(&pasted.text, program, language)).unwrap_or_default())
     }
 }

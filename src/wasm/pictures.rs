@@ -10,6 +10,8 @@ use super::picture_name::PictureName;
 use super::{Playground, to_js};
 use crate::api;
 use crate::geometry::Point;
+use crate::machine::compare::Comparison;
+use crate::parts::in_part;
 use crate::scene::Plane;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
@@ -87,10 +89,7 @@ impl Playground {
     /// The stroke at a place of a picture, CSS pixels.
     #[wasm_bindgen(unchecked_return_type = "Stroke | undefined")]
     pub fn pick(&mut self, picture: PictureName, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        match self.current.pick(picture.into(), Pixel::new(x, y), REACH) {
-            Some((motion, at)) => self.stroke(motion, at),
-            None => Ok(JsValue::UNDEFINED),
-        }
+        picked(self, picture.into(), Pixel::new(x, y))
     }
 
     /// Where a place is in a picture: X a diameter in mm; then Z in the section, C on the face, in mm. Two
@@ -154,8 +153,7 @@ impl Playground {
     /// until another is asked for.
     #[wasm_bindgen(unchecked_return_type = "Dimension | undefined")]
     pub fn dimension(&mut self, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        let edge = self.current.mark_edge(Pixel::new(x, y), REACH);
-        edge.map_or(Ok(JsValue::UNDEFINED), |feature| to_js(&api::Dimension::new(&feature)))
+        dimension(self, Pixel::new(x, y))
     }
 
     /// Marks no edge any more.
@@ -178,10 +176,28 @@ impl Playground {
     /// Where the part differs from the one that was kept (`first`); nothing while none is.
     #[wasm_bindgen(unchecked_return_type = "Comparison | undefined")]
     pub fn comparison(&self) -> Result<JsValue, JsValue> {
-        match self.current.comparison() {
-            Some(comparison) => to_js(&api::Comparison::new(comparison)),
+        self.current.comparison().map_or(Ok(JsValue::UNDEFINED), comparison)
+    }
+}
+
+in_part! {
+    Machine "0050"
+    fn picked(playground: &mut Playground, plane: Plane, at: Pixel) -> Result<JsValue, JsValue> {
+        match playground.current.pick(plane, at, REACH) {
+            Some((motion, at)) => playground.stroke(motion, at),
             None => Ok(JsValue::UNDEFINED),
         }
+    }
+
+    Machine "0051"
+    fn dimension(playground: &mut Playground, at: Pixel) -> Result<JsValue, JsValue> {
+        let edge = playground.current.mark_edge(at, REACH);
+        edge.map_or(Ok(JsValue::UNDEFINED), |feature| to_js(&api::Dimension::new(&feature)))
+    }
+
+    Machine "0052"
+    fn comparison(found: &Comparison) -> Result<JsValue, JsValue> {
+        to_js(&api::Comparison::new(found))
     }
 }
 

@@ -4,6 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::{Readout, Shown};
+use crate::parts::in_part;
 use crate::playback::clock::{Playhead, Stops};
 use crate::playback::steps::{Direction, Unit, step};
 use crate::scene::Plane;
@@ -90,13 +91,20 @@ impl Playground {
     /// What is read off where the tool is.
     #[wasm_bindgen(unchecked_return_type = "Readout | undefined")]
     pub fn readout(&mut self) -> Result<JsValue, JsValue> {
-        let Some((playhead, place)) = self.current.place() else { return Ok(JsValue::UNDEFINED) };
+        readout(self)
+    }
+}
+
+in_part! {
+    Machine "0040"
+    fn readout(playground: &mut Playground) -> Result<JsValue, JsValue> {
+        let Some((playhead, place)) = playground.current.place() else { return Ok(JsValue::UNDEFINED) };
         let shown = Shown {
-            places: self.places(),
-            motions: self.current.motions(),
-            clock: self.current.clock(),
-            resolved: self.current.resolved_setup(),
+            places: playground.places(),
+            motions: playground.current.motions(),
+            clock: playground.current.clock(),
+            resolved: playground.current.resolved_setup(),
         };
-        to_js(&Readout::new(&shown, playhead, place.at, self.language))
+        to_js(&Readout::new(&shown, playhead, place.at, playground.language))
     }
 }

@@ -3,6 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
+use crate::parts::in_part;
 use crate::rewrite::offers;
 use crate::source::Span;
 
@@ -12,12 +13,19 @@ impl Playground {
     /// reader's selection, UTF-16 offsets: where there is much, what is near it is looked at.
     #[wasm_bindgen(unchecked_return_type = "Rewriting[]")]
     pub fn rewritings(&self, from: u32, to: u32) -> Result<JsValue, JsValue> {
-        let (text, places) = (self.current.run().text(), self.places());
-        let byte = |offset: u32| self.current.lines().byte_at_utf16(text, offset) as usize;
-        let start = byte(from);
-        let selection = Some(Span::new(start, byte(to).max(start)));
-        let found = offers(text, &self.current.run().setup_to_repeat(), selection);
-        let rows = found.iter().map(|offer| places.rewriting(offer, selection, self.language));
-        to_js(&rows.collect::<Vec<_>>())
+        rewritings(self, from, to)
     }
+}
+
+in_part! {
+    Tools "0010"
+fn rewritings(playground: &Playground, from: u32, to: u32) -> Result<JsValue, JsValue> {
+    let (text, places) = (playground.current.run().text(), playground.places());
+    let byte = |offset: u32| playground.current.lines().byte_at_utf16(text, offset) as usize;
+    let start = byte(from);
+    let selection = Some(Span::new(start, byte(to).max(start)));
+    let found = offers(text, &playground.current.run().setup_to_repeat(), selection);
+    let rows = found.iter().map(|offer| places.rewriting(offer, selection, playground.language));
+    to_js(&rows.collect::<Vec<_>>())
+}
 }

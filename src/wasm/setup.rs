@@ -6,6 +6,7 @@ use super::{Playground, to_js};
 use crate::api::setup::{SetupOverview, SetupPlace, Subject};
 use crate::machine::inferred::inferred_setup;
 use crate::machine::resolved_setup::ResolvedSetup;
+use crate::parts::in_part;
 use crate::setup::draft::Entry;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -16,28 +17,19 @@ impl Playground {
     /// Which of stock and tools are given, and which are inferred.
     #[wasm_bindgen(js_name = setupOverview, unchecked_return_type = "SetupOverview")]
     pub fn setup_overview(&self) -> Result<JsValue, JsValue> {
-        let run = self.current.run();
-        match self.current.resolved_setup() {
-            Some(resolved) => to_js(&SetupOverview::new(resolved, self.language)),
-            None => {
-                to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), run.setup()), self.language))
-            }
-        }
+        overview(self)
     }
 
     /// The setup form as it opens.
     #[wasm_bindgen(js_name = setupForm, unchecked_return_type = "SetupForm")]
     pub fn setup_form(&self) -> Result<JsValue, JsValue> {
-        self.about_setup(|subject| to_js(&subject.form()))
+        form(self)
     }
 
     /// Fields for one more tool; nothing for what is no T word.
     #[wasm_bindgen(js_name = anotherTool, unchecked_return_type = "SetupGroup | undefined")]
     pub fn another_tool(&self, word: &str) -> Result<JsValue, JsValue> {
-        self.about_setup(|subject| match subject.another_tool(word) {
-            Some(group) => to_js(&group),
-            None => Ok(JsValue::UNDEFINED),
-        })
+        another_tool(self, word)
     }
 
     /// What becomes of the texts in the fields of these keys, when they are kept in a place; `json`
@@ -50,11 +42,8 @@ impl Playground {
         #[wasm_bindgen(unchecked_param_type = "SetupPlace")] keep: String,
         json: &str,
     ) -> Result<JsValue, JsValue> {
-        let entries: Vec<Entry> =
-            keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
-        let (text, places) = (self.current.run().text(), self.places());
-        let keep = SetupPlace::of(&keep);
-        self.about_setup(|subject| to_js(&subject.answer(&entries, keep, json, text, &places)))
+        let entries = keys.into_iter().zip(texts).map(|(key, text)| Entry { key, text }).collect();
+        answer(self, entries, SetupPlace::of(&keep), json)
     }
 
     /// Share of the material that has been taken off, 0 to 1.
@@ -67,6 +56,36 @@ impl Playground {
     #[wasm_bindgen(js_name = stopMachining)]
     pub fn stop_machining(&mut self) {
         self.current.stop_machining();
+    }
+}
+
+in_part! {
+    Machine "0020"
+    fn overview(playground: &Playground) -> Result<JsValue, JsValue> {
+        let (run, language) = (playground.current.run(), playground.language);
+        match playground.current.resolved_setup() {
+            Some(resolved) => to_js(&SetupOverview::new(resolved, language)),
+            None => to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), run.setup()), language)),
+        }
+    }
+
+    Tools "0021"
+    fn form(playground: &Playground) -> Result<JsValue, JsValue> {
+        playground.about_setup(|subject| to_js(&subject.form()))
+    }
+
+    Tools "0022"
+    fn another_tool(playground: &Playground, word: &str) -> Result<JsValue, JsValue> {
+        playground.about_setup(|subject| match subject.another_tool(word) {
+            Some(group) => to_js(&group),
+            None => Ok(JsValue::UNDEFINED),
+        })
+    }
+
+    Tools "0023"
+    fn answer(playground: &Playground, entries: Vec<Entry>, keep: SetupPlace, json: &str) -> Result<JsValue, JsValue> {
+        let (text, places) = (playground.current.run().text(), playground.places());
+        playground.about_setup(|subject| to_js(&subject.answer(&entries, keep, json, text, &places)))
     }
 }
 

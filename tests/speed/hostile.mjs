@@ -80,9 +80,9 @@ function table(rows) {
 
 /** Everything a page asks for at once, from a module that is new to this process. */
 async function answer(one) {
-  const { initSync, Playground } = await import('../../www/pkg/gcode_playground.js');
+  const { Playground, wasm } = await import('./module.mjs');
   const bytes = readFileSync(join(folder, one.file));
-  const { memory } = initSync({ module: readFileSync(new URL('../../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
+  const { memory } = wasm;
   const playground = new Playground();
   playground.setSetup(one.setup);
   const [begun, computed] = [performance.now(), process.cpuUsage()];

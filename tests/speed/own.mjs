@@ -2,12 +2,11 @@
 //
 //   node tests/speed/own.mjs fresh|settled|without-lints|part|text|motions|edits FILE
 import { readFileSync } from 'node:fs';
-import { initSync, Playground } from '../../www/pkg/gcode_playground.js';
+import { Playground, wasm } from './module.mjs';
 import { median, time } from './stopwatch.mjs';
 
 const [what, file] = process.argv.slice(2);
 const bytes = readFileSync(file);
-const wasm = initSync({ module: readFileSync(new URL('../../www/pkg/gcode_playground_bg.wasm', import.meta.url)) });
 const encoder = new TextEncoder();
 const EDITS = 200;
 

@@ -66,6 +66,7 @@ fn build_floor_and_peers(setup: &Setup, options: Options, target: &Path) -> Resu
         target: target.to_owned(),
         package: folder.join("pkg"),
         optimised: &["-O3"],
+        is_cut: false,
     };
     module.build(setup)?;
     let mut cargo = command("cargo");

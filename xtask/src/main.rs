@@ -12,6 +12,7 @@ mod debian;
 mod engines;
 mod hostile;
 mod package;
+mod parts;
 mod play;
 mod run;
 mod serve;
@@ -25,9 +26,11 @@ use std::env;
 use std::process::ExitCode;
 
 use play::{Browser, Options};
+use setup::Setup;
 
 const USAGE: &str = "\
 cargo xtask play [--port N] [--no-open]   build the playground, serve it on localhost, open a browser
+cargo xtask site                          build the whole static site into www/dist
 cargo xtask test                          check and test everything
 cargo xtask bench [--own] [--write] [--rounds N]
                                           measure beside a floor and other programs, print the tables
@@ -41,6 +44,7 @@ cargo xtask setup                         only install what the other commands n
 #[derive(Debug, PartialEq, Eq)]
 enum Task {
     Play(Options),
+    Site,
     Test,
     Bench(bench::Options),
     Compare(Vec<String>),
@@ -61,6 +65,7 @@ fn main() -> ExitCode {
     };
     let result = match task {
         Task::Play(options) => play::main(options),
+        Task::Site => Setup::for_building().and_then(|setup| package::site(&setup)),
         Task::Test => test::main(),
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
@@ -82,6 +87,7 @@ fn main() -> ExitCode {
 fn parse(words: &[&str]) -> run::Result<Task> {
     match words {
         ["play", options @ ..] => parse_play(options).map(Task::Play),
+        ["site"] => Ok(Task::Site),
         ["test"] => Ok(Task::Test),
         ["bench", options @ ..] if !options.contains(&"--help") => parse_bench(options).map(Task::Bench),
         ["compare-linuxcnc", options @ ..] => {

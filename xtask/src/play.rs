@@ -38,8 +38,7 @@ pub enum Browser {
 pub fn main(options: Options) -> Result {
     let start = Instant::now();
     let setup = Setup::for_building()?;
-    package::wasm(&setup)?;
-    package::page(&setup)?;
+    package::site(&setup)?;
     let server = bind(options.port)?;
     let address = format!("http://localhost:{}/", server.port);
     run::say(format_args!("ready after {}", run::pretty(start.elapsed())));

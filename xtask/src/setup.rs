@@ -24,13 +24,14 @@ pub struct Setup {
 impl Setup {
     /// Gets everything a build of the page needs.
     pub fn for_building() -> Result<Self> {
-        // Slow when cold, each on its own: a program from source, the standard library, the npm packages.
-        let (wasm_bindgen, packages, toolchain) = thread::scope(|scope| {
+        // Slow when cold, each on its own: programs from source, the standard library, the npm packages.
+        let (wasm_bindgen, wasm_split, packages, toolchain) = thread::scope(|scope| {
             let wasm_bindgen = scope.spawn(tools::wasm_bindgen);
+            let wasm_split = scope.spawn(tools::wasm_split);
             let packages = scope.spawn(npm_packages);
-            (joined(wasm_bindgen), joined(packages), wasm_std::ensure())
+            (joined(wasm_bindgen), joined(wasm_split), joined(packages), wasm_std::ensure())
         });
-        let folders = wasm_bindgen?.into_iter().chain([packages?]);
+        let folders = wasm_bindgen?.into_iter().chain([wasm_split?, packages?]);
         let path = before(folders, &env::var_os("PATH").unwrap_or_default())?;
         Ok(Setup { toolchain: toolchain?, path })
     }

@@ -10,6 +10,9 @@ use crate::run::{self, Result};
 /// The version installed where no fitting one is found.
 const WASM_PACK: &str = "0.15.1";
 
+/// The version of wasm-split: xtask reads the script it writes.
+const WASM_SPLIT: &str = "0.2.4";
+
 /// The oldest wasm-pack that fits.
 const WASM_PACK_MIN: (u32, u32) = (0, 13);
 
@@ -50,6 +53,11 @@ pub fn cache() -> Result<PathBuf> {
     base.map(|base| base.join("gcode-playground")).ok_or_else(|| "this user has no home folder".to_owned())
 }
 
+/// The folder of wasm-split, which cuts the module of the page into its parts.
+pub fn wasm_split() -> Result<PathBuf> {
+    cargo_install("wasm_split_cli_support", WASM_SPLIT, &["wasm-split-cli"])
+}
+
 fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<PathBuf> {
     let prefix = cache()?.join("tools").join(format!("{package}-{version}"));
     let bin = prefix.join("bin");
@@ -59,6 +67,9 @@ fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<Path
     fs::create_dir_all(&prefix).map_err(|error| format!("cannot make {}: {error}", prefix.display()))?;
     let mut cargo = run::command("cargo");
     cargo.args(["install", package, "--version", &format!("={version}"), "--force", "--root"]).arg(&prefix);
+    if package == "wasm_split_cli_support" {
+        cargo.args(["--features", "build-binary"]);
+    }
     // Unoptimised they are built in less than half the time, and the little they do is done as fast.
     cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0").env("CARGO_PROFILE_RELEASE_LTO", "off");
     // Not in the repository and not with its settings.

@@ -2,7 +2,7 @@
 
 use crate::control::codes::{Effect, Function, Section};
 
-pub(super) fn title(section: Section) -> &'static str {
+pub(in crate::sentences) fn title(section: Section) -> &'static str {
     match section {
         Section::Moves => "Перемещения, фаски и скругления",
         Section::Threads => "Резьба одним проходом",
@@ -20,7 +20,7 @@ pub(super) fn title(section: Section) -> &'static str {
     }
 }
 
-pub(super) fn note(effect: Effect) -> &'static str {
+pub(in crate::sentences) fn note(effect: Effect) -> &'static str {
     match effect {
         Effect::Done => "",
         Effect::Accepted => "на траекторию не влияет",
@@ -28,7 +28,7 @@ pub(super) fn note(effect: Effect) -> &'static str {
     }
 }
 
-pub(super) fn describe(function: Function) -> &'static str {
+pub(in crate::sentences) fn describe(function: Function) -> &'static str {
     match function {
         Function::Rapid => "ускоренное перемещение",
         Function::Line => "прямая на рабочей подаче",

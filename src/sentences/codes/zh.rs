@@ -2,7 +2,7 @@
 
 use crate::control::codes::{Effect, Function, Section};
 
-pub(super) fn title(section: Section) -> &'static str {
+pub(in crate::sentences) fn title(section: Section) -> &'static str {
     match section {
         Section::Moves => "移动、倒角与倒圆",
         Section::Threads => "单段螺纹切削",
@@ -20,7 +20,7 @@ pub(super) fn title(section: Section) -> &'static str {
     }
 }
 
-pub(super) fn note(effect: Effect) -> &'static str {
+pub(in crate::sentences) fn note(effect: Effect) -> &'static str {
     match effect {
         Effect::Done => "",
         Effect::Accepted => "不影响轨迹",
@@ -28,7 +28,7 @@ pub(super) fn note(effect: Effect) -> &'static str {
     }
 }
 
-pub(super) fn describe(function: Function) -> &'static str {
+pub(in crate::sentences) fn describe(function: Function) -> &'static str {
     match function {
         Function::Rapid => "快速定位",
         Function::Line => "直线插补（切削进给）",

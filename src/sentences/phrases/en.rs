@@ -2,7 +2,7 @@
 
 use super::Phrase;
 
-pub(super) const fn phrase(phrase: Phrase) -> &'static str {
+pub(in crate::sentences) const fn phrase(phrase: Phrase) -> &'static str {
     use Phrase::*;
     match phrase {
         CloseComment => "Close the comment",

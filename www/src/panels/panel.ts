@@ -86,9 +86,15 @@ export interface ClientPlace {
 /** What a notice is about; another run hides `core` and `program`. */
 export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core';
 
+/** A button of a notice: what can be done about it. */
+export interface Remedy {
+  readonly title: string;
+  act(): void;
+}
+
 /** What one panel does for others, for the shell, or for the page around the element. */
 export interface Services {
-  notice(text: string, topic?: Topic): void;
+  notice(text: string, topic?: Topic, remedy?: Remedy): void;
   hideNotice(topic: Topic): void;
   play(): void;
   pause(): void;

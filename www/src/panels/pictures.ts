@@ -62,6 +62,7 @@ class Pictures implements Panel {
   }
 
   heard(event: Heard): void {
+    if (event.kind === 'path') this.#drawings.section.summary = event.summary;
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();

@@ -18,6 +18,8 @@ type Shown =
   | { readonly kind: 'loading' }
   | { readonly kind: 'running'; readonly work: Work; readonly done: number }
   | { readonly kind: 'failed' }
+  /** The path is there; messages and part are not yet, or could not be loaded. */
+  | { readonly kind: 'path'; readonly summary: Summary; readonly rest: 'coming' | 'failed' }
   | { readonly kind: 'summary'; readonly summary: Summary; readonly decimal: string | undefined };
 
 class StatusLine implements Panel {
@@ -44,6 +46,8 @@ class StatusLine implements Panel {
 
   heard(event: Heard): void {
     if (event.kind === 'report') this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
+    else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'coming' });
+    else if (event.kind === 'part-failed' && this.#shown.kind === 'path') this.#show({ ...this.#shown, rest: 'failed' });
     else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
   }
 
@@ -82,6 +86,10 @@ class StatusLine implements Panel {
       }
       case 'failed':
         return ['—'];
+      case 'path': {
+        const { motions, lines } = this.#shown.summary;
+        return [strings.motions(motions), strings.lines(lines), this.#shown.rest === 'coming' ? strings.coming : strings.notComing];
+      }
       case 'summary': {
         const { motions, lines, errors, warnings, infos } = this.#shown.summary;
         const problems = errors + warnings + infos;
@@ -101,6 +109,8 @@ const WORDS = words({
     running: (percent: number) => `Running … ${percent} %`,
     /** The material is being taken off. */
     part: (percent: number) => `Part … ${percent} %`,
+    coming: 'part and messages are loading …',
+    notComing: 'part and messages could not be loaded',
     stopRun: 'Stop',
     change: 'change',
     changeDecimal: 'Change how numbers without a point are read',
@@ -113,6 +123,8 @@ const WORDS = words({
     problemCount: counter('zh', { other: '个问题' }),
     running: (percent) => `正在运行…… ${percent} %`,
     part: (percent) => `零件 … ${percent} %`,
+    coming: '正在加载零件和信息……',
+    notComing: '零件和信息加载失败',
     stopRun: '停止',
     change: '更改',
     changeDecimal: '更改无小数点的数的读法',
@@ -125,6 +137,8 @@ const WORDS = words({
     problemCount: counter('ru', { one: 'замечание', few: 'замечания', other: 'замечаний' }),
     running: (percent) => `Выполняется … ${percent} %`,
     part: (percent) => `Деталь … ${percent} %`,
+    coming: 'деталь и сообщения загружаются …',
+    notComing: 'деталь и сообщения не загружены',
     stopRun: 'Остановить',
     change: 'изменить',
     changeDecimal: 'Изменить чтение чисел без точки',

@@ -6,6 +6,7 @@
 // one place where it arrives. The interpreter's own types are taken from its generated package, never written
 // again. Must not know: how either side does its work.
 
+import type { PartName } from '../../pkg/parts.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary,
@@ -38,12 +39,14 @@ export type Command =
   /** What happens to one of the pictures. */
   | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
-  | { readonly kind: 'language'; readonly tag: string }
+  | { readonly kind: 'language'; readonly tag: Extract<PartName, 'en' | 'zh' | 'ru'> }
   | BeginRun
   /** The last picture is on the page: there is room for the next one. */
   | { readonly kind: 'shown' }
   /** Ends the run under way. */
   | { readonly kind: 'stop' }
+  /** Tries again to load what could not be loaded. */
+  | { readonly kind: 'load-parts' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
   | { readonly kind: 'turret'; readonly side: TurretSide }
@@ -234,6 +237,10 @@ export type LifeEvent =
 
 /** What is reported of a run. */
 export type RunEvent =
+  /** The run has ended and its path is drawn; messages and part follow once what makes them is loaded. */
+  | { readonly kind: 'path'; readonly summary: Summary }
+  /** What the run waits for, or what a question needs, could not be loaded. */
+  | { readonly kind: 'part-failed'; readonly reason: string }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly work: Work; readonly done: number }

@@ -73,6 +73,7 @@ export class PlaygroundShell implements Shell {
       heard: (event) => {
         this.#tell((panel) => panel.heard?.(event));
         if (event.kind === 'report') this.#reported(event.report);
+        else if (event.kind === 'part-failed') this.#partFailed(event.reason);
       },
       pictures: (pictures) => this.#tell((panel) => panel.showPictures?.(pictures)),
       outdated: () => this.#tell((panel) => panel.outdated?.()),
@@ -280,6 +281,12 @@ export class PlaygroundShell implements Shell {
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics });
   }
 
+  #partFailed(reason: string): void {
+    const texts = WORDS[this.#language];
+    const remedy = { title: texts.tryAgain, act: () => this.send({ kind: 'load-parts' }) };
+    this.service('notice')(texts.partFailed(reason), 'core', remedy);
+  }
+
   #available(available: boolean): void {
     for (const panel of this.#panels) if ('available' in panel) panel.available = available;
   }
@@ -297,18 +304,24 @@ export class PlaygroundShell implements Shell {
 const WORDS = words({
   en: {
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
+    partFailed: (reason: string) => `Part and messages could not be loaded (${reason}). The path is right; editing goes on.`,
+    tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
+    partFailed: (reason) => `零件和信息加载失败（${reason}）。轨迹是正确的，可以继续编辑。`,
+    tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
+    partFailed: (reason) => `Не удалось загрузить деталь и сообщения (${reason}). Траектория верна, можно редактировать дальше.`,
+    tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,

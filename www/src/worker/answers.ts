@@ -17,35 +17,40 @@ export interface AnswerRow<K extends QuestionKind> {
   readonly draws?: 'now' | 'when-whole';
   /** It is answered once all material is off. */
   readonly waits?: 'for-the-part';
+  /** The parts of the interpreter that answer it, where it is not the first one. */
+  readonly needs?: readonly ('machine' | 'tools' | 'language')[];
   answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
+
+const IN_WORDS = ['machine', 'language'] as const;
+const TOOLS = ['tools', 'language'] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   ping: { answer: () => true },
   tokens: { answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
-  pick: { answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
-  dimension: { draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
-  play: { draws: 'now', answer: toolAnswers.play },
-  seek: { draws: 'now', answer: toolAnswers.seek },
-  step: { draws: 'now', answer: toolAnswers.step },
-  readout: { answer: toolAnswers.readout },
+  pick: { needs: IN_WORDS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
+  dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
+  play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
+  seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
+  step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
+  readout: { needs: IN_WORDS, answer: toolAnswers.readout },
   locate: {
     answer(core, { picture, x, other }) {
       const [px = 0, py = 0] = core.screenOf(picture, x, other);
       return { x: px, y: py };
     },
   },
-  expand: { answer: writtenOut },
-  rewritings: { answer: (core, { from, to }) => core.rewritings(from, to) },
-  codes: { answer: (core) => core.codes() },
+  expand: { needs: TOOLS, answer: writtenOut },
+  rewritings: { needs: TOOLS, answer: (core, { from, to }) => core.rewritings(from, to) },
+  codes: { needs: TOOLS, answer: (core) => core.codes() },
   // A file of a part of a program would pass for all of it.
-  export: { waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
-  section: { answer: (core) => core.section() },
-  'programs-in': { answer: (_, { text }) => programsIn(text) },
-  'pieces-of': { answer: (_, { program, language }) => piecesOf(program, language) },
-  'setup-form': { answer: (core) => core.setupForm() },
-  'another-tool': { answer: (core, { word }) => core.anotherTool(word) },
-  'read-setup': { answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
+  export: { needs: ['machine', 'tools', 'language'], waits: 'for-the-part', answer: (core, { format }) => exported(core, format) },
+  section: { needs: IN_WORDS, answer: (core) => core.section() },
+  'programs-in': { needs: TOOLS, answer: (_, { text }) => programsIn(text) },
+  'pieces-of': { needs: TOOLS, answer: (_, { program, language }) => piecesOf(program, language) },
+  'setup-form': { needs: TOOLS, answer: (core) => core.setupForm() },
+  'another-tool': { needs: TOOLS, answer: (core, { word }) => core.anotherTool(word) },
+  'read-setup': { needs: TOOLS, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
 };
 
 function writtenOut(core: Playground): WrittenOut {

@@ -12,6 +12,7 @@ import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
   counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
   type Work } from '../protocol/protocol';
+import { Parts, type PartName } from './parts';
 import { handIn } from './text-in';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
@@ -27,6 +28,8 @@ const MOTIONS_PER_SLICE = 20;
 const WAIT_FOR_PART_MS = 8;
 /** Longer than this nobody looks at the picture of the run before: the path is shown without the part. */
 const SHOW_PATH_AFTER_MS = 300;
+/** Where no picture is drawn, as in a tab that nobody sees, the parts are loaded all the same. */
+const LOAD_PARTS_AFTER_MS = 500;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
@@ -39,6 +42,8 @@ interface Going {
 /** How far the current run is. */
 type Stage =
   | ({ readonly kind: 'running' } & Going)
+  /** The path is drawn; what takes material off and says what is wrong has not been loaded yet. */
+  | { readonly kind: 'waiting' }
   /**
    * Material is being taken off; whether the path has been reported before the part is
    * there, and its picture shown.
@@ -50,6 +55,12 @@ type Stage =
 type Wanted = 'no' | 'when-whole' | 'now';
 
 let core: Playground | undefined;
+let parts: Parts | undefined;
+/** What waits for parts of the interpreter. */
+const waiting: { readonly needs: readonly PartName[]; readonly act: () => void }[] = [];
+/** Nothing is loaded that could delay the first picture; a part that did not come is not waited for. */
+let loading: 'held' | 'begun' | 'failed' = 'held';
+let language: PartName = 'en';
 /** The number of the current run, as the page counts them. */
 let run = 0;
 let stage: Stage = { kind: 'done' };
@@ -88,7 +99,8 @@ void load();
 
 async function load(): Promise<void> {
   try {
-    await init({ module_or_path: new URL('../../pkg/gcode_playground_bg.wasm', import.meta.url) });
+    const exports = await init({ module_or_path: new URL('../../pkg/gcode_playground_bg.wasm', import.meta.url) });
+    parts = new Parts(exports, { loaded: () => guarded(goOnWithParts), failed: (reason) => guarded(() => partFailed(reason)) });
     core = new Playground();
   } catch (error) {
     tellOfLife({ kind: 'load-failed', reason: describe(error) });
@@ -122,8 +134,12 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
   language: {
     draws: 'when-whole',
     act(playground, { tag }) {
+      language = tag;
       playground.setLanguage(tag);
-      if (isTold()) report(playground, 'again');
+      const reportAgain = (): void => {
+        if (isTold()) report(playground, 'again');
+      };
+      if (isTold()) whenLoaded(['machine', language], reportAgain);
     },
   },
   run: { draws: 'no', act: begin },
@@ -135,6 +151,7 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
     },
   },
   stop: { draws: 'when-whole', act: stop },
+  'load-parts': { draws: 'no', act: loadParts },
   cursor: { draws: 'when-whole', act: (playground, { offset }) => playground.setCursor(offset) },
   hover: { draws: 'when-whole', act: (playground, { motion }) => playground.setHover(motion) },
   turret: {
@@ -169,10 +186,51 @@ function tellViews(playground: Playground): void {
 
 function ask(playground: Playground, question: Question): void {
   const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
-  const now = (): void => void reply(question.id, row.answer(playground, question.ask));
-  if (row.draws !== undefined) wantDraw(row.draws);
+  const needs = (): readonly PartName[] => (row.needs ?? []).map((part) => (part === 'language' ? language : part));
+  const now = (): void => {
+    if (!isLoaded(needs())) return whenLoaded(needs(), now);
+    void reply(question.id, row.answer(playground, question.ask));
+    if (row.draws !== undefined) wantDraw(row.draws);
+  };
   if (row.waits === undefined) now();
   else whenWhole(now);
+}
+
+// ---- the parts of the interpreter -----------------------------------------------------------------
+
+function isLoaded(needs: readonly PartName[]): boolean {
+  return parts?.has(...needs) === true;
+}
+
+/** Does something as soon as the parts it needs are there. */
+function whenLoaded(needs: readonly PartName[], act: () => void): void {
+  if (isLoaded(needs)) return act();
+  waiting.push({ needs, act });
+  if (loading !== 'held') loadParts();
+}
+
+/** Loads what is waited for; what could not be loaded before is tried again. */
+function loadParts(): void {
+  loading = 'begun';
+  // Who waits hears of a failure by `partFailed`.
+  for (const { needs } of waiting) parts?.load(...needs).catch(() => undefined);
+}
+
+/** The first picture is on its way: nothing is delayed by other parts any more. */
+function release(): void {
+  if (loading === 'held') loadParts();
+}
+
+function goOnWithParts(): void {
+  for (const late of waiting.splice(0)) {
+    if (isLoaded(late.needs)) late.act();
+    else waiting.push(late);
+  }
+}
+
+function partFailed(reason: unknown): void {
+  loading = 'failed';
+  tell({ kind: 'part-failed', reason: describe(reason) });
 }
 
 function whenWhole(act: () => void): void {
@@ -276,7 +334,7 @@ function slice(): void {
   else if (drawing) draw(core);
   else if (stage.kind === 'machining') removeMaterial(core, stage);
   else lookOn(core);
-  if (stage.kind !== 'done' || drawing || looking !== undefined) queueSlice();
+  if (stage.kind === 'running' || stage.kind === 'machining' || drawing || looking !== undefined) queueSlice();
 }
 
 function advance(playground: Playground, going: Going): void {
@@ -296,6 +354,17 @@ function tellProgress(going: Going, work: Work, done: () => number): void {
 
 function end(playground: Playground): void {
   lookOn(playground);
+  if (isLoaded(['machine', language])) return toMachine(playground);
+  stage = { kind: 'waiting' };
+  tell({ kind: 'path', summary: playground.summary() });
+  wantDraw('now');
+  setTimeout(() => guarded(release), LOAD_PARTS_AFTER_MS);
+  whenLoaded(['machine', language], () => {
+    if (stage.kind === 'waiting') toMachine(playground);
+  });
+}
+
+function toMachine(playground: Playground): void {
   const now = performance.now();
   const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
   stage = machining;
@@ -356,7 +425,7 @@ function wantDraw(how: Exclude<Wanted, 'no'>): void {
     frameAsked = false;
     const wanted = drawWanted;
     drawWanted = 'no';
-    const ready = stage.kind === 'done' || (stage.kind === 'machining' && stage.pathShown);
+    const ready = stage.kind === 'done' || stage.kind === 'waiting' || (stage.kind === 'machining' && stage.pathShown);
     guarded(() => {
       if (core !== undefined && (wanted === 'now' || (wanted === 'when-whole' && ready))) draw(core);
     });
@@ -379,11 +448,13 @@ function present(playground: Playground): void {
   if (pictures === undefined) return;
   onTheWay = true;
   tell({ kind: 'pictures', pictures }, Object.values(pictures));
+  release();
 }
 
 /** Once nothing is left to do, and the page has shown all there is. */
 function settle(): void {
-  const busy = stage.kind !== 'done' || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
+  const atWork = stage.kind === 'waiting' ? loading !== 'failed' : stage.kind !== 'done';
+  const busy = atWork || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
   if (core === undefined || busy || settledAt === heard) return;
   settledAt = heard;
   tell({ kind: 'settled', heard });

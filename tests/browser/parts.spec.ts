@@ -1,0 +1,111 @@
+// The parts of the interpreter that are loaded after the first picture: until they are there the page shows
+// what is right and says what is coming; one that does not come is reported, and can be tried again.
+import { expect, type Route } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage } from './engines';
+import { type } from './page';
+
+const LATE_MS = 3_000;
+const COMING = /^\d+ motions · \d+ lines · part and messages are loading …$/;
+
+/** Answers for the files of a part as it likes. */
+async function route(page: ChromiumPage, part: string, answer: (route: Route) => Promise<void>): Promise<void> {
+  await page.route(new RegExp(`/assets/${part}-[\\w-]+\\.wasm$`), answer);
+}
+
+async function late(route: Route): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve, LATE_MS));
+  await route.continue();
+}
+
+interface Watched {
+  /** What the status line said, one after the other. */
+  readonly said: string[];
+  /** How many problems the panel listed then. */
+  readonly listed: number[];
+  /** A number for what the canvas showed, each time it changed. */
+  readonly pictures: number[];
+}
+
+/** Watches the page from its first moment until it is settled. */
+async function watched(page: ChromiumPage): Promise<Watched> {
+  await page.addInitScript(() => {
+    const seen = { said: [] as string[], listed: [] as number[], pictures: [] as number[] };
+    Object.assign(window, { seen });
+    const add = <T>(list: T[], value: T): void => {
+      if (list.at(-1) !== value) list.push(value);
+    };
+    const look = (): void => {
+      const root = document.querySelector('gcode-playground')?.shadowRoot;
+      const said = root?.querySelector('[role=status]')?.textContent;
+      if (root !== null && root !== undefined && said !== null && said !== undefined) {
+        add(seen.said, said);
+        const list = root.querySelector('[part=problems]');
+        add(seen.listed, list === null || (list as HTMLElement).hidden ? 0 : list.querySelectorAll('li').length);
+        const canvas = root.querySelector('canvas');
+        const context = canvas?.getContext('2d');
+        if (canvas !== null && canvas !== undefined && context !== null && context !== undefined && canvas.width > 1) {
+          const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+          let sum = 0;
+          for (let at = 0; at < data.length; at += 4) sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
+          add(seen.pictures, sum);
+        }
+      }
+      requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  await page.goto('./');
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  return page.evaluate(() => (window as unknown as { seen: Watched }).seen);
+}
+
+test('without delays the page ends at the same', async ({ page }) => {
+  const { said } = await watched(page);
+  expect(said.at(-1)).toMatch(/^\d+ motions · \d+ lines · no problems/);
+});
+
+for (const part of ['machine', 'machine-tools', 'en']) {
+  test(`${part} arrives three seconds late: the path is drawn, and nothing wrong is shown`, async ({ page }) => {
+    const atOnce = await watched(page);
+    await route(page, part, late);
+    const { said, listed, pictures } = await watched(page);
+    // Loading, the path, then all of it; the sizes of the page may settle between.
+    expect(said.filter((line) => !line.startsWith('Part …'))).toEqual(['Loading …', expect.stringMatching(COMING), atOnce.said.at(-1)]);
+    expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
+    expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
+    // Nothing, the path, the path with its part.
+    expect(pictures.length).toBeLessThanOrEqual(3);
+  });
+}
+
+test('what is asked before its part is there is answered when it is', async ({ page }) => {
+  await route(page, 'tools', late);
+  await page.goto('./');
+  await page.getByRole('button', { name: 'Help (?)' }).click();
+  await page.getByRole('button', { name: 'Supported codes' }).click();
+  await expect(page.getByRole('rowheader', { name: 'G71', exact: true })).toBeVisible();
+});
+
+test('a part that cannot be loaded is reported; the rest works, and it can be tried again', async ({ page }) => {
+  let broken = true;
+  await route(page, 'machine', (route) => (broken ? route.abort() : route.continue()));
+  await page.goto('./');
+  const notice = page.getByRole('alert').filter({ hasText: 'could not be loaded' });
+  await expect(notice).toBeVisible();
+  await expect(page.getByRole('status')).toContainText('part and messages could not be loaded');
+  // Editing goes on, and each run tries again.
+  await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nG01 X');
+  await expect(page.getByRole('status')).toContainText('2 motions');
+  await expect(notice).toBeVisible();
+  broken = false;
+  await notice.getByRole('button', { name: 'Try again' }).click();
+  await expect(notice).toBeHidden();
+  await expect(page.getByRole('region', { name: 'Problems' }).getByRole('listitem').first()).toBeVisible();
+  await expect(page.getByRole('status')).toContainText('problem');
+});
+
+test('a module that cannot be loaded is reported', async ({ page }) => {
+  await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText('The interpreter could not be loaded');
+});

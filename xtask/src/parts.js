@@ -1,0 +1,38 @@
+// The parts of the module that are loaded after the first picture: src/parts.rs.
+//
+// In: the exports of the module. Out: the same module with the code and data of a part put into its memory
+// and its table of functions. Made by `cargo xtask`, which fills in the files.
+import { partLoaded } from './gcode_playground.js';
+
+/** The files of each part, by its name; one that two parts need is in both lists. */
+export const PART_FILES = {
+  /* FILES */
+};
+
+/** What each module has been given: files, by the exports of the module. */
+const given = new WeakMap();
+
+/** Puts a part into a module, from its compiled files, in the order of `PART_FILES`. */
+export function addPart(part, exports, compiled) {
+  const files = given.get(exports) ?? new Set();
+  given.set(exports, files);
+  PART_FILES[part].forEach((file, index) => {
+    if (files.has(file.href)) return;
+    new WebAssembly.Instance(compiled[index], { __wasm_split: exports });
+    files.add(file.href);
+  });
+  partLoaded(part);
+}
+
+/** Loads a part; rejected where one of its files cannot be had, after which it can be tried again. */
+export async function loadPart(part, exports) {
+  const files = given.get(exports);
+  const compiled = PART_FILES[part].map((file) => (files?.has(file.href) === true ? undefined : compiledFrom(file)));
+  addPart(part, exports, await Promise.all(compiled));
+}
+
+async function compiledFrom(file) {
+  const response = await fetch(file);
+  if (!response.ok) throw new Error(`${file.href}: ${response.status}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}

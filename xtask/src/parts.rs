@@ -1,0 +1,120 @@
+//! In: the linked module of the page, with relocations. Out: what the first picture needs as a module of its
+//! own, and a file for each part of `src/parts.rs`, with the script that loads them.
+//!
+//! wasm-split cuts the module at the functions marked with `in_part!`: what can be reached from the exports
+//! only through them goes into the file of their part, data too; what two parts need, into a file that both
+//! load first.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::run::{self, Result};
+use crate::setup::Setup;
+
+/// What wasm-split calls the script that it would load the parts with. Ours is another: it can try again,
+/// and runs under Node.
+const LINK_SCRIPT: &str = "__wasm_split.js";
+
+/// A module that is cut into parts.
+pub struct Cut {
+    /// What remains: the module that wasm-bindgen makes the package of.
+    pub main: PathBuf,
+    /// The other files: where each is, and its name in the package.
+    pub files: Vec<(PathBuf, String)>,
+    /// The names of the files each part needs, in order.
+    parts: BTreeMap<String, Vec<String>>,
+}
+
+/// Cuts a module into a folder beside it.
+pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
+    let folder = module.with_extension("parts");
+    let _ = fs::remove_dir_all(&folder);
+    let mut split = setup.command("wasm-split-cli");
+    split.arg(module).arg(&folder).args(["--out-name", name]);
+    run::quiet("cutting the module into its parts", &mut split)?;
+    let script = folder.join(LINK_SCRIPT);
+    let script =
+        fs::read_to_string(&script).map_err(|error| format!("cannot read {}: {error}", script.display()))?;
+    let mut files = Vec::new();
+    let mut parts = BTreeMap::<String, Vec<String>>::new();
+    for (file, needed_by) in files_of(&script) {
+        let shipped = shipped_name(&needed_by);
+        for part in &needed_by {
+            parts.entry(part_name(part)).or_default().push(shipped.clone());
+        }
+        files.push((folder.join(file), shipped));
+    }
+    if parts.is_empty() {
+        return Err(format!("{} was not cut: wasm-split found no part", module.display()));
+    }
+    Ok(Cut { main: folder.join(format!("{name}.wasm")), files, parts })
+}
+
+impl Cut {
+    /// The script that loads the parts, and its types.
+    pub fn scripts(&self) -> [(&'static str, String); 2] {
+        let row = |(part, files): (&String, &Vec<String>)| {
+            let urls: Vec<String> =
+                files.iter().map(|file| format!("new URL('./{file}', import.meta.url)")).collect();
+            format!("{part}: [{}],", urls.join(", "))
+        };
+        let rows: Vec<String> = self.parts.iter().map(row).collect();
+        let names: Vec<String> = self.parts.keys().map(|part| format!("'{part}'")).collect();
+        [
+            ("parts.js", include_str!("parts.js").replace("/* FILES */", &rows.join("\n  "))),
+            ("parts.d.ts", include_str!("parts.d.ts").replace("/* NAMES */", &names.join(" | "))),
+        ]
+    }
+}
+
+/// The files that wasm-split's script loads, each with the parts that need it; those that several need first.
+fn files_of(script: &str) -> Vec<(String, Vec<String>)> {
+    let mut shared = Vec::new();
+    let mut own = Vec::new();
+    let mut above = "";
+    for line in script.lines() {
+        if let Some(rest) = line.strip_prefix("const __chunk_") {
+            let number = rest.split(' ').next().unwrap_or_default();
+            let parts = above.trim_start_matches("/* ").trim_end_matches(" */");
+            shared.push((format!("chunk_{number}.wasm"), parts.split(", ").map(str::to_owned).collect()));
+        } else if let Some(rest) = line.strip_prefix("export const __wasm_split_load_") {
+            let part = rest.split(' ').next().unwrap_or_default().to_owned();
+            own.push((format!("split_{part}.wasm"), vec![part]));
+        }
+        above = line;
+    }
+    shared.extend(own);
+    shared
+}
+
+/// The file that these parts need, in the package.
+fn shipped_name(parts: &[String]) -> String {
+    let names: Vec<String> = parts.iter().map(|part| part_name(part)).collect();
+    format!("{}.wasm", names.join("-"))
+}
+
+/// As `Part::name` has it.
+fn part_name(variant: &str) -> String {
+    match variant {
+        "English" => "en".to_owned(),
+        "Chinese" => "zh".to_owned(),
+        "Russian" => "ru".to_owned(),
+        other => other.to_lowercase(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{files_of, shipped_name};
+
+    #[test]
+    fn files_that_several_parts_need_come_first() {
+        let script = "/* Machine, Tools */\nconst __chunk_6 = makeLoad(() => {\n\
+            export const __wasm_split_load_Tools = wrapAsyncCb(makeLoad(() => {\n";
+        let [shared, own] = &files_of(script)[..] else { panic!("two files") };
+        assert_eq!(shared, &("chunk_6.wasm".to_owned(), vec!["Machine".to_owned(), "Tools".to_owned()]));
+        assert_eq!(own, &("split_Tools.wasm".to_owned(), vec!["Tools".to_owned()]));
+        assert_eq!(shipped_name(&shared.1), "machine-tools.wasm");
+    }
+}
