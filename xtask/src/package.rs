@@ -183,6 +183,7 @@ fn stated_sizes(document: &str) -> Vec<String> {
 pub fn site(setup: &Setup) -> Result {
     wasm(setup)?;
     page(setup)?;
+    run::say(format_args!("the site is in {}", run::www().join("dist").display()));
     Ok(())
 }
 
