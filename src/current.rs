@@ -20,7 +20,7 @@ use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
 use crate::motion::Motions;
-use crate::parts::in_part;
+use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
 use crate::scene::camera::{Pixel, Size, XPlus};
@@ -111,6 +111,16 @@ impl Current {
     /// Begins a run of the same text under another setup.
     pub fn set_setup(&mut self, setup: Setup) {
         self.begin(|run, _| run.set_setup(setup));
+    }
+
+    /// Begins the run again where the lints have been loaded since; the motions will be the same. True: it
+    /// has begun again.
+    pub fn begin_again_with_lints(&mut self) -> bool {
+        let begins = self.run.lacks_lints();
+        if begins {
+            self.begin(|run, _| run.begin_again());
+        }
+        begins
     }
 
     /// Decides what numbers without a point count anew, for the text as it is; the run begins again
@@ -339,7 +349,9 @@ impl Current {
     pub fn set_hover(&mut self, motion: Option<usize>) {
         let motion = motion.filter(|&index| index < self.run.motions().len());
         self.section_mut().hover = motion;
-        self.name_steps();
+        if PICKING_OUT.is_loaded() {
+            name_steps(self);
+        }
     }
 
     /// Chooses the unit symbol of the rulers, that of the reader's language.
@@ -376,8 +388,7 @@ impl Current {
     /// Keeps the part of this program, if there is one, to lay those of later runs over it.
     pub fn keep(&mut self) {
         if self.part().is_some() {
-            self.view_state.kept = Some(Kept::of(&self.run));
-            self.compare();
+            keep(self);
         }
     }
 
@@ -506,20 +517,14 @@ impl Current {
 
     /// Marks the strokes of the block the cursor is in.
     fn light_up(&mut self) {
-        let picked =
-            self.view_state.cursor.map(|cursor| picked::at(&self.run, self.lines(), &self.scene(), cursor));
-        let section = self.section_mut();
-        (section.highlight, section.marks) = picked.unwrap_or_default();
-        self.name_steps();
-    }
-
-    /// Labels the steps of the pass that is picked out.
-    fn name_steps(&mut self) {
-        let Self { run, view_state, .. } = self;
-        let section = &mut view_state.views[Plane::Section];
-        section.steps = labels(run.motions(), &section.highlight, section.hover);
+        if PICKING_OUT.is_loaded() {
+            light_up(self);
+        }
     }
 }
+
+/// The part that finds what is picked out: before it is there, nothing is.
+const PICKING_OUT: Part = Part::Machine;
 
 in_part! {
     Machine "0080"
@@ -533,6 +538,29 @@ in_part! {
             Material::UnderWay(simulation) => current.remove(*simulation, motions),
         }
         matches!(current.derived.material, Material::Off(_))
+    }
+
+    Machine "0083"
+    fn light_up(current: &mut Current) {
+        let cursor = current.view_state.cursor;
+        let picked = cursor.map(|at| picked::at(&current.run, current.lines(), &current.scene(), at));
+        let section = current.section_mut();
+        (section.highlight, section.marks) = picked.unwrap_or_default();
+        name_steps(current);
+    }
+
+    Machine "0084"
+    // Labels the steps of the pass that is picked out.
+    fn name_steps(current: &mut Current) {
+        let Current { run, view_state, .. } = current;
+        let section = &mut view_state.views[Plane::Section];
+        section.steps = labels(run.motions(), &section.highlight, section.hover);
+    }
+
+    Machine "0082"
+    fn keep(current: &mut Current) {
+        current.view_state.kept = Some(Kept::of(&current.run));
+        current.compare();
     }
 
     Machine "0081"

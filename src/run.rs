@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::control::contour::Landmarks;
+use crate::control::events::Observer;
 use crate::control::interpreter::{Executed, Flow, Here, Interpreter};
 use crate::control::modal::State;
 use crate::control::program::Labels;
@@ -20,6 +21,7 @@ use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{SimulationResult, danger};
 use crate::message::{Diagnostic, Fix, Message, sort_by_place};
 use crate::motion::Motions;
+use crate::parts::{Part, in_part};
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
@@ -142,6 +144,8 @@ pub struct Run {
     numbers: Option<DecimalEvidence>,
     /// Messages reported before the first block.
     of_setup: usize,
+    /// The lints were loaded when it began.
+    has_lints: bool,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -217,6 +221,7 @@ impl Run {
             decided,
             numbers,
             of_setup: 0,
+            has_lints: LINTS.is_loaded(),
             begun: false,
             ended: false,
             finished: false,
@@ -291,6 +296,16 @@ impl Run {
     /// decided for the program stays.
     pub fn set_setup(&mut self, given: Setup) {
         *self = Self::begin(self.take_text(), given, self.decided);
+    }
+
+    /// Whether the lints are loaded now and were not when it began.
+    pub fn lacks_lints(&self) -> bool {
+        !self.has_lints && LINTS.is_loaded()
+    }
+
+    /// Begins again: the motions will be the same.
+    pub fn begin_again(&mut self) {
+        *self = Self::begin(self.take_text(), self.given.clone(), self.decided);
     }
 
     /// Decides the decimal rule anew, for the text as it is now, and begins again where it is another one.
@@ -597,15 +612,13 @@ impl Run {
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
         let setup = self.interpreter.setup();
-        if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off {
-            // Nothing was run, or not all of it; or nobody wants to know.
+        if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off || !self.has_lints {
+            // Nothing was run, or not all of it; or nobody wants to know; or they are not loaded yet.
         } else if self.blocks > most || motions.len() > 10 * most {
             let diagnostic = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
             self.sorted.extend(setup.rules.graded(diagnostic));
         } else {
-            let reading = self.interpreter.reading();
-            let list = self.interpreter.code_list();
-            lint::plausible::compare(&self.text, motions, reading, list, setup, &mut self.sorted);
+            compare_numbers(self);
         }
         if self.begun {
             self.report_decimal_rule();
@@ -628,12 +641,28 @@ fn no_end(text: &[u8], span: Span) -> Diagnostic {
     Diagnostic::new(Message::NoEnd, span).with(fix)
 }
 
-/// A control at power-on, with the lints that listen to it unless the setup switches them off.
+/// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches
+/// them off.
 fn observed(setup: Setup) -> Interpreter {
-    let lints = setup.lints;
+    let listens = setup.lints == Lints::On && LINTS.is_loaded();
     let interpreter = Interpreter::new(setup);
-    match lints {
-        Lints::On => interpreter.observed_by(Box::new(lint::Lints::default())),
-        Lints::Off => interpreter,
+    if listens { interpreter.observed_by(lints()) } else { interpreter }
+}
+
+/// The part the lints are in.
+const LINTS: Part = Part::Machine;
+
+in_part! {
+    Machine "0100"
+    fn lints() -> Box<dyn Observer> {
+        Box::new(lint::Lints::default())
+    }
+
+    Machine "0101"
+    fn compare_numbers(run: &mut Run) {
+        let interpreter = &run.interpreter;
+        let (reading, list) = (interpreter.reading(), interpreter.code_list());
+        let (motions, setup) = (interpreter.motions(), interpreter.setup());
+        lint::plausible::compare(&run.text, motions, reading, list, setup, &mut run.sorted);
     }
 }

@@ -143,6 +143,13 @@ impl Playground {
         self.current.remove_material(motions as usize)
     }
 
+    /// Begins the run again where the lints have been loaded since it began: its motions will be the same, and
+    /// there will be more messages. True: it has begun again.
+    #[wasm_bindgen(js_name = beginAgainWithLints)]
+    pub fn begin_again_with_lints(&mut self) -> bool {
+        self.current.begin_again_with_lints()
+    }
+
     /// Share of the program that has run, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.current.run().progress()
@@ -172,22 +179,7 @@ impl Playground {
 
     /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
     pub fn tokens(&self, first: u32, end: u32) -> Vec<u32> {
-        let end = end.min(self.current.lines().len());
-        if first >= end {
-            return Vec::new();
-        }
-        let text = self.current.run().text();
-        let bytes = (
-            self.current.lines().line(text, first).start as usize,
-            self.current.lines().line(text, end - 1).end as usize,
-        );
-        let places = self.places();
-        let found = highlight(text, bytes.0, bytes.1);
-        let triple = |(span, class)| {
-            let (from, to) = places.offsets(span);
-            [from, to, class as u32]
-        };
-        found.into_iter().flat_map(triple).collect()
+        tokens(self, first, end)
     }
 
     /// The program with every cycle, corner and compensation expanded to plain moves.
@@ -241,6 +233,22 @@ in_part! {
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
         to_js(&rows.collect::<Vec<_>>())
+    }
+
+    Machine "0064"
+    fn tokens(playground: &Playground, first: u32, end: u32) -> Vec<u32> {
+        let (text, lines) = (playground.current.run().text(), playground.current.lines());
+        let end = end.min(lines.len());
+        if first >= end {
+            return Vec::new();
+        }
+        let places = playground.places();
+        let found = highlight(text, lines.line(text, first).start as usize, lines.line(text, end - 1).end as usize);
+        let triple = |(span, class)| {
+            let (from, to) = places.offsets(span);
+            [from, to, class as u32]
+        };
+        found.into_iter().flat_map(triple).collect()
     }
 
     Tools "0061"

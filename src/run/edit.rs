@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
+use crate::parts::{Part, in_part};
 use crate::provenance;
 use crate::setup::notes::{self, Notes};
 use crate::source::shift::Shift;
@@ -74,9 +75,36 @@ impl PreviousRun {
     }
 }
 
+/// The part in which what runs again is kept small: without it, a changed text runs from its beginning.
+const EDITS: Part = Part::Machine;
+
+in_part! {
+    Machine "0110"
+    fn go_back(run: &mut Run, edit: TextEdit) {
+        run.go_back(edit);
+    }
+
+    Machine "0111"
+    fn pause(run: &mut Run, at: Resume) -> bool {
+        run.pause_with_snapshot(at)
+    }
+}
+
 impl Run {
     /// Begins a run of the changed text. Bytes outside of the text are not counted.
     pub fn edit(&mut self, edit: TextEdit) {
+        if EDITS.is_loaded() {
+            go_back(self, edit);
+            return;
+        }
+        let before = self.take_text();
+        let end = edit.end.min(before.len());
+        let text = [&before[..edit.start.min(end)], &edit.insert, &before[end..]].concat();
+        *self = Self::begin(text, self.given.clone(), self.decided);
+    }
+
+    /// Goes back to the last snapshot before the change.
+    fn go_back(&mut self, edit: TextEdit) {
         self.id = RunId::next();
         let end = edit.end.min(self.text.len());
         let start = edit.start.min(end);
@@ -152,6 +180,17 @@ impl Run {
     /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
     #[cold]
     pub(super) fn pause(&mut self, at: Resume) -> bool {
+        if EDITS.is_loaded() {
+            return pause(self, at);
+        }
+        if self.interpreter.has_full_chunk() {
+            self.interpreter.begin_chunk(at);
+        }
+        self.due = self.next_due();
+        false
+    }
+
+    fn pause_with_snapshot(&mut self, at: Resume) -> bool {
         self.due = self.next_due();
         if self.ended || !self.interpreter.is_straight() {
             self.previous = None;

@@ -2,96 +2,74 @@
 //!
 //! In: nothing, or the colours of the page around it. Out: [`Palette`], read by every exporter.
 
-/// CSS colours of everything that is drawn.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
-pub struct Palette {
-    /// The background.
-    pub background: String,
-    /// Grid lines.
-    pub grid: String,
-    /// Rulers, ticks and the spindle centre line.
-    pub axis: String,
-    /// Tick labels.
-    pub text: String,
-    /// The blank, where material is gone from it.
-    pub stock: String,
-    /// Outline of the blank.
-    pub stock_edge: String,
-    /// What is left of it.
-    pub part: String,
-    /// Outline of what is left, and its hatching.
-    pub part_edge: String,
-    /// Where something runs into something.
-    pub danger: String,
-    /// What only the part has that was kept for comparison, or the first of two.
-    pub only_first: String,
-    /// What only the other one has.
-    pub only_second: String,
-    /// Rapids.
-    pub rapid: String,
-    /// Cuts at feed.
-    pub feed: String,
-    /// Threads.
-    pub thread: String,
-    /// Strokes of the block the cursor is in.
-    pub highlight: String,
-    /// The stroke under the pointer.
-    pub hover: String,
-    /// The tool at the playhead.
-    pub tool: String,
-    /// Strokes that may be wrong.
-    pub uncertain: String,
+use std::borrow::Cow;
+
+/// Makes the palette of rows: what a colour is of, its name for JavaScript, on white paper, on a dark ground.
+macro_rules! palette {
+    ($($(#[$doc:meta])+ $field:ident $name:literal: $light:literal, $dark:literal;)+) => {
+        /// CSS colours of everything that is drawn.
+        #[derive(Clone, Debug, PartialEq, Eq)]
+        #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "camelCase"))]
+        pub struct Palette {
+            $($(#[$doc])+ #[cfg_attr(target_arch = "wasm32", tsify(type = "string"))] pub $field: Cow<'static, str>,)+
+        }
+
+        impl Palette {
+            /// Dark lines on white paper.
+            pub const fn light() -> Self {
+                Self { $($field: Cow::Borrowed($light)),+ }
+            }
+
+            /// Light lines on a dark ground.
+            pub const fn dark() -> Self {
+                Self { $($field: Cow::Borrowed($dark)),+ }
+            }
+
+            /// All colours by their names for JavaScript.
+            pub fn by_name(&mut self) -> impl Iterator<Item = (&'static str, &mut Cow<'static, str>)> {
+                [$(($name, &mut self.$field)),+].into_iter()
+            }
+        }
+    };
 }
 
-impl Palette {
-    /// Dark lines on white paper.
-    pub fn light() -> Self {
-        Self {
-            background: "#ffffff".into(),
-            grid: "#eceff2".into(),
-            axis: "#8b95a1".into(),
-            text: "#56606b".into(),
-            stock: "#f6f3ec".into(),
-            stock_edge: "#c8bda6".into(),
-            part: "#e3dcc8".into(),
-            part_edge: "#8a7f63".into(),
-            danger: "#c02b2b".into(),
-            only_first: "#9c36b5".into(),
-            only_second: "#0b7285".into(),
-            rapid: "#7f8b98".into(),
-            feed: "#174ea6".into(),
-            thread: "#0b7a53".into(),
-            highlight: "#e8590c".into(),
-            hover: "#f08c00".into(),
-            tool: "#b3261e".into(),
-            uncertain: "#b6bec8".into(),
-        }
-    }
-
-    /// Light lines on a dark ground.
-    pub fn dark() -> Self {
-        Self {
-            background: "#15181c".into(),
-            grid: "#23282e".into(),
-            axis: "#6b7681".into(),
-            text: "#a3aeb9".into(),
-            stock: "#211f1b".into(),
-            stock_edge: "#6a6250".into(),
-            part: "#3a3629".into(),
-            part_edge: "#a0936f".into(),
-            danger: "#ff8f87".into(),
-            only_first: "#da9bea".into(),
-            only_second: "#66d9e8".into(),
-            rapid: "#7d8894".into(),
-            feed: "#7fb2ff".into(),
-            thread: "#4fd0a0".into(),
-            highlight: "#ff9248".into(),
-            hover: "#ffc46b".into(),
-            tool: "#ff8178".into(),
-            uncertain: "#4b545e".into(),
-        }
-    }
+palette! {
+    /// The background.
+    background "background": "#ffffff", "#15181c";
+    /// Grid lines.
+    grid "grid": "#eceff2", "#23282e";
+    /// Rulers, ticks and the spindle centre line.
+    axis "axis": "#8b95a1", "#6b7681";
+    /// Tick labels.
+    text "text": "#56606b", "#a3aeb9";
+    /// The blank, where material is gone from it.
+    stock "stock": "#f6f3ec", "#211f1b";
+    /// Outline of the blank.
+    stock_edge "stockEdge": "#c8bda6", "#6a6250";
+    /// What is left of it.
+    part "part": "#e3dcc8", "#3a3629";
+    /// Outline of what is left, and its hatching.
+    part_edge "partEdge": "#8a7f63", "#a0936f";
+    /// Where something runs into something.
+    danger "danger": "#c02b2b", "#ff8f87";
+    /// What only the part has that was kept for comparison, or the first of two.
+    only_first "onlyFirst": "#9c36b5", "#da9bea";
+    /// What only the other one has.
+    only_second "onlySecond": "#0b7285", "#66d9e8";
+    /// Rapids.
+    rapid "rapid": "#7f8b98", "#7d8894";
+    /// Cuts at feed.
+    feed "feed": "#174ea6", "#7fb2ff";
+    /// Threads.
+    thread "thread": "#0b7a53", "#4fd0a0";
+    /// Strokes of the block the cursor is in.
+    highlight "highlight": "#e8590c", "#ff9248";
+    /// The stroke under the pointer.
+    hover "hover": "#f08c00", "#ffc46b";
+    /// The tool at the playhead.
+    tool "tool": "#b3261e", "#ff8178";
+    /// Strokes that may be wrong.
+    uncertain "uncertain": "#b6bec8", "#4b545e";
 }
 
 impl Default for Palette {

@@ -5,19 +5,15 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js, view_of};
 use crate::api;
-use crate::motion::Chunk;
+use crate::motion::{Chunk, Motions};
+use crate::parts::in_part;
 
 #[wasm_bindgen]
 impl Playground {
     /// The motions `first..end` as objects; for short lists. Long ones are read through [`Self::chunk`].
     #[wasm_bindgen(unchecked_return_type = "Motion[]")]
     pub fn motions(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
-        let motions = self.current.motions();
-        let range = (first as usize).min(motions.len())..(end as usize).min(motions.len());
-        let rows = range.map(|index| {
-            api::motion(&motions.get(index), motions.line(index), &self.current.run().setup().machine)
-        });
-        to_js(&rows.collect::<Vec<_>>())
+        rows(self, first as usize, end as usize)
     }
 
     /// Number of chunks the motions are kept in.
@@ -28,7 +24,7 @@ impl Playground {
 
     /// Columns of a chunk of motions, copied out of wasm memory in one piece each.
     pub fn chunk(&self, index: usize) -> Option<MotionChunk> {
-        self.current.motions().chunks().get(index).map(MotionChunk::new)
+        chunk(self.current.motions(), index)
     }
 
     /// Columns of a chunk of motions where they are, without a copy. They hold until the next call of
@@ -37,6 +33,22 @@ impl Playground {
     #[wasm_bindgen(js_name = chunkView)]
     pub fn chunk_view(&self, index: usize) -> Option<MotionChunkView> {
         self.current.motions().chunks().get(index).map(view_of)
+    }
+}
+
+in_part! {
+    Machine "0121"
+    fn chunk(motions: &Motions, index: usize) -> Option<MotionChunk> {
+        motions.chunks().get(index).map(MotionChunk::new)
+    }
+
+    Machine "0120"
+    fn rows(playground: &Playground, first: usize, end: usize) -> Result<JsValue, JsValue> {
+        let motions = playground.current.motions();
+        let machine = &playground.current.run().setup().machine;
+        let range = first.min(motions.len())..end.min(motions.len());
+        let rows = range.map(|index| api::motion(&motions.get(index), motions.line(index), machine));
+        to_js(&rows.collect::<Vec<_>>())
     }
 }
 

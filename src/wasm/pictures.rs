@@ -203,28 +203,11 @@ in_part! {
 
 /// The colours a page gives, each a text.
 fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
-    let colour = |key: &str| {
-        let missing = || JsValue::from_str(&format!("the palette has no `{key}`"));
-        js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string().ok_or_else(missing)
-    };
-    Ok(Palette {
-        background: colour("background")?,
-        grid: colour("grid")?,
-        axis: colour("axis")?,
-        text: colour("text")?,
-        stock: colour("stock")?,
-        stock_edge: colour("stockEdge")?,
-        part: colour("part")?,
-        part_edge: colour("partEdge")?,
-        danger: colour("danger")?,
-        only_first: colour("onlyFirst")?,
-        only_second: colour("onlySecond")?,
-        rapid: colour("rapid")?,
-        feed: colour("feed")?,
-        thread: colour("thread")?,
-        highlight: colour("highlight")?,
-        hover: colour("hover")?,
-        tool: colour("tool")?,
-        uncertain: colour("uncertain")?,
-    })
+    let mut palette = Palette::default();
+    for (key, own) in palette.by_name() {
+        let colour = js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string();
+        let missing = || JsValue::from_str(&["the palette has no `", key, "`"].concat());
+        *own = colour.ok_or_else(missing)?.into();
+    }
+    Ok(palette)
 }

@@ -4,6 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
 use crate::api::{Readout, Shown};
+use crate::current::Current;
 use crate::parts::in_part;
 use crate::playback::clock::{Playhead, Stops};
 use crate::playback::steps::{Direction, Unit, step};
@@ -46,7 +47,7 @@ impl Playground {
     /// Seconds of the whole animation at the pace of the machine, some of them assumed.
     #[wasm_bindgen(js_name = animationSeconds)]
     pub fn animation_seconds(&self) -> f64 {
-        self.current.clock().whole().pace
+        animation_seconds(&self.current)
     }
 
     /// Shows all strokes and no tool.
@@ -57,9 +58,7 @@ impl Playground {
 
     /// Puts the tool where so much of the animation has been shown: 0 to 1.
     pub fn seek(&mut self, share: f64) {
-        let clock = self.current.clock();
-        let place = clock.place(self.current.motions(), share * clock.whole().pace);
-        self.current.put(Some(place));
+        seek(&mut self.current, share);
     }
 
     /// Lets the tool go on for so many seconds of the animation, or to a stop of the program.
@@ -68,9 +67,7 @@ impl Playground {
             StopSwitch::NotOptional => Stops::NotOptional,
             _ => Stops::All,
         };
-        let from = self.current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
-        let place = self.current.clock().play(self.current.motions(), from, seconds, stops);
-        self.current.put(Some(place));
+        play(&mut self.current, seconds, stops);
     }
 
     /// Puts the tool at the end of the step before or after it.
@@ -84,8 +81,7 @@ impl Playground {
             StepDirection::Previous => Direction::Previous,
             _ => Direction::Next,
         };
-        let place = step(self.current.motions(), self.current.view(Plane::Section).playhead, unit, direction);
-        self.current.put(Some(place));
+        step_on(&mut self.current, unit, direction);
     }
 
     /// What is read off where the tool is.
@@ -96,6 +92,31 @@ impl Playground {
 }
 
 in_part! {
+    Machine "0041"
+    fn animation_seconds(current: &Current) -> f64 {
+        current.clock().whole().pace
+    }
+
+    Machine "0042"
+    fn seek(current: &mut Current, share: f64) {
+        let clock = current.clock();
+        let place = clock.place(current.motions(), share * clock.whole().pace);
+        current.put(Some(place));
+    }
+
+    Machine "0043"
+    fn play(current: &mut Current, seconds: f64, stops: Stops) {
+        let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
+        let place = current.clock().play(current.motions(), from, seconds, stops);
+        current.put(Some(place));
+    }
+
+    Machine "0044"
+    fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
+        let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
+        current.put(Some(place));
+    }
+
     Machine "0040"
     fn readout(playground: &mut Playground) -> Result<JsValue, JsValue> {
         let Some((playhead, place)) = playground.current.place() else { return Ok(JsValue::UNDEFINED) };

@@ -27,7 +27,7 @@ const TOOLS = ['tools', 'language'] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   ping: { answer: () => true },
-  tokens: { answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
+  tokens: { needs: ['machine'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
   pick: { needs: IN_WORDS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
   dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
   play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
@@ -40,7 +40,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
       return { x: px, y: py };
     },
   },
-  expand: { needs: TOOLS, answer: writtenOut },
+  expand: { needs: ['machine', ...TOOLS], answer: writtenOut },
   rewritings: { needs: TOOLS, answer: (core, { from, to }) => core.rewritings(from, to) },
   codes: { needs: TOOLS, answer: (core) => core.codes() },
   // A file of a part of a program would pass for all of it.

@@ -354,14 +354,22 @@ function tellProgress(going: Going, work: Work, done: () => number): void {
 
 function end(playground: Playground): void {
   lookOn(playground);
-  if (isLoaded(['machine', language])) return toMachine(playground);
+  if (isLoaded(['machine', language])) return goOn(playground);
   stage = { kind: 'waiting' };
   tell({ kind: 'path', summary: playground.summary() });
   wantDraw('now');
   setTimeout(() => guarded(release), LOAD_PARTS_AFTER_MS);
   whenLoaded(['machine', language], () => {
-    if (stage.kind === 'waiting') toMachine(playground);
+    if (stage.kind === 'waiting') goOn(playground);
   });
+}
+
+/** What comes after the path, once it is loaded. */
+function goOn(playground: Playground): void {
+  const now = performance.now();
+  if (!playground.beginAgainWithLints()) return toMachine(playground);
+  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
+  queueSlice();
 }
 
 function toMachine(playground: Playground): void {
