@@ -113,10 +113,9 @@ impl Current {
         self.begin(|run, _| run.set_setup(setup));
     }
 
-    /// Begins the run again where the lints have been loaded since; the motions will be the same. True: it
-    /// has begun again.
-    pub fn begin_again_with_lints(&mut self) -> bool {
-        let begins = self.run.lacks_lints();
+    /// Begins the run again where something it lacks has been loaded since. True: it has begun again.
+    pub fn begin_again(&mut self) -> bool {
+        let begins = self.run.is_outdated();
         if begins {
             self.begin(|run, _| run.begin_again());
         }

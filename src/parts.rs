@@ -18,6 +18,9 @@ pub enum Part {
     Machine,
     /// What the reader asks for: setup form, pasting, rewriting, expanding, tables.
     Tools,
+    /// What few programs use: macros, hole cycles. A run that needs it and has not got it gives nothing, and is
+    /// begun again when it is there ([`Run::missing`](crate::run::Run::missing)).
+    Seldom,
     /// The sentences in English.
     English,
     /// The sentences in Chinese.
@@ -31,13 +34,15 @@ static LOADED: AtomicU8 = AtomicU8::new(0);
 
 impl Part {
     /// All parts.
-    pub const ALL: [Self; 5] = [Self::Machine, Self::Tools, Self::English, Self::Chinese, Self::Russian];
+    pub const ALL: [Self; 6] =
+        [Self::Machine, Self::Tools, Self::Seldom, Self::English, Self::Chinese, Self::Russian];
 
     /// Its name in file names and in the page.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Machine => "machine",
             Self::Tools => "tools",
+            Self::Seldom => "seldom",
             Self::English => "en",
             Self::Chinese => "zh",
             Self::Russian => "ru",

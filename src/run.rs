@@ -146,6 +146,8 @@ pub struct Run {
     of_setup: usize,
     /// The lints were loaded when it began.
     has_lints: bool,
+    /// A part of the module that it needed and that had not been loaded.
+    missing: Option<Part>,
     /// Something of the main program was carried out.
     begun: bool,
     /// The main program ended; what is left is only read, for its mistakes.
@@ -222,6 +224,7 @@ impl Run {
             numbers,
             of_setup: 0,
             has_lints: LINTS.is_loaded(),
+            missing: None,
             begun: false,
             ended: false,
             finished: false,
@@ -298,12 +301,18 @@ impl Run {
         *self = Self::begin(self.take_text(), given, self.decided);
     }
 
-    /// Whether the lints are loaded now and were not when it began.
-    pub fn lacks_lints(&self) -> bool {
-        !self.has_lints && LINTS.is_loaded()
+    /// A part of the module that the program needs and that had not been loaded when it was met: nothing that
+    /// came of the run can be used.
+    pub fn missing(&self) -> Option<Part> {
+        self.missing.or_else(|| self.interpreter.missing())
     }
 
-    /// Begins again: the motions will be the same.
+    /// Whether something has been loaded since that the run lacks: a part it needs, or the lints.
+    pub fn is_outdated(&self) -> bool {
+        self.missing().is_some_and(Part::is_loaded) || !self.has_lints && LINTS.is_loaded()
+    }
+
+    /// Begins again, with what has been loaded since.
     pub fn begin_again(&mut self) {
         *self = Self::begin(self.take_text(), self.given.clone(), self.decided);
     }
@@ -497,7 +506,9 @@ impl Run {
     fn restart(&mut self, main: Resume) {
         let setup = self.interpreter.setup().clone();
         let (system, traced) = (self.interpreter.system(), self.interpreter.has_trace());
-        let kept = self.interpreter.diagnostics()[..self.of_setup].to_vec();
+        let mut kept = self.interpreter.take_diagnostics();
+        kept.truncate(self.of_setup);
+        self.missing = self.missing();
         self.interpreter = observed(setup);
         self.interpreter.set_system(system);
         if traced {
@@ -608,7 +619,7 @@ impl Run {
 
     fn finish(&mut self) {
         self.interpreter.close();
-        self.sorted = self.interpreter.diagnostics().to_vec();
+        self.sorted = self.reported();
         let most = self.interpreter.setup().limits.compared_blocks;
         let motions = self.interpreter.motions();
         let setup = self.interpreter.setup();
@@ -623,10 +634,21 @@ impl Run {
         if self.begun {
             self.report_decimal_rule();
         }
-        sort_by_place(&mut self.sorted);
+        if ORDER.is_loaded() {
+            sort(&mut self.sorted);
+        }
         self.finished = true;
     }
+
+    /// What was reported, in order of time.
+    fn reported(&mut self) -> Vec<Diagnostic> {
+        // They stay with the control where the run may go on from a snapshot.
+        if edit::EDITS.is_loaded() { copied(&self.interpreter) } else { self.interpreter.take_diagnostics() }
+    }
 }
+
+/// The part that puts messages in order: nobody reads them without it.
+const ORDER: Part = Part::Machine;
 
 /// The program ends at `span` without M02 or M30: reported, with a repair.
 fn no_end(text: &[u8], span: Span) -> Diagnostic {
@@ -656,6 +678,16 @@ in_part! {
     Machine "0100"
     fn lints() -> Box<dyn Observer> {
         Box::new(lint::Lints::default())
+    }
+
+    Machine "0102"
+    fn sort(diagnostics: &mut [Diagnostic]) {
+        sort_by_place(diagnostics);
+    }
+
+    Machine "0103"
+    fn copied(interpreter: &Interpreter) -> Vec<Diagnostic> {
+        interpreter.diagnostics().to_vec()
     }
 
     Machine "0101"

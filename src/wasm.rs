@@ -143,11 +143,18 @@ impl Playground {
         self.current.remove_material(motions as usize)
     }
 
-    /// Begins the run again where the lints have been loaded since it began: its motions will be the same, and
-    /// there will be more messages. True: it has begun again.
-    #[wasm_bindgen(js_name = beginAgainWithLints)]
-    pub fn begin_again_with_lints(&mut self) -> bool {
-        self.current.begin_again_with_lints()
+    /// The part of the module that the program needs and that had not been loaded when it ran: nothing that
+    /// came of the run can be used, and [`Self::begin_again`] is to be called once it is there.
+    #[wasm_bindgen(js_name = missingPart)]
+    pub fn missing_part(&self) -> Option<String> {
+        self.current.run().missing().map(|part| part.name().to_owned())
+    }
+
+    /// Begins the run again where something it lacks has been loaded since: such a part, or the lints. True:
+    /// it has begun again.
+    #[wasm_bindgen(js_name = beginAgain)]
+    pub fn begin_again(&mut self) -> bool {
+        self.current.begin_again()
     }
 
     /// Share of the program that has run, 0 to 1.

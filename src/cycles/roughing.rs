@@ -433,12 +433,12 @@ fn passes(bottom: &[Piece], how: &Roughing, most: usize) -> Result<Vec<Pass>, Ro
     while !open.is_empty() {
         close(&mut open, &mut passes, &|_| end);
     }
-    useless.sort_unstable();
-    let mut index = 0;
-    passes.retain(|_| {
-        index += 1;
-        useless.binary_search(&(index - 1)).is_err()
-    });
+    let mut is_useful = vec![true; passes.len()];
+    for pass in useless {
+        is_useful[pass] = false;
+    }
+    let mut each = is_useful.into_iter();
+    passes.retain(|_| each.next() == Some(true));
     Ok(passes)
 }
 

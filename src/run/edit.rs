@@ -76,7 +76,7 @@ impl PreviousRun {
 }
 
 /// The part in which what runs again is kept small: without it, a changed text runs from its beginning.
-const EDITS: Part = Part::Machine;
+pub(super) const EDITS: Part = Part::Machine;
 
 in_part! {
     Machine "0110"

@@ -31,13 +31,15 @@ export const play = (page: BasicPage): Locator => page.getByRole('button', { nam
 export const tooltip = (page: BasicPage): Locator => page.getByRole('tooltip');
 export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: 'Problems' });
 
-/** Opens the page and waits until the first program has run. Any error on the page fails the test. */
+/** Opens the page and waits until the first program has run and its part and messages are there. Any error on the page fails the test. */
 export async function open(page: BasicPage, hash = ''): Promise<void> {
   page.on('pageerror', (error) => {
     throw error;
   });
   await page.goto(`./${hash}`);
   await expect(status(page)).toContainText(/\d/);
+  // Of what is still coming it says so, with dots.
+  await expect(status(page)).not.toContainText('…');
 }
 
 /** Types the text in place of what is there, as a reader would: select all, then the keys. */

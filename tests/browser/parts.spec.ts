@@ -90,7 +90,7 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
   let broken = true;
   await route(page, 'machine', (route) => (broken ? route.abort() : route.continue()));
   await page.goto('./');
-  const notice = page.getByRole('alert').filter({ hasText: 'could not be loaded' });
+  const notice = page.getByRole('alert').filter({ hasText: 'Not all of the playground could be loaded' });
   await expect(notice).toBeVisible();
   await expect(page.getByRole('status')).toContainText('part and messages could not be loaded');
   // Editing goes on, and each run tries again.
@@ -102,6 +102,20 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
   await expect(notice).toBeHidden();
   await expect(page.getByRole('region', { name: 'Problems' }).getByRole('listitem').first()).toBeVisible();
   await expect(page.getByRole('status')).toContainText('problem');
+});
+
+test('a program with macros is drawn once what runs them is there, and not before', async ({ page }) => {
+  await route(page, 'seldom', late);
+  await page.goto('./');
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  const canvas = page.locator('gcode-playground').locator('canvas').first();
+  const before = await canvas.screenshot();
+  const macro = 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30';
+  await page.locator('gcode-playground').evaluate((element, text) => Object.assign(element, { value: text }), macro);
+  await page.waitForTimeout(LATE_MS / 2);
+  expect((await canvas.screenshot()).equals(before)).toBe(true);
+  await expect(page.getByRole('status')).toContainText('2 motions');
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
 });
 
 test('a module that cannot be loaded is reported', async ({ page }) => {

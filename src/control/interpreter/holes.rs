@@ -15,6 +15,7 @@ use crate::cycles::units;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity};
 use crate::motion::{CycleStep, Feed, Motion, MotionKind, SpindleTurn, Step};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::{Control, FeedMode, GSystem};
 use crate::source::Span;
 use crate::text::block::Block;
@@ -25,6 +26,13 @@ const CLEARANCE: f64 = 1.0;
 
 /// Most repeats of a hole.
 const MOST_REPEATS: f64 = 9_999.0;
+
+in_part! {
+    Seldom "0310"
+    fn hole(control: &mut Interpreter, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        control.hole_cycle(text, block, request, words);
+    }
+}
 
 impl Interpreter {
     /// A hole cycle comes into force, or is spelled once more.
@@ -75,8 +83,13 @@ impl Interpreter {
     }
 
     /// A block while a hole cycle is in force.
-    #[inline(never)]
     pub(super) fn hole(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
+        if self.has(Part::Seldom) {
+            hole(self, text, block, request, words);
+        }
+    }
+
+    fn hole_cycle(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(mut memory) = self.state.hole else { return };
         let (kind, reading) = (memory.kind, self.reading());
         let length = |address: u8| words.get(address).and_then(|word| reading.length(word));

@@ -13,6 +13,7 @@ use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
 use crate::message::{Diagnostic, Fix, Message};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::Control;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
@@ -20,10 +21,39 @@ use crate::text::lexer::Number;
 use crate::text::parser::{Parser, Resume};
 use crate::units::Unit;
 
+/// The part macros are in.
+const MACROS: Part = Part::Seldom;
+
+in_part! {
+    Seldom "0300"
+    fn macro_statement(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
+        control.statement(text, block, here)
+    }
+
+    Seldom "0301"
+    fn words_of(control: &mut Interpreter, text: &[u8], block: &Block, here: Here) -> Flow {
+        control.words_with_expressions(text, block, here)
+    }
+
+    Seldom "0302"
+    fn macro_call(control: &mut Interpreter, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+        control.call_of_macro(text, block, here, call)
+    }
+
+    Seldom "0303"
+    fn modal_call(control: &mut Interpreter, block: &Block, back: Resume) -> Option<Flow> {
+        control.call_of_modal_macro(block, back)
+    }
+}
+
 impl Interpreter {
     /// Carries out a macro statement.
     #[cold]
     pub(super) fn macro_statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
+        if self.has(MACROS) { macro_statement(self, text, block, here) } else { Flow::Next }
+    }
+
+    fn statement(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         if let Some(word) = block.words.first() {
             self.report_macro(MacroErrorKind::WordsBehind, word.span.to(block.span));
             self.lose_statement(block.span.of(text));
@@ -284,6 +314,10 @@ impl Interpreter {
         if !block.has_expressions {
             return self.words(text, block, here);
         }
+        if self.has(MACROS) { words_of(self, text, block, here) } else { Flow::Next }
+    }
+
+    fn words_with_expressions(&mut self, text: &[u8], block: &Block, here: Here) -> Flow {
         self.guessing = false;
         let own = self.evaluated(text, block);
         if std::mem::take(&mut self.guessing) && !self.sink.muted {
@@ -410,8 +444,11 @@ impl Interpreter {
     }
 
     /// G65: a call with arguments. G66: the same after every block with a move, until G67.
-    #[inline(never)]
     pub(super) fn macro_call(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
+        if self.has(MACROS) { macro_call(self, text, block, here, call) } else { Flow::Next }
+    }
+
+    fn call_of_macro(&mut self, text: &[u8], block: &Block, here: Here, call: MacroCall) -> Flow {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
@@ -454,8 +491,11 @@ impl Interpreter {
     }
 
     /// Calls the macro of G66 after a block that moved.
-    #[inline(never)]
     pub(super) fn modal_call(&mut self, block: &Block, back: Resume) -> Option<Flow> {
+        if self.has(MACROS) { modal_call(self, block, back) } else { None }
+    }
+
+    fn call_of_modal_macro(&mut self, block: &Block, back: Resume) -> Option<Flow> {
         let modal = self.state.call_stack.modal.clone()?;
         // Its own moves do not call it again.
         if self.state.call_stack.calls.iter().any(|call| call.head == modal.head) {

@@ -43,6 +43,7 @@ use super::sink::Sink;
 use super::words::{Reading, letters, quote};
 use crate::message::{Diagnostic, Message};
 use crate::motion::{Chunk, Motions};
+use crate::parts::Part;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect, GSystem};
 use crate::source::Span;
@@ -94,9 +95,25 @@ pub struct Interpreter {
     refused: bool,
     /// A value of the block under way comes from a variable that nobody knows.
     guessing: bool,
+    /// A part of the module that a block needs and that has not been loaded.
+    missing: Option<Part>,
 }
 
 impl Interpreter {
+    /// Whether a part has been loaded that a block needs; where it has not, nothing of this run can be used.
+    fn has(&mut self, part: Part) -> bool {
+        let is_loaded = part.is_loaded();
+        if !is_loaded {
+            self.missing = Some(part);
+        }
+        is_loaded
+    }
+
+    /// A part that the run needed and that had not been loaded.
+    pub fn missing(&self) -> Option<Part> {
+        self.missing
+    }
+
     /// A control at power-on.
     pub fn new(setup: Setup) -> Self {
         let dialect = Dialect::new(&setup.dialect);
@@ -120,6 +137,7 @@ impl Interpreter {
             trace: None,
             refused: false,
             guessing: false,
+            missing: None,
         }
     }
 
@@ -190,6 +208,11 @@ impl Interpreter {
     /// Messages so far, in the order in which they were reported.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.sink.diagnostics
+    }
+
+    /// The messages, taken out of a run that needs them no more.
+    pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.sink.diagnostics)
     }
 
     /// Places of the contour cycles so far.

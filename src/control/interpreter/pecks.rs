@@ -207,7 +207,9 @@ impl Interpreter {
                 Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
             })
             .collect();
-        edits.sort_by_key(|edit| edit.span.start);
+        if edits.first().map(|edit| edit.span.start) > edits.last().map(|edit| edit.span.start) {
+            edits.reverse();
+        }
         let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
         let title = Repair::Write { text: title.join(" ") };
         if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }

@@ -304,7 +304,7 @@ export class PlaygroundShell implements Shell {
 const WORDS = words({
   en: {
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
-    partFailed: (reason: string) => `Part and messages could not be loaded (${reason}). The path is right; editing goes on.`,
+    partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
     tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
@@ -312,7 +312,7 @@ const WORDS = words({
   },
   zh: {
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
-    partFailed: (reason) => `零件和信息加载失败（${reason}）。轨迹是正确的，可以继续编辑。`,
+    partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
     tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
@@ -320,7 +320,7 @@ const WORDS = words({
   },
   ru: {
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
-    partFailed: (reason) => `Не удалось загрузить деталь и сообщения (${reason}). Траектория верна, можно редактировать дальше.`,
+    partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
     tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',

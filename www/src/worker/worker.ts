@@ -42,6 +42,8 @@ interface Going {
 /** How far the current run is. */
 type Stage =
   | ({ readonly kind: 'running' } & Going)
+  /** It cannot go on without a part that is being loaded; nothing of it is drawn. */
+  | { readonly kind: 'lacking' }
   /** The path is drawn; what takes material off and says what is wrong has not been loaded yet. */
   | { readonly kind: 'waiting' }
   /**
@@ -354,7 +356,17 @@ function tellProgress(going: Going, work: Work, done: () => number): void {
 
 function end(playground: Playground): void {
   lookOn(playground);
+  const missing = playground.missingPart() as PartName | undefined;
+  if (missing !== undefined && !isLoaded([missing])) {
+    stage = { kind: 'lacking' };
+    whenLoaded([missing], () => {
+      if (stage.kind === 'lacking') goOn(playground);
+    });
+    release();
+    return;
+  }
   if (isLoaded(['machine', language])) return goOn(playground);
+  if (missing !== undefined) return goOn(playground);
   stage = { kind: 'waiting' };
   tell({ kind: 'path', summary: playground.summary() });
   wantDraw('now');
@@ -364,10 +376,10 @@ function end(playground: Playground): void {
   });
 }
 
-/** What comes after the path, once it is loaded. */
+/** Runs again with what has been loaded since; or, where nothing has, goes on with what comes after the path. */
 function goOn(playground: Playground): void {
   const now = performance.now();
-  if (!playground.beginAgainWithLints()) return toMachine(playground);
+  if (!playground.beginAgain()) return toMachine(playground);
   stage = { kind: 'running', startedAt: now, lastProgressAt: now };
   queueSlice();
 }
@@ -435,7 +447,8 @@ function wantDraw(how: Exclude<Wanted, 'no'>): void {
     drawWanted = 'no';
     const ready = stage.kind === 'done' || stage.kind === 'waiting' || (stage.kind === 'machining' && stage.pathShown);
     guarded(() => {
-      if (core !== undefined && (wanted === 'now' || (wanted === 'when-whole' && ready))) draw(core);
+      if (stage.kind === 'lacking') drawWanted = wanted;
+      else if (core !== undefined && (wanted === 'now' || (wanted === 'when-whole' && ready))) draw(core);
     });
   });
 }
@@ -461,7 +474,8 @@ function present(playground: Playground): void {
 
 /** Once nothing is left to do, and the page has shown all there is. */
 function settle(): void {
-  const atWork = stage.kind === 'waiting' ? loading !== 'failed' : stage.kind !== 'done';
+  const waits = stage.kind === 'waiting' || stage.kind === 'lacking';
+  const atWork = waits ? loading !== 'failed' : stage.kind !== 'done';
   const busy = atWork || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
   if (core === undefined || busy || settledAt === heard) return;
   settledAt = heard;
