@@ -16,7 +16,7 @@ use std::ops::Range;
 use crate::control::codes::{self, G, MotionMode, Switch};
 use crate::control::interpreter::Executed;
 use crate::control::words::plain;
-use crate::message::Message;
+use crate::message::said;
 use crate::motion::{
     Cycle, CycleStep, Feed, Motion, MotionKind, Motions, Process, SpindleSpeed, SpindleTurn, Step,
 };
@@ -333,8 +333,7 @@ impl Writer<'_> {
             }
             self.feed = feed.or(self.feed);
         }
-        let remark =
-            block.faults.iter().any(|fault| matches!(fault.message, Message::TextAfterSemicolon { .. }));
+        let remark = block.faults.iter().any(|fault| fault.message.is::<said::TextAfterSemicolon>());
         if remark && self.out.ends_with('\n') {
             // Prose after a `;` is a remark only on the line of its block, which was expanded.
             self.comments(block);

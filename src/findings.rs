@@ -6,7 +6,7 @@
 use crate::machine::danger::{Axis, Danger, Finding};
 use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::machine::{SimulationLimit, SimulationResult};
-use crate::message::{Diagnostic, Levels, Message};
+use crate::message::{Diagnostic, Levels, Message, said};
 use crate::motion::Motions;
 use crate::source::Span;
 use crate::units::Diameter;
@@ -21,10 +21,10 @@ pub fn diagnostics(
 ) -> Vec<Diagnostic> {
     let mut told: Vec<Diagnostic> = Vec::new();
     told.extend(simulation.limit().map(|full| {
-        let message = match full {
-            SimulationLimit::Motions(most) => Message::PartTooManyMotions { most },
-            SimulationLimit::Corners(most) => Message::PartTooManyCorners { most },
-            SimulationLimit::Stopped { done, all } => Message::PartStopped { done, all },
+        let message: Message = match full {
+            SimulationLimit::Motions(most) => said::PartTooManyMotions { most }.into(),
+            SimulationLimit::Corners(most) => said::PartTooManyCorners { most }.into(),
+            SimulationLimit::Stopped { done, all } => said::PartStopped { done, all }.into(),
         };
         Diagnostic::new(message, Span::new(0, 0))
     }));
@@ -34,10 +34,10 @@ pub fn diagnostics(
         let (message, span) = (message(finding, motions), motions.span(finding.motion));
         // A thread that starts below its own crest was reported so.
         let is_known = |other: &Diagnostic| {
-            matches!(other.message, Message::ThreadStartInside { .. } | Message::ThreadStartAtCrest { .. })
+            (other.message.is::<said::ThreadStartInside>() || other.message.is::<said::ThreadStartAtCrest>())
                 && span.contains(other.span)
         };
-        if matches!(message, Message::StartInStock { .. }) && run.iter().any(is_known) {
+        if message.is::<said::StartInStock>() && run.iter().any(is_known) {
             continue;
         }
         let same = |other: &Diagnostic| other.span == span && other.message.slug() == message.slug();
@@ -55,7 +55,8 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
     let cuts = motions.uncertain_cuts();
     // Without a blank that somebody has named no collision is looked for at all.
     let looked_for = simulation.resolved_setup().stock().is_some_and(|(_, basis)| basis == Basis::Given);
-    let message = if cuts == 0 { Message::BehindLeftOut } else { Message::BehindLeftOutCuts { cuts } };
+    let message: Message =
+        if cuts == 0 { said::BehindLeftOut.into() } else { said::BehindLeftOutCuts { cuts }.into() };
     (cuts > 0 || looked_for).then(|| Diagnostic::new(message, motions.span(first)))
 }
 
@@ -64,13 +65,13 @@ fn behind_left_out(simulation: &SimulationResult, motions: &Motions) -> Option<D
 pub fn not_shown(resolved: &ResolvedSetup, motions: &Motions) -> impl Iterator<Item = Diagnostic> {
     let has_part = resolved.stock().is_some();
     let elsewhere = motions.cuts_elsewhere().filter(|_| has_part);
-    let elsewhere = elsewhere
-        .map(|(first, cuts)| Diagnostic::new(Message::ElsewhereLeftOut { cuts }, motions.span(first)));
+    let elsewhere =
+        elsewhere.map(|(first, cuts)| Diagnostic::new(said::ElsewhereLeftOut { cuts }, motions.span(first)));
     let unknown = if has_part { resolved.unknown() } else { &[] };
     let unknown = unknown.iter().map(|&index| {
         let (station, offset) = motions.get(index).process.tool;
         let tool = format!("T{station:02}{offset:02}");
-        Diagnostic::new(Message::ToolUnknown { tool }, motions.span(index))
+        Diagnostic::new(said::ToolUnknown { tool }, motions.span(index))
     });
     elsewhere.into_iter().chain(unknown)
 }
@@ -79,31 +80,33 @@ fn message(finding: &Finding, motions: &Motions) -> Message {
     let hundredth = |length: f64| (100.0 * length).round() / 100.0;
     let (x, z) = (Diameter::from_radius(finding.at.x).map(hundredth), hundredth(finding.at.z));
     match finding.danger {
-        Danger::RapidThroughStock => Message::RapidThroughStock { x, z },
-        Danger::DoglegThroughStock => Message::DoglegThroughStock { x, z },
-        Danger::RapidAlongStock => Message::RapidAlongStock { x },
-        Danger::LeavesBore => Message::BoreRetract { x, z },
-        Danger::BehindFace { face } => Message::StartBehindFace { z, face },
+        Danger::RapidThroughStock => said::RapidThroughStock { x, z }.into(),
+        Danger::DoglegThroughStock => said::DoglegThroughStock { x, z }.into(),
+        Danger::RapidAlongStock => said::RapidAlongStock { x }.into(),
+        Danger::LeavesBore => said::BoreRetract { x, z }.into(),
+        Danger::BehindFace { face } => said::StartBehindFace { z, face }.into(),
         Danger::CycleStart => {
             let cycle = motions.get(finding.motion).cycle.map_or("", |tag| tag.cycle.code());
-            Message::StartInStock { code: cycle, x }
+            said::StartInStock { code: cycle, x }.into()
         }
-        Danger::IntoJaws => Message::IntoJaws { x, z },
-        Danger::IntoTailstock => Message::IntoTailstock { x, z },
-        Danger::HolderInStock => Message::HolderInStock { x, z },
+        Danger::IntoJaws => said::IntoJaws { x, z }.into(),
+        Danger::IntoTailstock => said::IntoTailstock { x, z }.into(),
+        Danger::HolderInStock => said::HolderInStock { x, z }.into(),
         Danger::SlopeTooSteep { slope, tool } => {
             let tenth = |angle: f64| (10.0 * angle).round() / 10.0;
-            Message::SlopeTooSteep { slope: tenth(slope), follows: tenth(tool) }
+            said::SlopeTooSteep { slope: tenth(slope), follows: tenth(tool) }.into()
         }
-        Danger::BelowCenter => Message::BelowCenter { x },
+        Danger::BelowCenter => said::BelowCenter { x }.into(),
         Danger::OverTravel { axis, limit } => match axis {
             // Unrounded: it may be a little beyond.
-            Axis::X => Message::OverTravel { axis: 'X', to: Diameter::from_radius(finding.at.x).mm(), limit },
-            Axis::Z => Message::OverTravel { axis: 'Z', to: finding.at.z, limit },
+            Axis::X => {
+                said::OverTravel { axis: 'X', to: Diameter::from_radius(finding.at.x).mm(), limit }.into()
+            }
+            Axis::Z => said::OverTravel { axis: 'Z', to: finding.at.z, limit }.into(),
         },
         Danger::ToolNotListed { station } => {
             let offset = motions.get(finding.motion).process.tool.1;
-            Message::ToolNotListed { tool: format!("T{station:02}{offset:02}") }
+            said::ToolNotListed { tool: format!("T{station:02}{offset:02}") }.into()
         }
     }
 }

@@ -78,10 +78,10 @@ pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::message::Message;
+    use crate::message::said;
 
     fn told(fixes: Vec<Fix>) -> Diagnostic {
-        fixes.into_iter().fold(Diagnostic::new(Message::PrintedMinus, Span::new(0, 0)), Diagnostic::with)
+        fixes.into_iter().fold(Diagnostic::new(said::PrintedMinus, Span::new(0, 0)), Diagnostic::with)
     }
 
     fn replace(start: usize, end: usize, text: &str) -> Fix {

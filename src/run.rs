@@ -19,7 +19,7 @@ use crate::findings;
 use crate::lint;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{SimulationResult, danger};
-use crate::message::{Diagnostic, Fix, Message, sort_by_place};
+use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, in_part};
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
@@ -237,7 +237,7 @@ impl Run {
             text,
         };
         if run.text.len() > limits.text {
-            let message = Message::TextTooLong { bytes: run.text.len(), most: limits.text };
+            let message = said::TextTooLong { bytes: run.text.len(), most: limits.text };
             run.interpreter.report(Diagnostic::new(message, Span::new(0, 0)));
             run.finish();
             return run;
@@ -253,15 +253,14 @@ impl Run {
         }
         if let Some((system, evidence)) = run.recognised.system {
             run.interpreter.set_system(system);
-            run.interpreter
-                .report(Diagnostic::new(Message::SystemGuessed { system: system.name() }, evidence));
+            run.interpreter.report(Diagnostic::new(said::SystemGuessed { system: system.name() }, evidence));
         }
         run.of_setup = run.interpreter.diagnostics().len();
         if let Some(number) = chosen {
             match Labels::new(&run.text).program(number) {
                 Some(head) => run.begin_at(head),
                 None => {
-                    let message = Message::ProgramNotFound { word: format!("O{number:04}") };
+                    let message = said::ProgramNotFound { word: format!("O{number:04}") };
                     run.interpreter.report(Diagnostic::new(message, Span::new(0, 0)));
                     run.ended = true;
                 }
@@ -417,7 +416,7 @@ impl Run {
     pub fn stop(&mut self, seconds: f64) {
         if !self.finished {
             let at = self.at.byte as usize;
-            self.interpreter.report_always(Diagnostic::new(Message::Stopped { seconds }, Span::new(at, at)));
+            self.interpreter.report_always(Diagnostic::new(said::Stopped { seconds }, Span::new(at, at)));
             self.stopped = true;
             self.finish();
         }
@@ -543,14 +542,14 @@ impl Run {
     /// An O number: the head of the main program, of one that is called, or of one that stands after them.
     fn program(&mut self, text: &[u8], number: u32, span: Span, here: Here) -> Option<Flow> {
         if number == 0 {
-            self.interpreter.report(Diagnostic::new(Message::ProgramNumberZero, span));
+            self.interpreter.report(Diagnostic::new(said::ProgramNumberZero, span));
         } else if *self.programs.entry(number).or_insert(span.start) != span.start {
-            self.interpreter.report(Diagnostic::new(Message::DuplicateProgram { number }, span));
+            self.interpreter.report(Diagnostic::new(said::DuplicateProgram { number }, span));
         } else if self.ended
             && !self.interpreter.was_run(here.at)
             && !self.interpreter.is_called(text, number)
         {
-            self.interpreter.report(Diagnostic::new(Message::NotRun { number }, span));
+            self.interpreter.report(Diagnostic::new(said::NotRun { number }, span));
         }
         if self.ended {
             return None;
@@ -595,12 +594,12 @@ impl Run {
         let end = self.text.len();
         self.interpreter.finish();
         if !self.begun && self.diagnostics().is_empty() {
-            self.interpreter.report(Diagnostic::new(Message::EmptyProgram, Span::new(0, 0)));
+            self.interpreter.report(Diagnostic::new(said::EmptyProgram, Span::new(0, 0)));
         }
         let hidden = self.interpreter.hidden();
         if hidden > 0 {
             self.interpreter
-                .report_always(Diagnostic::new(Message::MoreMessages { hidden }, Span::new(end, end)));
+                .report_always(Diagnostic::new(said::MoreMessages { hidden }, Span::new(end, end)));
         }
         self.finish();
     }
@@ -626,7 +625,7 @@ impl Run {
         if self.recognised.foreign.is_some() || self.stopped || setup.lints == Lints::Off || !self.has_lints {
             // Nothing was run, or not all of it; or nobody wants to know; or they are not loaded yet.
         } else if self.blocks > most || motions.len() > 10 * most {
-            let diagnostic = Diagnostic::new(Message::NotCompared { most }, Span::new(0, 0));
+            let diagnostic = Diagnostic::new(said::NotCompared { most }, Span::new(0, 0));
             self.sorted.extend(setup.rules.graded(diagnostic));
         } else {
             compare_numbers(self);
@@ -660,7 +659,7 @@ fn no_end(text: &[u8], span: Span) -> Diagnostic {
         _ => (span.start as usize, "M30\n"),
     };
     let fix = Fix::insert(at as u32, insert.to_owned()).safe();
-    Diagnostic::new(Message::NoEnd, span).with(fix)
+    Diagnostic::new(said::NoEnd, span).with(fix)
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches

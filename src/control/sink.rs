@@ -166,6 +166,7 @@ fn key(diagnostic: &Diagnostic) -> (u32, &'static str) {
 mod tests {
     use super::*;
     use crate::geometry::Point;
+    use crate::message::said;
 
     fn sink(messages: usize) -> Sink {
         let limits = Limits { messages, ..Limits::default() };
@@ -173,7 +174,7 @@ mod tests {
     }
 
     fn diagnostic(start: usize) -> Diagnostic {
-        Diagnostic::new(Message::ArcNowhere, Span::new(start, start + 3))
+        Diagnostic::new(said::ArcNowhere, Span::new(start, start + 3))
     }
 
     #[test]
@@ -192,8 +193,8 @@ mod tests {
         sink.report(diagnostic(0), false);
         sink.report(diagnostic(5), false);
         sink.report(diagnostic(5), true);
-        sink.end(Message::TooManyMotions { most: 3 }, Span::new(7, 8));
-        sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
+        sink.end(said::TooManyMotions { most: 3 }.into(), Span::new(7, 8));
+        sink.end(said::TooManyRounds { most: 3 }.into(), Span::new(9, 10));
         assert_eq!((sink.diagnostics.len(), sink.hidden), (2, 1));
         assert!(sink.is_full() && !sink.may_offer(&diagnostic(20)));
     }
@@ -202,9 +203,9 @@ mod tests {
     fn what_is_said_of_a_whole_block_follows_from_a_fault_within_it() {
         let mut sink = sink(10);
         sink.fault = Some(Span::new(4, 6));
-        assert!(sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(0, 10))));
-        assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(4, 6))));
-        assert!(!sink.is_silent_about(&Diagnostic::new(Message::ArcNowhere, Span::new(7, 9))));
+        assert!(sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(0, 10))));
+        assert!(!sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(4, 6))));
+        assert!(!sink.is_silent_about(&Diagnostic::new(said::ArcNowhere, Span::new(7, 9))));
         sink.muted = true;
         assert!(sink.is_silent_about(&diagnostic(7)));
     }
@@ -216,7 +217,7 @@ mod tests {
         sink.begin_chunk(Chunk::new(5, 1, Point::new(0.0, 0.0)));
         let chunks = sink.motions.chunks().len();
         sink.report(diagnostic(8), false);
-        sink.end(Message::TooManyRounds { most: 3 }, Span::new(9, 10));
+        sink.end(said::TooManyRounds { most: 3 }.into(), Span::new(9, 10));
         sink.back_to(chunks, 1, 0, false, Chunk::new(5, 1, Point::new(0.0, 0.0)));
         assert!(sink.diagnostics.len() == 1 && !sink.is_full());
         assert!(sink.may_offer(&diagnostic(8)) && !sink.may_offer(&diagnostic(0)));

@@ -3,7 +3,7 @@
 //! In: a block and the rules for numbers. Out: values by address. The one place that knows the decimal-point
 //! rule, inches, and that X counts diameters.
 
-use crate::message::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Severity, said};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
@@ -199,10 +199,10 @@ pub fn check(text: &[u8], word: &Word) -> Option<Diagnostic> {
     };
     match form {
         Form::Positive | Form::Count if negative && number.mantissa > 0 => {
-            Some(Diagnostic::new(Message::MinusNotAllowed { word: quote(text, word.span) }, word.span))
+            Some(Diagnostic::new(said::MinusNotAllowed { word: quote(text, word.span) }, word.span))
         }
         Form::Count if number.has_point() => {
-            let wrong = Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+            let wrong = Diagnostic::new(said::PointNotAllowed { word: quote(text, word.span) }, word.span);
             // `S3000.`: some controls take the point, and nobody can mistake the number.
             let plain = word.address == b'S' && number.decimals == 0;
             Some(if plain { wrong.graded(Severity::Warning) } else { wrong })

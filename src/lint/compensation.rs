@@ -5,7 +5,7 @@ use crate::control::codes::{Compensation, Multiple};
 use crate::control::events::{CompensatedMove, Moment, SinglePass};
 use crate::control::words::{plain, quote};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Severity, said};
 use crate::motion::{Motion, MotionKind};
 use crate::setup::ToolKind;
 use crate::source::Span;
@@ -62,7 +62,7 @@ impl Compensations {
             && at.state.virtual_plane.is_none()
             && self.reported.left_on.first()
         {
-            let message = Message::CompensationLeftOn { code, word: quote(at.text, span) };
+            let message = said::CompensationLeftOn { code, word: quote(at.text, span) };
             reports.push(Diagnostic::new(message, span));
         }
     }
@@ -85,7 +85,7 @@ impl Compensations {
         if compensating.is_some_and(|own| own.idle_blocks == 2 && !own.waiting.is_empty())
             && self.reported.idle_blocks.first()
         {
-            reports.push(Diagnostic::new(Message::CompensationIdleBlocks, block.words_span()));
+            reports.push(Diagnostic::new(said::CompensationIdleBlocks, block.words_span()));
         }
     }
 
@@ -99,14 +99,14 @@ impl Compensations {
         let kind = at.setup.tools.get(&format!("T{station:02}{offset:02}")).and_then(|tool| tool.kind);
         let turns = !matches!(kind, Some(ToolKind::Endmill | ToolKind::Drill));
         if turns && matches!(tip, 0 | 9) && radius > 0.0 && self.reported.tip.first() {
-            let message = Message::CompensationTip { tip: f64::from(tip) };
+            let message = said::CompensationTip { tip: f64::from(tip) };
             reports.push(Diagnostic::new(message, block.words_span()));
         }
         let wrong = wrong_side(at.state.compensation, tip, at.state.position, to);
         if let Some((code, right)) = wrong
             && self.reported.side.first()
         {
-            reports.push(Diagnostic::new(Message::CompensationSide { code, right }, block.words_span()));
+            reports.push(Diagnostic::new(said::CompensationSide { code, right }, block.words_span()));
         }
     }
 
@@ -116,19 +116,19 @@ impl Compensations {
             && self.reported.turns_back.first()
         {
             let code = if at.state.compensation == Compensation::Left { "G41" } else { "G42" };
-            reports.push(Diagnostic::new(Message::CompensationTurnsBack { code }, own.words));
+            reports.push(Diagnostic::new(said::CompensationTurnsBack { code }, own.words));
         }
         let length = own.motion.from.distance(own.motion.to);
         let radius = at.nose_radius().abs();
         if own.begins_or_ends && length > 0.0 && length < radius && at.contour.is_none() {
-            reports.push(Diagnostic::new(Message::CompensationShort { length, radius }, own.span));
+            reports.push(Diagnostic::new(said::CompensationShort { length, radius }, own.span));
         }
     }
 
     /// A thread begins, which runs without compensation.
     pub fn thread(&mut self, block: &Block, code: &'static str, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if at.state.compensation != Compensation::Off && self.reported.no_effect.first() {
-            reports.push(Diagnostic::new(Message::CompensationIdle { code }, block.words_span()));
+            reports.push(Diagnostic::new(said::CompensationIdle { code }, block.words_span()));
         }
     }
 
@@ -143,7 +143,7 @@ impl Compensations {
         let is_on = cycle != Multiple::Finishing && at.state.compensation != Compensation::Off;
         if at.contour.is_none() && is_on && self.reported.no_effect.first() {
             let code = cycle.cycle().code();
-            let diagnostic = Diagnostic::new(Message::CompensationIdle { code }, block.words_span());
+            let diagnostic = Diagnostic::new(said::CompensationIdle { code }, block.words_span());
             // Newer controls rough with compensation that was on before (alarm PS0328).
             let rough = matches!(cycle, Multiple::RoughTurning | Multiple::RoughFacing | Multiple::Pattern);
             reports.push(if rough { diagnostic.graded(Severity::Info) } else { diagnostic });
@@ -159,7 +159,7 @@ impl Compensations {
             && at.nose_radius() == 0.0
             && self.reported.no_effect.first()
         {
-            let diagnostic = Diagnostic::new(Message::CompensationIdle { code }, pass.block.words_span());
+            let diagnostic = Diagnostic::new(said::CompensationIdle { code }, pass.block.words_span());
             // The radius may stand in the control's own table.
             reports.push(diagnostic.graded(Severity::Info));
         }
@@ -181,7 +181,7 @@ pub fn switched_in_cycle(pass: &SinglePass, at: &Moment) -> Option<Diagnostic> {
     };
     let word = pass.block.words.iter().find(switches)?;
     let message =
-        Message::CompensationInCycle { word: quote(at.text, word.span), code: pass.cycle.cycle().code() };
+        said::CompensationInCycle { word: quote(at.text, word.span), code: pass.cycle.cycle().code() };
     Some(Diagnostic::new(message, word.span))
 }
 

@@ -9,7 +9,7 @@ use crate::cycles::Contour;
 use crate::cycles::pattern::Pattern;
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::geometry::{Point, SAME};
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::Motion;
 use crate::setup::Stock;
 use crate::units::Diameter;
@@ -46,7 +46,7 @@ impl Contours {
     pub fn ignored(&mut self, address: u8, words: &Words, at: &Moment) {
         if self.for_finishing.len() < at.setup.limits.messages {
             let word = words.quote(at.text, address);
-            let diagnostic = Diagnostic::new(Message::FeedOnlyForFinishing { word }, words.span(address));
+            let diagnostic = Diagnostic::new(said::FeedOnlyForFinishing { word }, words.span(address));
             self.for_finishing.push((self.named, diagnostic));
         }
     }
@@ -64,15 +64,16 @@ impl Contours {
             return;
         }
         let roughed = before.iter().rev().find(|other| other.roughed && other.named == own.named);
-        let message = match roughed {
+        let message: Message = match roughed {
             // A cycle that could not run was reported.
             None if self.asked_to_rough.contains(&own.named) => return,
-            None => Message::FinishWithoutRoughing { first: own.named.0, last: own.named.1 },
+            None => said::FinishWithoutRoughing { first: own.named.0, last: own.named.1 }.into(),
             Some(other) if other.start.distance(own.start) > NEAR && !clears(own.start, other, call) => {
-                Message::FinishStart {
+                said::FinishStart {
                     roughed_x: Diameter::from_radius(other.start.x).mm(),
                     roughed_z: other.start.z,
                 }
+                .into()
             }
             Some(_) => return,
         };
@@ -113,7 +114,7 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
     };
     if second_named && !idiom && !moves {
         let code = call.how.direction.code();
-        reports.push(Diagnostic::new(Message::ContourBothAxes { code, other }, word));
+        reports.push(Diagnostic::new(said::ContourBothAxes { code, other }, word));
     }
     for axis in roughing::allowance_into_material(call.contour, call.how) {
         let address = match axis {
@@ -130,10 +131,8 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Dia
     let both = call.first.x && call.first.z;
     let code = call.how.direction.code();
     for message in remarks(code, turning, call.contour, both, at.setup.stock) {
-        let place = match message {
-            Message::ContourNotClosed { .. } => call.last_span,
-            _ => Some(call.first_span),
-        };
+        let place =
+            if message.is::<said::ContourNotClosed>() { call.last_span } else { Some(call.first_span) };
         reports.push(Diagnostic::new(message, place.unwrap_or_else(|| call.block.words_span())));
     }
 }
@@ -152,7 +151,7 @@ pub fn pattern(call: &ContourCall<Pattern>, at: &Moment, reports: &mut Vec<Diagn
 fn allowance_sign(words: &Words, address: u8, at: &Moment) -> Diagnostic {
     let word = words.quote(at.text, address);
     let fix = Fix::write(words.span(address), with_other_sign(&word));
-    Diagnostic::new(Message::AllowanceSign { word }, words.span(address)).with(fix)
+    Diagnostic::new(said::AllowanceSign { word }, words.span(address)).with(fix)
 }
 
 /// Remarks about the contour of G71 (`turning`) or G72. `both`: its first block names both axes.
@@ -171,13 +170,13 @@ fn remarks(
         ('X', Diameter::from_radius(start.x).mm(), Diameter::from_radius(first.x).mm())
     };
     if both && (own - other).abs() > NEAR {
-        found.push(Message::ContourStartMoved { code, axis, start: own, first: other });
+        found.push(said::ContourStartMoved { code, axis, start: own, first: other }.into());
     }
     if let Some(stock) = stock.filter(|_| turning) {
         let outside = first.x < start.x;
         let end = Diameter::from_radius(last.x).mm();
         if outside && start.x >= stock.diameter.radius() - NEAR && last.x < stock.diameter.radius() - NEAR {
-            found.push(Message::ContourNotClosed { x: end, diameter: stock.diameter.mm() });
+            found.push(said::ContourNotClosed { x: end, diameter: stock.diameter.mm() }.into());
         }
     }
     found
@@ -233,7 +232,7 @@ fn pattern_remarks(
         depth = turned(stock).map_or(radius, |turned| turned.min(radius)) - (low + relief);
     }
     if depth > DEEP {
-        return Some(Message::PatternShallow { depth, relief });
+        return Some(said::PatternShallow { depth, relief }.into());
     }
     let cutting = contour.pieces.iter().filter(|piece| piece.from.z < stock.face || piece.to.z < stock.face);
     let (mut whole, mut air) = (0.0, 0.0);
@@ -246,5 +245,5 @@ fn pattern_remarks(
     let share = (100.0 * air / whole).round();
     // Who stands off by no more than there is to remove means the whole of it.
     let needed = radius - low;
-    (whole > 0.0 && share > 50.0 && relief > needed + NEAR).then_some(Message::PatternAir { share })
+    (whole > 0.0 && share > 50.0 && relief > needed + NEAR).then_some(said::PatternAir { share }.into())
 }

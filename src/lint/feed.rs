@@ -7,7 +7,7 @@ use crate::control::events::Moment;
 use crate::control::modal::Target;
 use crate::control::words::{Words, letters};
 use crate::cycles::single::Single;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, Message, said};
 use crate::setup::dialect::{DecimalRule, FeedMode};
 use crate::source::Span;
 use crate::source::shift::Shift;
@@ -88,14 +88,14 @@ impl Feed {
                 // The unit was changed: that is reported, not the lead as well.
                 self.used_for = Use::Open;
             }
-            let message = match at.state.feed_mode {
-                FeedMode::PerTurn => Message::FeedNotRepeatedPerTurn { feed },
-                FeedMode::PerMinute => Message::FeedNotRepeatedPerMinute { feed },
+            let message: Message = match at.state.feed_mode {
+                FeedMode::PerTurn => said::FeedNotRepeatedPerTurn { feed }.into(),
+                FeedMode::PerMinute => said::FeedNotRepeatedPerMinute { feed }.into(),
             };
             reports.push(Diagnostic::new(message, block.words_span()));
         } else if self.used_for == Use::Thread {
             self.used_for = Use::Open;
-            reports.push(Diagnostic::new(Message::FeedOfThread { feed }, block.words_span()));
+            reports.push(Diagnostic::new(said::FeedOfThread { feed }, block.words_span()));
         }
         if self.used_for == Use::Open {
             self.used_for = Use::Cut;
@@ -113,9 +113,9 @@ impl Feed {
             );
         if mixed_up && !counts && self.unit.first() {
             let word = words.quote(at.text, b'F');
-            let message = match per_turn {
-                true => Message::FeedPerTurnTooLarge { word, feed },
-                false => Message::FeedPerMinuteTooSmall { word, feed },
+            let message: Message = match per_turn {
+                true => said::FeedPerTurnTooLarge { word, feed }.into(),
+                false => said::FeedPerMinuteTooSmall { word, feed }.into(),
             };
             reports.push(Diagnostic::new(message, words.span(b'F')));
         }
@@ -130,7 +130,7 @@ impl Feed {
     /// The F in force is taken as a lead, mm.
     pub fn as_lead(&mut self, block: &Block, code: &'static str, feed: f64, reports: &mut Vec<Diagnostic>) {
         if self.used_for == Use::Cut {
-            reports.push(Diagnostic::new(Message::LeadOfFeed { code, feed }, block.words_span()));
+            reports.push(Diagnostic::new(said::LeadOfFeed { code, feed }, block.words_span()));
         }
         self.used_for = Use::Thread;
     }

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use crate::control::codes::{self, G, MotionMode, Multiple};
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::motion::{Motion, Motions};
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule};
@@ -123,12 +123,12 @@ pub fn compare(
 
 /// Whether a number that is wrong makes a contour turn back.
 fn turns_contour(diagnostic: &Diagnostic) -> bool {
-    matches!(diagnostic.message, Message::MinusMissing { .. } | Message::IncrementalForAbsolute { .. })
+    diagnostic.message.is::<said::MinusMissing>() || diagnostic.message.is::<said::IncrementalForAbsolute>()
 }
 
 /// Whether a message is a consequence of a contour that turns back.
 fn follows(diagnostic: &Diagnostic) -> bool {
-    matches!(diagnostic.message, Message::AllowanceSign { .. } | Message::ContourTurnsBack { .. })
+    diagnostic.message.is::<said::AllowanceSign>() || diagnostic.message.is::<said::ContourTurnsBack>()
 }
 
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`:

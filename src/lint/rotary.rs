@@ -8,7 +8,7 @@ use crate::control::modal::VirtualPlane;
 use crate::control::tool_offset;
 use crate::control::words::{Words, quote};
 use crate::geometry::virtual_plane::Surface;
-use crate::message::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Severity, said};
 use crate::setup::dialect::FeedMode;
 use crate::source::Span;
 use crate::text::block::Block;
@@ -38,14 +38,14 @@ impl Rotary {
     /// one appeared that may have.
     pub fn c_moves(&mut self, span: Span, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
         let is_new = !at.state.c_axis && !unknown_m && self.c_axis.first();
-        is_new.then(|| Diagnostic::new(Message::CAxisNotConnected, span))
+        is_new.then(|| Diagnostic::new(said::CAxisNotConnected, span))
     }
 
     /// A live tool should turn where the spindle only positions; which M code starts
     /// it depends on the machine.
     pub fn mills(&mut self, block: &Block, unknown_m: bool, at: &Moment) -> Option<Diagnostic> {
         let is_new = !at.state.spindle.live_tool && !unknown_m && self.live_tool.first();
-        is_new.then(|| Diagnostic::new(Message::LiveToolStopped, block.words_span()))
+        is_new.then(|| Diagnostic::new(said::LiveToolStopped, block.words_span()))
     }
 
     /// A move in the plane of polar interpolation. True: the unit of F is reported to be wrong.
@@ -62,16 +62,16 @@ impl Rotary {
         }
         let feed_is_wrong = at.state.feed_mode == FeedMode::PerTurn && self.feed.first();
         if feed_is_wrong {
-            reports.push(Diagnostic::new(Message::PolarFeedPerTurn, block.words_span()));
+            reports.push(Diagnostic::new(said::PolarFeedPerTurn, block.words_span()));
         }
         if at.state.compensation != Compensation::Off && at.nose_radius() == 0.0 && self.radius.first() {
             let span = block.words_span();
             reports.push(match tool_offset::unknown(at.state, at.setup) {
                 Some(offset) => {
-                    let message = Message::PolarRadiusUnknown { offset: u32::from(offset) };
+                    let message = said::PolarRadiusUnknown { offset: u32::from(offset) };
                     Diagnostic::new(message, span).graded(Severity::Info)
                 }
-                None => Diagnostic::new(Message::PolarNoRadius, span),
+                None => Diagnostic::new(said::PolarNoRadius, span),
             });
         }
         let reading = at.reading();
@@ -80,7 +80,7 @@ impl Rotary {
             let like_degrees = c >= 90.0 && c % 90.0 == 0.0 && x.abs() < c / 2.0;
             let outside = at.setup.stock.is_some_and(|stock| c > stock.diameter.mm());
             if (like_degrees || outside) && self.angle.first() {
-                let message = Message::PolarAngle { word: quote(at.text, word.span) };
+                let message = said::PolarAngle { word: quote(at.text, word.span) };
                 reports.push(Diagnostic::new(message, word.span));
             }
         }
@@ -90,6 +90,6 @@ impl Rotary {
     /// The path passes this near the centre of the face, mm.
     pub fn passes_center(&mut self, distance: f64, words: Span) -> Option<Diagnostic> {
         let is_new = distance < CENTER && self.center.first();
-        is_new.then(|| Diagnostic::new(Message::PolarCenter { distance }, words))
+        is_new.then(|| Diagnostic::new(said::PolarCenter { distance }, words))
     }
 }

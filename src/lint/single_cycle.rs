@@ -10,7 +10,7 @@ use crate::control::modal::Target;
 use crate::control::words::{Words, behind_letter, letters, plain, quote};
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, Message, said};
 use crate::setup::Stock;
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
@@ -95,7 +95,7 @@ impl SingleCycles {
         self.reported.old_taper_word.first().then(|| {
             let (word, span) = (words.quote(at.text, b'I'), words.span(b'I'));
             let fix = Fix::write(span, format!("R{}", behind_letter(&word)));
-            Diagnostic::new(Message::LetterIInG92, span).with(fix)
+            Diagnostic::new(said::LetterIInG92, span).with(fix)
         })
     }
 
@@ -114,7 +114,7 @@ impl SingleCycles {
         if let Some(span) = self.g90_alone.take()
             && self.reported.g90_as_absolute.first()
         {
-            reports.push(Diagnostic::new(Message::G90AsAbsolute, span));
+            reports.push(Diagnostic::new(said::G90AsAbsolute, span));
         }
         let &SinglePass { cycle, start, end, .. } = pass;
         let taper = at.state.memory.taper;
@@ -141,7 +141,7 @@ impl SingleCycles {
             .map(|before| before.end.x + before.taper)
             .or(at.setup.stock.map(|stock| start.x.min(stock.diameter.radius())));
         if let Some(depth) = edge_depth(cycle, &own, surface, before.is_none()) {
-            reports.push(Diagnostic::new(Message::TaperEdge { depth }, block.words_span()));
+            reports.push(Diagnostic::new(said::TaperEdge { depth }, block.words_span()));
         }
         let moved = match cycle {
             Single::Facing => [b'Z', b'W'],
@@ -198,7 +198,7 @@ pub fn axis_missing(at: &Moment, span: Span, cycle: Single, end: (Axis, Target))
     let word = quote(at.text, span);
     let fix = Fix::insert(span.start, format!("{end} "));
     let meant = format!("{end} {word}");
-    let message = Message::CycleAxisMissing { word, code: cycle.cycle().code(), meant };
+    let message = said::CycleAxisMissing { word, code: cycle.cycle().code(), meant };
     Some(Diagnostic::new(message, span).with(fix))
 }
 
@@ -227,7 +227,7 @@ fn pass_not_deeper(
         Single::Facing => (pass.end.z - pass.start.z).signum(),
         _ => (pass.end.x - pass.start.x).signum(),
     };
-    let message = move |word| Message::PassNotDeeper { word, axis, deepest };
+    let message = move |word| said::PassNotDeeper { word, axis, deepest }.into();
     (same && side(own) == side(before) && other <= NEAR && deep < -NEAR).then_some(message)
 }
 
@@ -258,11 +258,11 @@ fn far_start(cycle: Single, own: &DeepestPass, stock: &Stock) -> Option<Message>
     let outside = own.end.x < own.start.x;
     let far_x = own.start.x - radius;
     if outside && far_x > FAR && own.end.x < radius {
-        return Some(Message::AirCut { axis: 'X', distance: far_x });
+        return Some(said::AirCut { axis: 'X', distance: far_x }.into());
     }
     let far_z = own.start.z - stock.face;
     if cycle != Single::Threading && far_z > FAR && own.end.z < stock.face {
-        return Some(Message::AirCut { axis: 'Z', distance: far_z });
+        return Some(said::AirCut { axis: 'Z', distance: far_z }.into());
     }
     None
 }

@@ -4,7 +4,7 @@
 use super::once::Once;
 use crate::control::events::Moment;
 use crate::control::words::{Words, letters, plain, quote};
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::SpindleTurn;
 use crate::source::Span;
 use crate::source::shift::Shift;
@@ -74,7 +74,8 @@ impl Spindle {
             let speed = if spindle.surface { spindle.cutting_speed } else { spindle.rpm };
             if speed == 0.0 && !self.may_be_driven(at) && self.speed_missing.first() {
                 let of_surface = spindle.surface && spindle.rpm > 0.0;
-                let message = if of_surface { Message::SurfaceSpeedMissing } else { Message::SpeedMissing };
+                let message: Message =
+                    if of_surface { said::SurfaceSpeedMissing.into() } else { said::SpeedMissing.into() };
                 reports.push(Diagnostic::new(message, block.words_span()));
             }
         }
@@ -111,10 +112,10 @@ impl Spindle {
         at: &Moment,
         reports: &mut Vec<Diagnostic>,
     ) {
-        let missing = [
-            (at.state.tool == (0, 0)).then_some(Message::ToolNotNamed),
-            (!feed_mode_named).then_some(Message::FeedModeNotNamed),
-            (!self.coolant).then_some(Message::CoolantOff),
+        let missing: [Option<Message>; 3] = [
+            (at.state.tool == (0, 0)).then(|| said::ToolNotNamed.into()),
+            (!feed_mode_named).then(|| said::FeedModeNotNamed.into()),
+            (!self.coolant).then(|| said::CoolantOff.into()),
         ];
         let missing = missing.into_iter().flatten();
         reports.extend(missing.map(|message| Diagnostic::new(message, block.words_span())));
@@ -127,7 +128,7 @@ impl Spindle {
             && self.no_clamp.first()
         {
             let fix = Fix::insert(before, "G50 S2000\n".to_owned());
-            reports.push(Diagnostic::new(Message::NoSpeedClamp, span).with(fix));
+            reports.push(Diagnostic::new(said::NoSpeedClamp, span).with(fix));
         }
     }
 
@@ -155,7 +156,7 @@ impl Spindle {
             && !spindle.live_tool
             && !at.state.c_axis
         {
-            let message = Message::ChuckOpen { word: quote(at.text, word.span) };
+            let message = said::ChuckOpen { word: quote(at.text, word.span) };
             reports.push(Diagnostic::new(message, word.span));
         }
         match number {
@@ -205,7 +206,7 @@ impl Spindle {
                 // G97 without S keeps the speed that was reached last.
                 let kept = at.spindle_speed(at.state.position.x).unwrap_or(spindle.rpm).floor();
                 if kept > 0.0 {
-                    let message = Message::SpeedNotRepeated { code: "G97", speed: kept };
+                    let message = said::SpeedNotRepeated { code: "G97", speed: kept };
                     reports.push(Diagnostic::new(message, block.words_span()));
                 }
             }
@@ -227,7 +228,7 @@ impl Spindle {
         if moved {
             let stop = block.words.iter().find(|word| word.address == b'M' && plain(word) == Some(5.0));
             let span = stop.map_or_else(|| block.words_span(), |word| word.span);
-            reports.push(Diagnostic::new(Message::StopBehindMove, span));
+            reports.push(Diagnostic::new(said::StopBehindMove, span));
         }
         self.stopped.forget();
     }
@@ -280,7 +281,7 @@ impl StillMove {
     #[cold]
     fn message(self) -> Diagnostic {
         let fix = Fix::insert(self.block.start, "M03\n".to_owned());
-        Diagnostic::new(Message::SpindleStopped, self.words).with(fix)
+        Diagnostic::new(said::SpindleStopped, self.words).with(fix)
     }
 }
 

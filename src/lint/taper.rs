@@ -7,7 +7,7 @@ use crate::control::events::Moment;
 use crate::control::words::{Words, with_other_sign};
 use crate::cycles::single::{self, Single};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::setup::Stock;
 use crate::source::Span;
 use crate::units::{Diameter, Unit};
@@ -44,19 +44,16 @@ pub fn not_extended(
     at: &Moment,
 ) -> Option<Diagnostic> {
     let (message, reading) = taper_not_extended(cycle, start, end, taper, at.setup.stock?)?;
+    let needed = message.needed;
     let diagnostic = Diagnostic::new(message, span);
     if reading == Reading::OrForStartPoint {
         return Some(diagnostic.graded(Severity::Info));
     }
-    Some(match diagnostic.message {
-        Message::TaperNotExtended { needed, .. }
-            if at.state.unit == Unit::Millimetre && span.len() < LONGEST_WORD =>
-        {
-            let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
-            diagnostic.with(Fix::write(span, format!("R{needed}")))
-        }
-        _ => diagnostic,
-    })
+    if at.state.unit != Unit::Millimetre || span.len() >= LONGEST_WORD {
+        return Some(diagnostic);
+    }
+    let needed = crate::units::number((1000.0 * needed).round() / 1000.0);
+    Some(diagnostic.with(Fix::write(span, format!("R{needed}"))))
 }
 
 /// Reports when R looks like the taper of the drawing though the cut begins outside the
@@ -67,7 +64,7 @@ fn taper_not_extended(
     end: Point,
     taper: f64,
     stock: Stock,
-) -> Option<(Message, Reading)> {
+) -> Option<(said::TaperNotExtended, Reading)> {
     if taper == 0.0 {
         return None;
     }
@@ -107,7 +104,7 @@ fn taper_not_extended(
     };
     let other = is_hundredth(crossing) || is_usual_cone((height / length).abs());
     let reading = if other { Reading::OrForStartPoint } else { Reading::HeightOnDrawing };
-    let diagnostic = Message::TaperNotExtended { taper, needed: taper / part, crossing, wanted, axis };
+    let diagnostic = said::TaperNotExtended { taper, needed: taper / part, crossing, wanted, axis };
     (coarse && !at_zero.is_some_and(is_round) || fine).then_some((diagnostic, reading))
 }
 
@@ -141,8 +138,7 @@ pub fn shape(
 ) -> Option<Diagnostic> {
     let (word, span) = (words.quote(at.text, address), words.span(address));
     let message = odd_shape(cycle, start, end, taper, &word, at.setup.stock)?;
-    let fix =
-        matches!(message, Message::TaperNarrows { .. }).then(|| Fix::write(span, with_other_sign(&word)));
+    let fix = message.is::<said::TaperNarrows>().then(|| Fix::write(span, with_other_sign(&word)));
     Some(Diagnostic { fixes: fix.into_iter().collect(), ..Diagnostic::new(message, span) })
 }
 
@@ -165,7 +161,9 @@ fn odd_shape(
     }
     let begin = end.x + taper;
     if begin < -NEAR && end.x > 0.0 {
-        return Some(Message::TaperCrossesAxis { word: word.into(), x: Diameter::from_radius(begin).mm() });
+        return Some(
+            said::TaperCrossesAxis { word: word.into(), x: Diameter::from_radius(begin).mm() }.into(),
+        );
     }
     let way = end.x - start.x;
     let outside = match way {
@@ -181,7 +179,7 @@ fn odd_shape(
         _ => return None,
     };
     let narrows = if outside { taper > NEAR } else { taper < -NEAR };
-    narrows.then(|| Message::TaperNarrows { word: word.into() })
+    narrows.then(|| said::TaperNarrows { word: word.into() }.into())
 }
 
 /// Whether a drawing might carry this length: a multiple of a tenth of a millimetre.
@@ -210,7 +208,7 @@ mod tests {
     #[test]
     fn seed_004_needs_r_minus_24_from_x54() {
         let (start, end) = (Point::new(27.0, 5.0), Point::new(15.0, 0.0));
-        let Some((Message::TaperNotExtended { needed, crossing, wanted, .. }, Reading::HeightOnDrawing)) =
+        let Some((said::TaperNotExtended { needed, crossing, wanted, .. }, Reading::HeightOnDrawing)) =
             taper_not_extended(Single::Facing, start, end, -20.0, STOCK)
         else {
             panic!("R-20 from X54 must be diagnostic")

@@ -7,7 +7,7 @@ use crate::control::words::{self, Words, quote};
 use crate::cycles::single::Single;
 use crate::cycles::threading::MultiThread;
 use crate::geometry::{Point, SAME};
-use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::SpindleTurn;
 use crate::source::Span;
 use crate::text::block::Block;
@@ -70,7 +70,7 @@ impl Threads {
             self.surface_speed.leave_out();
         }
         if self.surface_speed.first() {
-            let diagnostic = Diagnostic::new(Message::ThreadAtSurfaceSpeed { code }, block.words_span());
+            let diagnostic = Diagnostic::new(said::ThreadAtSurfaceSpeed { code }, block.words_span());
             // The speed that G96 has here, to the next ten below.
             let speed = at.spindle_speed(at.state.position.x).filter(|&speed| speed >= 10.0);
             let block_before = |speed: f64| format!("G97 S{}\n", 10.0 * (speed / 10.0).floor());
@@ -82,7 +82,7 @@ impl Threads {
     /// A hole is tapped on the axis by a cycle.
     pub fn tap_on_axis(&mut self, block: &Block, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if at.state.spindle.surface && self.surface_speed.first() {
-            reports.push(Diagnostic::new(Message::TapSurface, block.words_span()));
+            reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
         }
     }
 
@@ -110,10 +110,10 @@ impl Threads {
         if to.z < from.z {
             self.tap = Some(turn);
             if at.state.spindle.surface {
-                reports.push(Diagnostic::new(Message::TapSurface, block.words_span()));
+                reports.push(Diagnostic::new(said::TapSurface, block.words_span()));
             }
         } else if self.tap.take() == Some(turn) && turn != SpindleTurn::Stopped {
-            reports.push(Diagnostic::new(Message::TapReverse, block.words_span()));
+            reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
         }
     }
 
@@ -122,7 +122,7 @@ impl Threads {
     pub fn moves(&mut self, block: &Block, to: Point, at: &Moment, reports: &mut Vec<Diagnostic>) {
         if self.tap.is_some() && to.z > at.state.position.z {
             self.tap = None;
-            reports.push(Diagnostic::new(Message::TapReverse, block.words_span()));
+            reports.push(Diagnostic::new(said::TapReverse, block.words_span()));
         }
     }
 
@@ -154,14 +154,14 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
     let &ThreadingCall { block, words, start, how, lead, angle, one_block } = call;
     reports.extend(start_clears_crest(block, start, how));
     if let Some(message) = amounts(how.height, how.first_depth, lead, angle) {
-        let address = if matches!(message, Message::ThreadFirstDepth { .. }) { b'Q' } else { b'P' };
+        let address = if message.is::<said::ThreadFirstDepth>() { b'Q' } else { b'P' };
         let span = if one_block { block.words_span() } else { words.span(address) };
         let fixes = swapped_amounts(at.text, words, &message);
         reports.push(Diagnostic { fixes, ..Diagnostic::new(message, span) });
     }
     let way = (start.x - how.end.x).abs();
     if let Some(out) = how.pull_out.filter(|pull_out| pull_out.out >= way - NEAR) {
-        let message = Message::ThreadPullOut { pull_out: out.out, way };
+        let message = said::ThreadPullOut { pull_out: out.out, way };
         reports.push(Diagnostic::new(message, block.words_span()));
     }
     let taper_word = if one_block { b'I' } else { b'R' };
@@ -172,7 +172,7 @@ pub fn multi_threading(call: &ThreadingCall, at: &Moment, reports: &mut Vec<Diag
 
 /// P and Q of G76 with their letters exchanged, where that is what the message is about.
 fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
-    let (Some(p), Some(q), Message::ThreadFirstDepth { .. }) = (words.get(b'P'), words.get(b'Q'), message)
+    let (Some(p), Some(q), true) = (words.get(b'P'), words.get(b'Q'), message.is::<said::ThreadFirstDepth>())
     else {
         return Vec::new();
     };
@@ -199,9 +199,9 @@ fn start_clears_crest(block: &Block, start: Point, how: &MultiThread) -> Option<
     // Exactly at the crest that P gives: the work may have been turned a little smaller.
     let at_crest = (start.x - crest).abs() <= NEAR;
     let [start, crest] = [start.x, crest].map(|radius| Diameter::from_radius(radius).mm());
-    let message = match at_crest {
-        true => Message::ThreadStartAtCrest { start },
-        false => Message::ThreadStartInside { start, crest },
+    let message: Message = match at_crest {
+        true => said::ThreadStartAtCrest { start }.into(),
+        false => said::ThreadStartInside { start, crest }.into(),
     };
     let diagnostic = Diagnostic::new(message, block.words_span());
     Some(if at_crest { diagnostic.graded(Severity::Info) } else { diagnostic })
@@ -225,7 +225,7 @@ fn remarks(
         let limit = SPEED_OF_PITCH / pitch - SPEED_MARGIN;
         if PITCHES.contains(&pitch) && own.speed > limit {
             let speed = own.speed;
-            let message = Message::ThreadTooFast { speed, pitch, limit: limit.floor() };
+            let message = said::ThreadTooFast { speed, pitch, limit: limit.floor() };
             let diagnostic = Diagnostic::new(message, span);
             // The rule of thumb is for small lathes.
             let is_fast = speed * own.lead > FAST_SLIDE;
@@ -237,14 +237,14 @@ fn remarks(
     }
     let Some(before) = before else { return diagnostics };
     if (own.speed - before.speed).abs() > NEAR && own.speed > 0.0 && before.speed > 0.0 {
-        let message = Message::ThreadSpeedChanged { before: before.speed, now: own.speed };
+        let message = said::ThreadSpeedChanged { before: before.speed, now: own.speed };
         diagnostics.push(Diagnostic::new(message, span));
     }
     let moved = own.start.z - before.start.z;
     let deeper = (own.start.x - before.start.x).abs().max((own.end.x - before.end.x).abs());
     if !angle && !is_start_of_lead(moved, own.lead) && !is_along_flank(moved, deeper) {
         let (before, now) = (before.start.z, own.start.z);
-        diagnostics.push(Diagnostic::new(Message::ThreadStartMoved { before, now, lead: own.lead }, span));
+        diagnostics.push(Diagnostic::new(said::ThreadStartMoved { before, now, lead: own.lead }, span));
     }
     diagnostics
 }
@@ -280,18 +280,18 @@ fn run_in(own: &Pass, face: Option<f64>) -> Option<Message> {
         return None;
     }
     let (have, need) = (own.start.z - face, 3.605 * own.speed * own.lead / 1800.0);
-    (have < need).then_some(Message::ThreadRunIn { have, need })
+    (have < need).then_some(said::ThreadRunIn { have, need }.into())
 }
 
 /// What of the amounts of a G76 does not fit: the height of a 60° thread is 0.5 to 0.75 of its pitch, and
 /// more than the first cut. Lengths in mm, the angle in degrees.
 fn amounts(height: f64, first: f64, lead: f64, angle: f64) -> Option<Message> {
     if first > height + NEAR {
-        return Some(Message::ThreadFirstDepth { first, height });
+        return Some(said::ThreadFirstDepth { first, height }.into());
     }
     // A thread of two or three starts is lower, measured by its lead.
     let share = height / lead;
     let unusual = angle == 60.0 && !(0.2..=1.0).contains(&share);
     let usual = 0.001 * (650.0 * lead).round();
-    unusual.then_some(Message::ThreadHeight { height, pitch: lead, usual })
+    unusual.then_some(said::ThreadHeight { height, pitch: lead, usual }.into())
 }

@@ -3,7 +3,7 @@
 use crate::control::events::Moment;
 use crate::control::words::quote;
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::setup::Stock;
 use crate::text::block::Word;
 use crate::units::Diameter;
@@ -35,7 +35,7 @@ impl ToolChanges {
         let is_near = at.contour.is_none() && !is_home && at.setup.stock.as_ref().is_some_and(near);
         let tool = || quote(at.text, word.span);
         let message =
-            || Message::ToolChangeNear { tool: tool(), x: Diameter::from_radius(tip.x).mm(), z: tip.z };
+            || said::ToolChangeNear { tool: tool(), x: Diameter::from_radius(tip.x).mm(), z: tip.z };
         is_near.then(|| Diagnostic::new(message(), word.span))
     }
 }

@@ -26,8 +26,14 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// A message at a place, with its usual severity.
+    #[inline(always)]
+    pub fn new(message: impl Into<Message>, span: Span) -> Self {
+        Self::of(message.into(), span)
+    }
+
+    #[cold]
     #[inline(never)]
-    pub fn new(message: Message, span: Span) -> Self {
+    fn of(message: Message, span: Span) -> Self {
         Self { severity: message.severity(), message, span, unit: Unit::Millimetre, fixes: Vec::new() }
     }
 

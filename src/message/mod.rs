@@ -11,4 +11,4 @@ mod variants;
 pub use diagnostic::{Diagnostic, Edit, Fix, Repair, sort_by_place};
 pub use levels::Levels;
 pub use rule::{Group, Kind, Rule, Severity};
-pub use variants::{Arguments, Message, RULES, Value};
+pub use variants::{Arguments, Message, RULES, Said, Value, said};

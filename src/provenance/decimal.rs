@@ -7,7 +7,7 @@
 
 use super::statement::{Statement, Word};
 use crate::control::codes::{G, Multiple, g_code};
-use crate::message::Message;
+use crate::message::{Message, said};
 use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
 use crate::units::Unit;
@@ -63,13 +63,19 @@ impl NumberWithoutPoint {
         let value = self.counts(rule);
         match (rule, self.measure) {
             (DecimalRule::LeastIncrement, Measure::Millimetre) => {
-                Message::LeastIncrementsMillimetres { word, value }
+                said::LeastIncrementsMillimetres { word, value }.into()
             }
-            (DecimalRule::LeastIncrement, Measure::Inch) => Message::LeastIncrementsInches { word, value },
-            (DecimalRule::LeastIncrement, Measure::Second) => Message::LeastIncrementsSeconds { word, value },
-            (DecimalRule::Calculator, Measure::Millimetre) => Message::TooLargeMillimetres { word, value },
-            (DecimalRule::Calculator, Measure::Inch) => Message::TooLargeInches { word, value },
-            (DecimalRule::Calculator, Measure::Second) => Message::TooLargeSeconds { word, value },
+            (DecimalRule::LeastIncrement, Measure::Inch) => {
+                said::LeastIncrementsInches { word, value }.into()
+            }
+            (DecimalRule::LeastIncrement, Measure::Second) => {
+                said::LeastIncrementsSeconds { word, value }.into()
+            }
+            (DecimalRule::Calculator, Measure::Millimetre) => {
+                said::TooLargeMillimetres { word, value }.into()
+            }
+            (DecimalRule::Calculator, Measure::Inch) => said::TooLargeInches { word, value }.into(),
+            (DecimalRule::Calculator, Measure::Second) => said::TooLargeSeconds { word, value }.into(),
         }
     }
 }

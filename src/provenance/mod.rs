@@ -17,7 +17,7 @@ use self::finder::Finder;
 use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
-use crate::message::Message;
+use crate::message::{Message, said};
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
@@ -68,15 +68,15 @@ impl Target {
     /// What is said of a program for it.
     pub fn message(self) -> Message {
         match self {
-            Self::Mill => Message::ForeignMill,
-            Self::Printer => Message::ForeignPrinter,
+            Self::Mill => said::ForeignMill.into(),
+            Self::Printer => said::ForeignPrinter.into(),
             Self::Hnc
             | Self::Siemens
             | Self::LinuxCnc
             | Self::Fagor
             | Self::Heidenhain
             | Self::Okuma
-            | Self::Gsk928 => Message::ForeignControl { control: self.name() },
+            | Self::Gsk928 => said::ForeignControl { control: self.name() }.into(),
         }
     }
 

@@ -12,7 +12,7 @@ mod write;
 use std::collections::BTreeMap;
 
 use crate::cycles::single::Single;
-use crate::message::{Diagnostic, Edit, Message, Severity};
+use crate::message::{Diagnostic, Edit, Severity, said};
 use crate::motion::{Motion, MotionKind, Motions};
 use crate::run::{Analysis, Run};
 use crate::sentences::{Language, describe_rewrite};
@@ -287,5 +287,5 @@ fn complains_no_more(before: &Analysis, after: &Analysis) -> bool {
 /// Whether a message that only the cycle brings contradicts it. That its cone becomes narrower toward the
 /// chuck was so before, when nobody could say it.
 fn counts(found: &Diagnostic) -> bool {
-    found.severity >= Severity::Warning && !matches!(found.message, Message::TaperNarrows { .. })
+    found.severity >= Severity::Warning && !found.message.is::<said::TaperNarrows>()
 }

@@ -40,80 +40,52 @@ fn messages(rules: &[RuleFile]) -> impl Iterator<Item = (&RuleFile, &Message)> {
     rules.iter().flat_map(|rule| rule.messages.iter().map(move |message| (rule, message)))
 }
 
-/// The enum, and what is known of each message.
+/// A type for each message, and what is known of each.
 fn message(rules: &[RuleFile]) -> String {
     let mut out = String::new();
     put(
         &mut out,
-        "/// A message to the user with its arguments. Lengths are in mm, as people write them: X values are diameters.",
+        "/// What code says: a type for each message, with its arguments. Lengths are in mm, as people write them: X values are diameters.",
     );
-    put(&mut out, "#[derive(Clone, Debug, PartialEq)]");
-    put(&mut out, "pub enum Message {");
-    for (_, Message { name, doc, arguments, .. }) in messages(rules) {
-        put(&mut out, format_args!("    /// {doc}"));
-        if arguments.is_empty() {
-            put(&mut out, format_args!("    {name},"));
-            continue;
-        }
-        put(&mut out, format_args!("    {name} {{"));
-        for Argument { name, kind, doc, .. } in arguments {
-            put(&mut out, format_args!("        /// {doc}\n        {name}: {},", rust_type(*kind)));
-        }
-        put(&mut out, "    },");
+    put(&mut out, "pub mod said {\n    use super::{Diameter, Message, Said, Value};\n");
+    for (index, (_, message)) in messages(rules).enumerate() {
+        message_type(&mut out, index, message);
     }
-    put(&mut out, "}\n\nimpl Message {");
-    index(&mut out, rules);
-    own_alarm(&mut out, rules);
-    values(&mut out, rules);
     put(&mut out, "}\n");
     tables(&mut out, rules);
     out
 }
 
-fn index(out: &mut String, rules: &[RuleFile]) {
-    put(out, "    /// Its place in the tables of messages.");
-    put(out, "    pub(crate) fn index(&self) -> usize {\n        match self {");
-    for (index, (_, message)) in messages(rules).enumerate() {
-        put(out, format_args!("            {} => {index},", pattern(message, &[])));
-    }
-    put(out, "        }\n    }\n");
-}
-
-fn own_alarm(out: &mut String, rules: &[RuleFile]) {
-    put(out, "    /// The alarm among its arguments.");
-    put(out, "    fn own_alarm(&self) -> Option<&'static str> {\n        match self {");
-    for (_, message) in messages(rules) {
-        if message.arguments.iter().any(|argument| argument.kind == Type::Alarm) {
-            let pattern = pattern(message, &[("alarm", "alarm")]);
-            put(out, format_args!("            {pattern} => Some(alarm),"));
+/// The type of a message, and how it becomes a [`Message`]: its values in the order of `ARGUMENTS`, then its alarm.
+fn message_type(out: &mut String, index: usize, message: &Message) {
+    let Message { name, doc, arguments, .. } = message;
+    put(out, format_args!("    /// {doc}\n    #[derive(Clone, Debug, PartialEq)]"));
+    if arguments.is_empty() {
+        put(out, format_args!("    pub struct {name};\n"));
+    } else {
+        put(out, format_args!("    pub struct {name} {{"));
+        for Argument { name, kind, doc, .. } in arguments {
+            put(out, format_args!("        /// {doc}\n        pub {name}: {},", rust_type(*kind)));
         }
+        put(out, "    }\n");
     }
-    put(out, "            _ => None,\n        }\n    }\n");
-}
-
-/// The values of the arguments: messages whose arguments have the same types share an arm.
-fn values(out: &mut String, rules: &[RuleFile]) {
-    put(out, "    /// The values its sentences quote, in the order of `ARGUMENTS`.");
-    put(out, "    fn values(&self) -> Vec<Value<'_>> {\n        match self {");
-    let mut arms: BTreeMap<Vec<Type>, Vec<String>> = BTreeMap::new();
-    for (_, message) in messages(rules) {
-        let quoted: Vec<_> = quoted(message).collect();
-        let types = quoted.iter().map(|argument| argument.kind).collect();
-        let bindings: Vec<String> = (0..quoted.len()).map(|index| format!("value{index}")).collect();
-        let names: Vec<_> = quoted
-            .iter()
-            .zip(&bindings)
-            .map(|(argument, own)| (argument.name.as_str(), own.as_str()))
-            .collect();
-        arms.entry(types).or_default().push(pattern(message, &names));
-    }
-    for (types, patterns) in arms {
-        let values: Vec<String> =
-            types.iter().enumerate().map(|(index, kind)| value(*kind, &format!("value{index}"))).collect();
-        let patterns = patterns.join("\n            | ");
-        put(out, format_args!("            {patterns} => vec![{}],", values.join(", ")));
-    }
-    put(out, "        }\n    }");
+    put(out, format_args!("    impl Said for {name} {{\n        const INDEX: u16 = {index};\n    }}\n"));
+    let alarm = message.arguments.iter().filter(|argument| argument.kind == Type::Alarm);
+    let values: Vec<String> = quoted(message)
+        .chain(alarm)
+        .map(|argument| value(argument.kind, &format!("said.{}", argument.name)))
+        .collect();
+    let said = if values.is_empty() { "_" } else { "said" };
+    put(
+        out,
+        format_args!(
+            "    impl From<{name}> for Message {{\n        #[inline(always)]\n        fn from({said}: {name}) -> Self {{"
+        ),
+    );
+    put(
+        out,
+        format_args!("            Self::of({name}::INDEX, [{}])\n        }}\n    }}\n", values.join(", ")),
+    );
 }
 
 fn tables(out: &mut String, rules: &[RuleFile]) {
@@ -138,7 +110,7 @@ fn tables(out: &mut String, rules: &[RuleFile]) {
         );
     }
     put(out, "];\n\n/// The place of the rule of each message in `RULES`.");
-    put(out, format_args!("static RULE_OF: [u16; {count}] = ["));
+    put(out, format_args!("static RULE_OF: [u8; {count}] = ["));
     for (index, rule) in rules.iter().enumerate() {
         put(out, format_args!("    {}", format!("{index}, ").repeat(rule.messages.len())));
     }
@@ -211,7 +183,7 @@ fn example_messages(rules: &[RuleFile]) -> String {
                 .collect();
             let fields =
                 if fields.is_empty() { String::new() } else { format!(" {{ {} }}", fields.join(", ")) };
-            put(&mut out, format_args!("        Message::{}{fields},", message.name));
+            put(&mut out, format_args!("        said::{}{fields}.into(),", message.name));
         }
     }
     put(&mut out, "    ]\n}");
@@ -251,22 +223,6 @@ fn quoted(message: &Message) -> impl Iterator<Item = &Argument> {
     message.arguments.iter().filter(|argument| argument.kind != Type::Alarm)
 }
 
-/// A pattern of a message that binds fields.
-fn pattern(message: &Message, bindings: &[(&str, &str)]) -> String {
-    let name = &message.name;
-    if message.arguments.is_empty() {
-        return format!("Self::{name}");
-    }
-    let bound = |(field, own): &(&str, &str)| {
-        if field == own { (*field).to_owned() } else { format!("{field}: {own}") }
-    };
-    let mut parts: Vec<String> = bindings.iter().map(bound).collect();
-    if bindings.len() < message.arguments.len() {
-        parts.push("..".to_owned());
-    }
-    format!("Self::{name} {{ {} }}", parts.join(", "))
-}
-
 fn rust_type(kind: Type) -> &'static str {
     match kind {
         Type::Letter => "char",
@@ -282,14 +238,15 @@ fn rust_type(kind: Type) -> &'static str {
 
 fn value(kind: Type, name: &str) -> String {
     match kind {
-        Type::Letter => format!("Value::Letter(*{name})"),
-        Type::Text | Type::Word | Type::Alarm => format!("Value::Text({name})"),
-        Type::Count => format!("Value::Count(i64::try_from(*{name}).unwrap_or(i64::MAX))"),
-        Type::Index => format!("Value::Count(i64::from(*{name}))"),
-        Type::Program => format!("Value::Program(*{name})"),
-        Type::Integer => format!("Value::Count(*{name})"),
-        Type::Number => format!("Value::Number(*{name})"),
-        Type::Length => format!("Value::Length(*{name})"),
+        Type::Letter => format!("Value::Letter({name})"),
+        Type::Text | Type::Word => format!("Value::Text({name}.into())"),
+        Type::Alarm => format!("Value::Alarm({name})"),
+        Type::Count => format!("Value::count({name})"),
+        Type::Index => format!("Value::Count(i64::from({name}))"),
+        Type::Program => format!("Value::Program({name})"),
+        Type::Integer => format!("Value::Count({name})"),
+        Type::Number => format!("Value::Number({name})"),
+        Type::Length => format!("Value::Length({name})"),
         Type::Diameter => format!("Value::Length({name}.mm())"),
     }
 }

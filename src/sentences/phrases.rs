@@ -57,22 +57,24 @@ impl Repair {
             Self::Delete { text } => (Phrase::Delete, text.as_str()),
             Self::Insert { text } => (Phrase::Insert, text.as_str()),
         };
-        fill(language.phrase(phrase), &vec![("text", Value::Text(text))])
+        fill(language.phrase(phrase), &vec![("text", Value::Text(text.into()))])
     }
 }
 
 /// The title of the change that writes the moves of `passes` passes as a cycle.
 pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String {
     let phrase = if passes == 1 { Phrase::AsCycle } else { Phrase::AsCyclePasses };
-    let arguments: Arguments =
-        vec![("cycle", Value::Text(code)), ("passes", Value::Count(passes.try_into().unwrap_or(i64::MAX)))];
+    let arguments: Arguments = vec![
+        ("cycle", Value::Text(code.into())),
+        ("passes", Value::Count(passes.try_into().unwrap_or(i64::MAX))),
+    ];
     fill(language.phrase(phrase), &arguments)
 }
 
 /// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.
 pub fn describe_motion(motion: &Motion, passes: Option<u32>, language: Language) -> String {
     let to = end_of(motion);
-    let mut arguments: Arguments = vec![("to", Value::Text(&to))];
+    let mut arguments: Arguments = vec![("to", Value::Text(to.into()))];
     if let Some(seconds) = motion.seconds {
         arguments.push(("seconds", Value::Number(seconds)));
         return fill(language.phrase(Phrase::DwellFor), &arguments);
@@ -81,10 +83,10 @@ pub fn describe_motion(motion: &Motion, passes: Option<u32>, language: Language)
         return fill(language.phrase(kind(motion.kind)), &arguments);
     };
     let pass = describe_pass(cycle, passes, language);
-    arguments.push(("cycle", Value::Text(cycle.cycle.code())));
-    arguments.push(("pass", Value::Text(&pass)));
-    arguments.push(("step", Value::Text(language.phrase(step(cycle.step)))));
-    arguments.push(("manner", Value::Text(language.phrase(manner(motion.kind)))));
+    arguments.push(("cycle", Value::Text(cycle.cycle.code().into())));
+    arguments.push(("pass", Value::Text(pass.into())));
+    arguments.push(("step", Value::Text(language.phrase(step(cycle.step)).into())));
+    arguments.push(("manner", Value::Text(language.phrase(manner(motion.kind)).into())));
     let whole = match cycle.step {
         Step::Cut | Step::PullOut => Phrase::CutOfCycle,
         _ => Phrase::OfCycle,

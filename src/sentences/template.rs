@@ -39,7 +39,7 @@ impl Message {
                 *value = Value::Number(*length / unit.millimetres());
             }
         }
-        arguments.push(("mm", Value::Text(labels::length(unit, language))));
+        arguments.push(("mm", Value::Text(labels::length(unit, language).into())));
         let (message, help) = match template.split_once('\n') {
             Some((message, help)) => (message, Some(fill(help, &arguments))),
             None => (template, None),
@@ -55,7 +55,7 @@ pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
     out.push_str(rest.next().unwrap_or_default());
     for part in rest {
         let value =
-            |name: &str| arguments.iter().find(|argument| argument.0 == name).map(|argument| argument.1);
+            |name: &str| arguments.iter().find(|argument| argument.0 == name).map(|argument| &argument.1);
         match part.split_once('}').and_then(|(name, behind)| Some((value(name)?, behind))) {
             Some((value, behind)) => {
                 write(value, &mut out);
@@ -70,9 +70,10 @@ pub(super) fn fill(template: &str, arguments: &Arguments) -> String {
     out
 }
 
-fn write(value: Value, out: &mut String) {
-    match value {
-        Value::Text(text) => out.push_str(text),
+fn write(value: &Value, out: &mut String) {
+    match *value {
+        Value::Text(ref text) => out.push_str(text),
+        Value::Alarm(alarm) => out.push_str(alarm),
         Value::Letter(letter) => out.push(letter),
         Value::Count(count) => out.push_str(&count.to_string()),
         // A length was converted to the unit of the program before.

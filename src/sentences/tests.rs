@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::phrases::Phrase;
 use super::{Language, Sentence, labels};
-use crate::message::{Message, Value};
+use crate::message::{Message, Value, said};
 use crate::units::{Diameter, Unit, number};
 
 include!(concat!(env!("OUT_DIR"), "/example_messages.rs"));
@@ -49,7 +49,7 @@ fn languages_quote_the_same_in_phrases() {
 #[test]
 fn what_a_message_quotes_is_not_a_template() {
     let text = "{text} {0}".to_owned();
-    let message = Message::PlainText { text }.sentence(Language::English).message;
+    let message = Message::from(said::PlainText { text }).sentence(Language::English).message;
     assert_eq!(message, "`{text} {0}` is plain text, not a block.");
 }
 
@@ -73,7 +73,7 @@ fn the_file_of_sentences_for_the_page_says_what_is_said_here() {
                 let mut text = template.replace("{mm}", unit);
                 for (name, value) in message.arguments() {
                     let shown = match (own["arguments"][name].as_str().expect(name), value) {
-                        ("text" | "word", Value::Text(text)) => text.to_owned(),
+                        ("text" | "word", Value::Text(text)) => text.into_owned(),
                         ("letter", Value::Letter(letter)) => letter.to_string(),
                         ("count" | "index" | "integer", Value::Count(count)) => count.to_string(),
                         ("program", Value::Program(program)) => format!("{program:04}"),

@@ -4,7 +4,7 @@
 //! run and a picture come of every setup.
 
 use super::{Setup, Stock, Tool};
-use crate::message::Message;
+use crate::message::{Message, said};
 use crate::units::Diameter;
 
 /// An invalid value.
@@ -23,10 +23,10 @@ impl InvalidValue {
     pub fn message(self) -> Message {
         let Self { key, value, requirement } = self;
         match requirement {
-            Requirement::Positive => Message::SetupPositive { key, value },
-            Requirement::NotNegative => Message::SetupNotNegative { key, value },
-            Requirement::Below(most) => Message::SetupBelow { key, value, most },
-            Requirement::AtMost(most) => Message::SetupAtMost { key, value, most },
+            Requirement::Positive => said::SetupPositive { key, value }.into(),
+            Requirement::NotNegative => said::SetupNotNegative { key, value }.into(),
+            Requirement::Below(most) => said::SetupBelow { key, value, most }.into(),
+            Requirement::AtMost(most) => said::SetupAtMost { key, value, most }.into(),
         }
     }
 }

@@ -23,7 +23,7 @@ use super::fields::{self, Field, Name};
 use super::invalid::InvalidValue;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
 use crate::message::levels::{self, known};
-use crate::message::{Diagnostic, Fix, Levels, Message, Severity};
+use crate::message::{Diagnostic, Fix, Levels, Severity, said};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
 use crate::units::Diameter;
@@ -130,7 +130,7 @@ impl Notes {
             let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
             let key = word.split('=').next().map_or(0, str::len) as u32;
             let told = Diagnostic::new(
-                Message::NoteWord { word, expected: fault.expected.clone().into_owned() },
+                said::NoteWord { word, expected: fault.expected.clone().into_owned() },
                 fault.span,
             );
             let key = Span { end: fault.span.start + key, ..fault.span };

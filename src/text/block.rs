@@ -2,7 +2,7 @@
 
 use super::lexer::Number;
 use crate::limits::WORDS_PER_BLOCK;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::source::Span;
 
 /// The value of a word.
@@ -101,7 +101,7 @@ impl Block {
         } else if !self.overlong {
             self.overlong = true;
             self.faults.clear();
-            self.fault(Diagnostic::new(Message::BlockTooLong { most: WORDS_PER_BLOCK }, word.span));
+            self.fault(Diagnostic::new(said::BlockTooLong { most: WORDS_PER_BLOCK }, word.span));
         }
     }
 

@@ -15,7 +15,7 @@ use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
 use super::{lost_letter, misread};
 use crate::limits::DIGITS;
-use crate::message::{Diagnostic, Fix, Message, Repair, Severity};
+use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said};
 use crate::source::Span;
 use crate::source::shift::Shift;
 
@@ -104,7 +104,7 @@ impl<'a> Parser<'a> {
                 block.faults.iter().all(|fault| !fault.is_error()) || decorates(span.of(self.lexer.text()));
             let severity = if harmless { Severity::Warning } else { Severity::Error };
             block.faults.clear();
-            let told = Diagnostic::new(Message::PlainText { text: quote }, span).graded(severity);
+            let told = Diagnostic::new(said::PlainText { text: quote }, span).graded(severity);
             block.fault(in_brackets(self.lexer.text(), told));
         }
         block.faults.truncate(FAULTS_PER_BLOCK);
@@ -115,22 +115,20 @@ impl<'a> Parser<'a> {
     fn offer_addresses(&self, block: &mut Block) {
         let Block { faults, words, .. } = block;
         for fault in faults {
-            let (number, at) = match &fault.message {
-                Message::AddressMissing { number } => (number.as_str(), fault.span.start),
+            let (number, at) = if fault.message.is::<said::AddressMissing>() {
+                (short_quote(self.lexer.text(), fault.span), fault.span.start)
+            } else if fault.message.is::<said::BlankInNumber>() {
                 // `X100 50`: the letter of the second number may be lost.
-                Message::BlankInNumber { written, .. } => {
-                    let Some(blank) = written.find([' ', '\t']) else { continue };
-                    let second = written[blank..].trim_start();
-                    (second, fault.span.end - second.len() as u32)
-                }
-                _ => continue,
+                let written = fault.span.quote(self.lexer.text());
+                let Some(blank) = written.find([' ', '\t']) else { continue };
+                let second = written[blank..].trim_start();
+                fault.fixes.push(Fix::write(fault.span, without_blanks(&written)));
+                (second.to_owned(), fault.span.end - second.len() as u32)
+            } else {
+                continue;
             };
-            if let Message::BlankInNumber { joined, .. } = &fault.message {
-                let title = Repair::Write { text: joined.clone() };
-                fault.fixes.push(Fix::replace(title, fault.span, joined).asking());
-            }
             let place = Span { start: at, end: at };
-            let letters = lost_letter::candidates(number, place, words);
+            let letters = lost_letter::candidates(&number, place, words);
             fault.fixes.extend(letters.into_iter().map(|letter| Fix::insert(at, letter.to_string())));
         }
     }
@@ -199,14 +197,14 @@ impl<'a> Parser<'a> {
             }
             TokenKind::NestedComment => {
                 block.comment(token.span);
-                block.fault(Diagnostic::new(Message::CommentNested, token.span));
+                block.fault(Diagnostic::new(said::CommentNested, token.span));
             }
             TokenKind::OpenComment => {
                 block.comment(token.span);
                 let end = Span { start: token.span.end, end: token.span.end };
                 let fix = Fix::replace(Repair::CloseComment, end, ")");
                 let opening = Span { start: token.span.start, end: token.span.start + 1 };
-                block.fault(Diagnostic::new(Message::CommentOpen, opening).with(fix));
+                block.fault(Diagnostic::new(said::CommentOpen, opening).with(fix));
             }
             TokenKind::Percent => self.percent(block, token.span),
             TokenKind::Slash => self.slash(block),
@@ -234,7 +232,7 @@ impl<'a> Parser<'a> {
                 let quote = short_quote(self.lexer.text(), token.span);
                 let harmless = decorates(token.span.of(self.lexer.text()));
                 let severity = if harmless { Severity::Warning } else { Severity::Error };
-                let message = Message::NotUnderstood { text: quote };
+                let message = said::NotUnderstood { text: quote };
                 block.fault(Diagnostic::new(message, token.span).graded(severity));
             }
         }
@@ -271,7 +269,7 @@ impl<'a> Parser<'a> {
                 Some(TokenKind::PrintedMinus) => {
                     negative = true;
                     let span = token.map_or(first, |token| token.span);
-                    let message = Message::PrintedMinus;
+                    let message = said::PrintedMinus;
                     let fix = Fix::replace(Repair::Minus, span, "-");
                     block.fault(Diagnostic::new(message, span).with(fix));
                 }
@@ -295,7 +293,7 @@ impl<'a> Parser<'a> {
             after = self.lexer.position();
         }
         self.lexer.seek(after);
-        let message = Message::NumberMissing { address: letter as char };
+        let message = said::NumberMissing { address: letter as char };
         block.fault(Diagnostic::new(message, start));
     }
 
@@ -317,7 +315,7 @@ impl<'a> Parser<'a> {
         if number.points > 1 {
             let quote = span.quote(self.lexer.text());
             let fix = without_second_point(&quote);
-            let told = Diagnostic::new(Message::SecondPoint { word: quote }, span);
+            let told = Diagnostic::new(said::SecondPoint { word: quote }, span);
             block.fault(match fix {
                 Some(text) => {
                     told.with(Fix::replace(Repair::Write { text: text.clone() }, span, &text).asking())
@@ -327,13 +325,13 @@ impl<'a> Parser<'a> {
             return;
         }
         if number.digits == 0 && number.mantissa == 0 && !self.has_digit(span) {
-            let message = Message::NumberMissing { address: letter as char };
+            let message = said::NumberMissing { address: letter as char };
             block.fault(Diagnostic::new(message, span));
             return;
         }
         if number.digits > DIGITS {
             let quote = short_quote(self.lexer.text(), span);
-            block.fault(Diagnostic::new(Message::TooManyDigits { word: quote }, span));
+            block.fault(Diagnostic::new(said::TooManyDigits { word: quote }, span));
             return;
         }
         self.store(block, letter, comma, negative, number, span);
@@ -372,12 +370,10 @@ impl<'a> Parser<'a> {
             }
         }
         let whole = Span { start: span.start, end };
-        let text = whole.of(self.lexer.text());
-        let joined: String =
-            text.iter().filter(|byte| !byte.is_ascii_whitespace()).map(|&byte| byte as char).collect();
         let written = whole.quote(self.lexer.text());
-        block.fault(Diagnostic::new(Message::BlankInNumber { written, joined }, whole));
-        (Number::read(text), whole)
+        let joined = without_blanks(&written);
+        block.fault(Diagnostic::new(said::BlankInNumber { written, joined }, whole));
+        (Number::read(whole.of(self.lexer.text())), whole)
     }
 
     /// A number without an address; `00006` at the head of a program is a misread `O0006`.
@@ -387,7 +383,7 @@ impl<'a> Parser<'a> {
             !self.begun && block.words.is_empty() && block.sequence.is_none() && block.program.is_none();
         if at_head && text.len() >= 4 && text[0] == b'0' && number.points == 0 && number.mantissa > 0 {
             let first = Span { start: span.start, end: span.start + 1 };
-            let message = Message::ZeroForO { number: span.quote(self.lexer.text()) };
+            let message = said::ZeroForO { number: span.quote(self.lexer.text()) };
             let fix = Fix::replace(Repair::LetterO, first, "O");
             block.fault(Diagnostic::new(message, first).with(fix));
             block.program = Some((number.mantissa as u32, span));
@@ -396,18 +392,18 @@ impl<'a> Parser<'a> {
         let quote = short_quote(self.lexer.text(), span);
         if !self.has_digit(span) {
             // A full stop after a remark.
-            let message = Message::NotUnderstood { text: quote };
+            let message = said::NotUnderstood { text: quote };
             block.fault(Diagnostic::new(message, span).graded(Severity::Warning));
             return;
         }
-        block.fault(Diagnostic::new(Message::AddressMissing { number: quote }, span));
+        block.fault(Diagnostic::new(said::AddressMissing { number: quote }, span));
     }
 
     /// `Z,15`: a comma where the point belongs.
     fn comma_for_point(&mut self, block: &mut Block, start: Span, comma: Span) {
         let digits = self.lexer.next_token().map_or(comma, |token| token.span);
         let span = start.to(digits);
-        let message = Message::CommaForPoint { word: span.quote(self.lexer.text()) };
+        let message = said::CommaForPoint { word: span.quote(self.lexer.text()) };
         let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
         block.fault(Diagnostic::new(message, span).with(fix));
     }
@@ -416,7 +412,7 @@ impl<'a> Parser<'a> {
     #[cold]
     fn full_width(&self, block: &mut Block, span: Span) {
         // One fault, one message; the repair of the first uncovers the next.
-        if block.faults.iter().any(|fault| matches!(fault.message, Message::FullWidth { .. })) {
+        if block.faults.iter().any(|fault| fault.message.is::<said::FullWidth>()) {
             return;
         }
         let text = self.lexer.text();
@@ -434,7 +430,7 @@ impl<'a> Parser<'a> {
         let fix = Fix::replace(title, span, &plain);
         let short = Span::new(0, plain.len());
         let (word, plain) = (short_quote(text, span), short_quote(plain.as_bytes(), short));
-        block.fault(Diagnostic::new(Message::FullWidth { word, plain }, span).with(fix));
+        block.fault(Diagnostic::new(said::FullWidth { word, plain }, span).with(fix));
     }
 
     /// `GO1`, `X2O0`, `Ｘ５０`: a word with letters where digits belong, or with full-width characters. It is
@@ -447,12 +443,12 @@ impl<'a> Parser<'a> {
         let span = Span { start, end: start + misread.len as u32 };
         let word = span.quote(text);
         let (plain, address) = (misread.plain, misread.address);
-        let message = match misread.letter {
+        let message: Message = match misread.letter {
             Some(letter) => {
                 let digit = if letter.eq_ignore_ascii_case(&b'O') { "0" } else { "1" };
-                Message::LetterForDigit { word, digit }
+                said::LetterForDigit { word, digit }.into()
             }
-            None => Message::FullWidth { word, plain: plain.clone() },
+            None => said::FullWidth { word, plain: plain.clone() }.into(),
         };
         let fix = Fix::replace(Repair::Write { text: plain.clone() }, span, &plain);
         block.fault(Diagnostic::new(message, span).with(fix));
@@ -478,13 +474,13 @@ impl<'a> Parser<'a> {
                 // `Z20,5`: the word was taken at its comma; it is this number that is broken.
                 let word = block.words.pop().map_or(comma, |word| word.span);
                 let whole = word.to(span);
-                let message = Message::CommaForPoint { word: whole.quote(self.lexer.text()) };
+                let message = said::CommaForPoint { word: whole.quote(self.lexer.text()) };
                 let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
                 block.fault(Diagnostic::new(message, whole).with(fix));
             }
             _ => {
                 self.lexer.seek(after);
-                let message = Message::NotUnderstood { text: ",".into() };
+                let message = said::NotUnderstood { text: ",".into() };
                 block.fault(Diagnostic::new(message, comma).graded(Severity::Warning));
             }
         }
@@ -499,7 +495,7 @@ impl<'a> Parser<'a> {
             self.skip_line();
             self.ended = true;
         } else {
-            block.fault(Diagnostic::new(Message::NotUnderstood { text: "%".into() }, span));
+            block.fault(Diagnostic::new(said::NotUnderstood { text: "%".into() }, span));
         }
     }
 
@@ -634,7 +630,7 @@ impl<'a> Parser<'a> {
         (block.span, block.line) = (span, line);
         let remark = trimmed(text, span);
         block.comment(remark);
-        let told = Diagnostic::new(Message::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
+        let told = Diagnostic::new(said::TextAfterSemicolon { text: short_quote(text, remark) }, remark);
         block.fault(in_brackets(text, told));
     }
 
@@ -767,6 +763,10 @@ fn trimmed(text: &[u8], span: Span) -> Span {
 
 /// Longest quotation of the program in a message, in characters.
 const QUOTE_LENGTH: usize = 40;
+
+fn without_blanks(written: &str) -> String {
+    written.chars().filter(|letter| !letter.is_ascii_whitespace()).collect()
+}
 
 fn short_quote(text: &[u8], span: Span) -> String {
     let end = span.end.min(span.start + 4 * QUOTE_LENGTH as u32);

@@ -2,7 +2,7 @@
 //! looks like it and is reported.
 
 use gcode_playground::analyze;
-use gcode_playground::message::{Message, Severity};
+use gcode_playground::message::{Severity, said};
 use gcode_playground::setup::Setup;
 
 /// The slugs of what is reported with at least this severity.
@@ -341,7 +341,7 @@ fn g96_has_no_speed_of_its_own() {
         "O0001\nG21 G40 G99\nT0101\nG97 S250 M03\nG00 X28 Z2\nG96\nG01 Z-40 F0.2\nX34\nG00 X150 Z150\nM30\n";
     let analysis = analyze(program.as_bytes(), &Setup::default());
     let told = analysis.diagnostics.iter().find(|told| told.message.slug() == "speed-missing").expect("told");
-    assert_eq!(told.message, Message::SurfaceSpeedMissing);
+    assert_eq!(told.message, said::SurfaceSpeedMissing.into());
     check(&program.replace("G96\n", "G50 S2000\nG96 S120\n"), &[]);
 }
 

@@ -11,7 +11,7 @@ use crate::control::doubt::Doubt;
 use crate::control::events::Event;
 use crate::control::modal::{CycleMemory, Once};
 use crate::control::words::{Words, letters, plain, quote};
-use crate::message::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Message, Severity, said};
 use crate::motion::{MotionKind, SpindleTurn};
 use crate::text::block::{Block, BlockKind, Word};
 
@@ -200,7 +200,7 @@ impl Interpreter {
                 self.settle_angle();
                 if let Some(index) = request.comma.into_iter().flatten().next() {
                     let span = block.words[index].span;
-                    self.report(Diagnostic::new(Message::CornerNoLine { word: quote(text, span) }, span));
+                    self.report(Diagnostic::new(said::CornerNoLine { word: quote(text, span) }, span));
                     request.drop = true;
                     return;
                 }
@@ -250,9 +250,9 @@ impl Interpreter {
             let taken = one_shot == OneShot::Setting && !self.dialect.strict;
             let only_speed = taken && !words.has_any(letters(b"XZUW"));
             let word_text = quote(text, word.span);
-            let message = match only_speed {
-                true => Message::ToolWithHighestSpeed { word: word_text },
-                false => Message::ToolWithSetting { word: word_text },
+            let message: Message = match only_speed {
+                true => said::ToolWithHighestSpeed { word: word_text }.into(),
+                false => said::ToolWithSetting { word: word_text }.into(),
             };
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(match (taken, only_speed) {
@@ -333,5 +333,5 @@ fn without_optional(block: &Block) -> Block {
 }
 
 fn is_prose(fault: &Diagnostic) -> bool {
-    matches!(fault.message, Message::PlainText { .. })
+    fault.message.is::<said::PlainText>()
 }

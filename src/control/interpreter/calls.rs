@@ -6,7 +6,7 @@ use super::{Flow, Interpreter};
 use crate::control::modal::State;
 use crate::control::program::{Call, CallKind, program_and_repeats};
 use crate::control::words::{Words, plain};
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, Message, said};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::Resume;
@@ -97,7 +97,7 @@ impl Interpreter {
                 let named = words.get(b'P').and_then(plain).filter(|&number| number >= 1.0);
                 let Some(named) = named.map(|number| number as u64) else {
                     let code = if call_code == CallCode::Call { "M98" } else { "M97" };
-                    self.report(Diagnostic::new(Message::CallNoNumber { code }, block.words_span()));
+                    self.report(Diagnostic::new(said::CallNoNumber { code }, block.words_span()));
                     self.lose_program();
                     return Flow::Next;
                 };
@@ -118,7 +118,7 @@ impl Interpreter {
                 } else {
                     let (Some(head), packed) = self.subprogram(text, named) else {
                         let word = words.quote(text, b'P');
-                        self.report(Diagnostic::new(Message::ProgramNotFound { word }, words.span(b'P')));
+                        self.report(Diagnostic::new(said::ProgramNotFound { word }, words.span(b'P')));
                         self.lose_program();
                         return Flow::Next;
                     };
@@ -176,7 +176,7 @@ impl Interpreter {
         if depth >= most {
             let alarm = if kind == CallKind::Macro { "PS0122" } else { "PS0077" };
             // The control stops here; going on would only call again.
-            self.sink.end(Message::CallTooDeep { most, alarm }, block.words_span());
+            self.sink.end(said::CallTooDeep { most, alarm }.into(), block.words_span());
             return Flow::End;
         }
         let caller = block.span.start;
@@ -227,7 +227,7 @@ impl Interpreter {
     /// The end of a subprogram was passed without M99: a control stops; here the caller goes on.
     pub fn run_out(&mut self, span: Span) -> Option<Resume> {
         let back = self.state.call_stack.calls.last()?.back;
-        self.report(Diagnostic::new(Message::NoReturn, span));
+        self.report(Diagnostic::new(said::NoReturn, span));
         self.leave_call();
         Some(back)
     }
@@ -247,7 +247,7 @@ impl Interpreter {
     }
 
     fn sequence_not_found(&mut self, sequence: u32, span: Span) {
-        self.report(Diagnostic::new(Message::SequenceNotFound { sequence }, span));
+        self.report(Diagnostic::new(said::SequenceNotFound { sequence }, span));
         self.lose_program();
     }
 
@@ -272,7 +272,7 @@ impl Interpreter {
             let last = self.state.last_round.take();
             let last = last.unwrap_or_else(|| Box::new(State::new(&self.setup, &self.dialect)));
             if !self.state.may_differ_from(&last) {
-                self.report_always(Diagnostic::new(Message::EndlessMain, block.words_span()));
+                self.report_always(Diagnostic::new(said::EndlessMain, block.words_span()));
                 return Flow::End;
             }
             self.state.last_round = Some(Box::new(self.state.clone()));

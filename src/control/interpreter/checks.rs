@@ -8,7 +8,7 @@ use crate::control::contour::Purpose;
 use crate::control::events::Event;
 use crate::control::modal::Once;
 use crate::control::words::{Words, letters, quote};
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::setup::dialect::Control;
 use crate::text::block::{Block, Value, Word};
 
@@ -35,7 +35,7 @@ impl Interpreter {
             }
             Some(_) => {
                 if self.state.reported.first(Once::FeedZero) {
-                    self.report(Diagnostic::new(Message::FeedMissing, block.words_span()));
+                    self.report(Diagnostic::new(said::FeedMissing, block.words_span()));
                 }
                 request.drop = true;
                 false
@@ -51,7 +51,7 @@ impl Interpreter {
         let strict = self.dialect.strict;
         if strict || self.state.reported.first(Once::NoFeed) {
             let severity = if strict { Severity::Error } else { Severity::Warning };
-            self.report(Diagnostic::new(Message::FeedMissing, block.words_span()).graded(severity));
+            self.report(Diagnostic::new(said::FeedMissing, block.words_span()).graded(severity));
             request.drop = true;
         } else {
             self.observe(text, Event::CutWithoutFeed { block });
@@ -70,7 +70,7 @@ impl Interpreter {
         let whole = !matches!(word.value, Value::Number { number, .. } if number.has_point());
         if !whole {
             let diagnostic =
-                Diagnostic::new(Message::PointNotAllowed { word: quote(text, word.span) }, word.span);
+                Diagnostic::new(said::PointNotAllowed { word: quote(text, word.span) }, word.span);
             let fix = without_point(text, word);
             self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
         }

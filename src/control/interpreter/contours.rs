@@ -14,7 +14,7 @@ use crate::control::words::{Words, plain, quote};
 use crate::cycles::{Approach, Contour, Piece};
 use crate::geometry::Point;
 use crate::limits::BYTES_PER_STEP;
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::MotionKind;
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value};
@@ -99,7 +99,7 @@ impl Interpreter {
             }
         }
         if let Some(address) = [b'X', b'Z'].into_iter().find(|&address| words.get(address).is_some()) {
-            let message = Message::CycleWord { code, word: words.quote(text, address) };
+            let message = said::CycleWord { code, word: words.quote(text, address) };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
             self.report(Diagnostic::new(message, words.span(address)).graded(severity));
             if severity == Severity::Error {
@@ -107,14 +107,14 @@ impl Interpreter {
             }
         }
         if self.state.plane != Plane::Zx {
-            let message = Message::CyclePlane { code, alarm: "PS0327" };
+            let message = said::CyclePlane { code, alarm: "PS0327" };
             let span = block.words_span();
             self.report(Diagnostic::new(message, span).with(Fix::insert(span.start, "G18 ".to_owned())));
             return None;
         }
         let named = |address: u8| words.get(address).and_then(plain).map(|number| number as u32);
         let (Some(first), Some(last)) = (named(b'P'), named(b'Q')) else {
-            self.report(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+            self.report(Diagnostic::new(said::ContourNotNamed { code }, block.words_span()));
             return None;
         };
         self.observe(text, Event::ContourNamed { purpose, named: (first, last) });
@@ -125,7 +125,7 @@ impl Interpreter {
         };
         let Some(begins) = roughed.or_else(|| self.program.labels(text).find(first, block.span.start)) else {
             let word = words.quote(text, b'P');
-            let diagnostic = Diagnostic::new(Message::ContourNotFound { word }, words.span(b'P'));
+            let diagnostic = Diagnostic::new(said::ContourNotFound { word }, words.span(b'P'));
             let fix = self
                 .sink
                 .may_offer(&diagnostic)
@@ -136,11 +136,11 @@ impl Interpreter {
         };
         if !self.program.labels(text).is_at_or_behind(last, begins.byte) {
             let word = words.quote(text, b'Q');
-            let message = match self.program.labels(text).find(last, block.span.start) {
-                Some(_) => Message::ContourReversed { first, word },
-                None => Message::ContourNotFound { word },
+            let message: Message = match self.program.labels(text).find(last, block.span.start) {
+                Some(_) => said::ContourReversed { first, word }.into(),
+                None => said::ContourNotFound { word }.into(),
             };
-            let is_missing = matches!(message, Message::ContourNotFound { .. });
+            let is_missing = message.is::<said::ContourNotFound>();
             let diagnostic = Diagnostic::new(message, words.span(b'Q'));
             let may_offer = is_missing && self.sink.may_offer(&diagnostic);
             let fix = may_offer.then(|| number_missing(text, begins.byte, last, true)).flatten();
@@ -158,7 +158,7 @@ impl Interpreter {
                     .filter(|next| Some(*next) != again && next.byte > begins.byte),
             };
             if let Some(other) = other.filter(|_| purpose == Purpose::Roughing) {
-                let message = Message::DuplicateSequence { sequence: number, line: other.line + 1 };
+                let message = said::DuplicateSequence { sequence: number, line: other.line + 1 };
                 self.report(Diagnostic::new(message, words.span(address)));
             }
         }
@@ -192,7 +192,7 @@ impl Interpreter {
                 None
             }
             Ok((.., ends)) if moves.len() > most => {
-                self.report(Diagnostic::new(Message::TooManyPasses { code, most }, block.words_span()));
+                self.report(Diagnostic::new(said::TooManyPasses { code, most }, block.words_span()));
                 self.go_on_behind(block, begins.byte, ends);
                 None
             }
@@ -234,7 +234,7 @@ impl Interpreter {
             Err(ShapeError::OtherOperation) => None,
             Err(ShapeError::NotFound) => {
                 let word = words.quote(text, b'Q');
-                self.report(Diagnostic::new(Message::ContourNotFound { word }, words.span(b'Q')));
+                self.report(Diagnostic::new(said::ContourNotFound { word }, words.span(b'Q')));
                 None
             }
         }
@@ -291,7 +291,7 @@ impl Interpreter {
                 InContour::Forbidden => sound = false,
                 InContour::OtherOperation(word) => {
                     let line = block.line + 1;
-                    let message = Message::ContourReachesOver { code, word, line };
+                    let message = said::ContourReachesOver { code, word, line };
                     self.report(Diagnostic::new(message, cycle.words_span()));
                     return Err(ShapeError::OtherOperation);
                 }
@@ -302,7 +302,7 @@ impl Interpreter {
             if block.kind == BlockKind::Macro && matches!(flow, Flow::Jump(_)) {
                 let span = block.words_span();
                 let word = shortened(&span.quote(text));
-                self.report(Diagnostic::new(Message::ContourIllegal { word }, span));
+                self.report(Diagnostic::new(said::ContourIllegal { word }, span));
                 sound = false;
             }
             sound &= !self.refused;
@@ -312,7 +312,7 @@ impl Interpreter {
                 let moved = self.contours.recorded.as_ref().map_or(0, Vec::len) > moves;
                 // One fault, one message.
                 if sound && (!straight || (!moved && !named.x && !named.z)) {
-                    self.report(Diagnostic::new(Message::ContourFirstBlock { code }, block.words_span()));
+                    self.report(Diagnostic::new(said::ContourFirstBlock { code }, block.words_span()));
                     sound = false;
                 }
             }
@@ -338,7 +338,7 @@ impl Interpreter {
         self.state.tip = None;
         match waits {
             Some((word, span, alarm)) => {
-                self.report(Diagnostic::new(Message::ContourOpenEnd { word, alarm }, span));
+                self.report(Diagnostic::new(said::ContourOpenEnd { word, alarm }, span));
                 false
             }
             None => true,
@@ -381,10 +381,10 @@ impl Interpreter {
         for word in &block.words {
             let Value::Number { number, .. } = word.value else { continue };
             let quoted = || quote(text, word.span);
-            let illegal = |severity| (Message::ContourIllegal { word: quoted() }, severity);
-            let (message, severity) = match word.address {
+            let illegal = |severity| (said::ContourIllegal { word: quoted() }.into(), severity);
+            let (message, severity): (Message, Severity) = match word.address {
                 b'M' => match number.mantissa {
-                    98 | 99 => (Message::ContourCall { word: quoted() }, Severity::Error),
+                    98 | 99 => (said::ContourCall { word: quoted() }.into(), Severity::Error),
                     // The program would end in the middle of the cycle.
                     2 | 30 => illegal(Severity::Error),
                     _ => continue,
@@ -404,12 +404,14 @@ impl Interpreter {
                             | G::ConstantSpeed
                             | G::Feed(_),
                         ) => continue,
-                        Some(G::MacroCall(_)) => (Message::ContourCall { word: quoted() }, Severity::Error),
+                        Some(G::MacroCall(_)) => {
+                            (said::ContourCall { word: quoted() }.into(), Severity::Error)
+                        }
                         // G70 repeats blocks: some use it to drill a hole again.
                         Some(G::Hole(_) | G::NoHole)
                             if skips && self.contours.purpose == Some(Purpose::Finishing) =>
                         {
-                            let message = Message::ContourIllegal { word: quoted() };
+                            let message = said::ContourIllegal { word: quoted() };
                             self.report(Diagnostic::new(message, word.span).graded(Severity::Warning));
                             continue;
                         }

@@ -13,7 +13,7 @@ use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::cycles::drilling::{self, Exit};
 use crate::cycles::units;
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::{CycleStep, Feed, Motion, MotionKind, SpindleTurn, Step};
 use crate::parts::{Part, in_part};
 use crate::setup::dialect::{Control, FeedMode, GSystem};
@@ -40,7 +40,7 @@ impl Interpreter {
     pub(super) fn enter_hole(&mut self, kind: Hole, span: Span) {
         if matches!(kind, Hole::G81 | Hole::G82 | Hole::G86) && self.dialect.g_system == GSystem::A {
             let code = kind.code();
-            self.report(Diagnostic::new(Message::HoleOfOthers { code }, span));
+            self.report(Diagnostic::new(said::HoleOfOthers { code }, span));
         }
         if self.state.hole.is_none() {
             self.state.reported.forget(Once::HoleInForce);
@@ -77,7 +77,7 @@ impl Interpreter {
         let word = block.words.iter().rev().find(|word| word.address == b'G');
         let span = word.map_or_else(|| block.words_span(), |word| word.span);
         let (word, hole) = (quote(text, span), hole.kind.code());
-        let diagnostic = Diagnostic::new(Message::HoleInForce { word, hole, alarm }, span).graded(severity);
+        let diagnostic = Diagnostic::new(said::HoleInForce { word, hole, alarm }, span).graded(severity);
         self.report(diagnostic.with(Fix::insert(block.span.start, "G80\n".to_owned())));
         lenient
     }
@@ -129,7 +129,7 @@ impl Interpreter {
             Target::Incremental(way) => r_level + way,
             Target::Stay => {
                 let code = kind.code();
-                self.report(Diagnostic::new(Message::HoleNoDepth { code }, block.words_span()));
+                self.report(Diagnostic::new(said::HoleNoDepth { code }, block.words_span()));
                 request.drop = true;
                 return;
             }
@@ -144,7 +144,7 @@ impl Interpreter {
             };
             memory.peck = q.map(f64::abs).filter(|&q| q > 0.0);
             if memory.peck.is_none() && kind.is_drill() {
-                let message = Message::PeckZero { word: words.quote(text, b'Q') };
+                let message = said::PeckZero { word: words.quote(text, b'Q') };
                 self.report(Diagnostic::new(message, words.span(b'Q')));
                 request.drop = true;
                 return;

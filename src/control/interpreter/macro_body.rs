@@ -11,7 +11,7 @@ use super::{Flow, Interpreter};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::macros::{self, Knowledge};
 use crate::control::words::plain;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::text::block::Block;
 use crate::text::parser::Parser;
 
@@ -25,7 +25,7 @@ impl Interpreter {
             return;
         }
         self.state.variables.lack_arguments();
-        self.report(Diagnostic::new(Message::ArgumentsUnknown { variable }, block.words_span()));
+        self.report(Diagnostic::new(said::ArgumentsUnknown { variable }, block.words_span()));
         self.lose(Doubts::of(&[Doubt::Values]));
     }
 

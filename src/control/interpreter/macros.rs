@@ -12,7 +12,7 @@ use crate::control::macros::{self, Action, Knowledge, Locals, MacroError, MacroE
 use crate::control::program::{CallKind, Loop, ModalCall, Rounds};
 use crate::control::words::{plain, quote};
 use crate::limits::LOOPS;
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, said};
 use crate::parts::{Part, in_part};
 use crate::setup::dialect::Control;
 use crate::source::Span;
@@ -102,7 +102,7 @@ impl Interpreter {
                 let (words, span) = (shortened(&words.quote(text)), Span { end: end.min(span.end), ..span });
                 // What a control shows.
                 let number = number.saturating_add(3000);
-                self.report_always(Diagnostic::new(Message::MacroAlarm { number, words }, span));
+                self.report_always(Diagnostic::new(said::MacroAlarm { number, words }, span));
                 Flow::End
             }
             Action::While { number, enter: true } | Action::Do { number } => {
@@ -371,7 +371,7 @@ impl Interpreter {
                 continue;
             }
             if matches!(word.address, b'N' | b'O') && !handed_over {
-                let message = Message::NumberFromVariable { word: quote(text, word.span) };
+                let message = said::NumberFromVariable { word: quote(text, word.span) };
                 self.report(Diagnostic::new(message, word.span));
                 return None;
             }
@@ -417,7 +417,7 @@ impl Interpreter {
                 Some(number) => Some((Some(number), value < 0.0)),
                 None => {
                     let (word, word_span) = (quote(text, word.span), word.span);
-                    self.report(Diagnostic::new(Message::TooManyDigits { word }, word_span));
+                    self.report(Diagnostic::new(said::TooManyDigits { word }, word_span));
                     None
                 }
             },
@@ -452,7 +452,7 @@ impl Interpreter {
         let value = |word: &&Word| plain(word);
         let find = |address: u8| block.words.iter().find(|word| word.address == address);
         let Some(number) = find(b'P').as_ref().and_then(value).filter(|&number| number >= 1.0) else {
-            self.report(Diagnostic::new(Message::CallNoNumber { code: call.code() }, block.words_span()));
+            self.report(Diagnostic::new(said::CallNoNumber { code: call.code() }, block.words_span()));
             self.lose_program();
             return Flow::Next;
         };
@@ -477,7 +477,7 @@ impl Interpreter {
         let Some(head) = head else {
             let word = find(b'P').map_or(String::new(), |word| quote(text, word.span));
             let span = find(b'P').map_or(block.words_span(), |word| word.span);
-            self.report(Diagnostic::new(Message::ProgramNotFound { word }, span));
+            self.report(Diagnostic::new(said::ProgramNotFound { word }, span));
             self.lose_program();
             return Flow::Next;
         };

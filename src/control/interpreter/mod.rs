@@ -41,7 +41,7 @@ use super::modal::State;
 use super::program::Program;
 use super::sink::Sink;
 use super::words::{Reading, letters, quote};
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::motion::{Chunk, Motions};
 use crate::parts::Part;
 use crate::setup::Setup;
@@ -273,7 +273,7 @@ impl Interpreter {
     /// Reports that a word is recognised and not carried out here.
     fn not_supported(&mut self, text: &[u8], span: Span) {
         let what = format!("`{}`", shortened(&quote(text, span)));
-        self.report(Diagnostic::new(Message::NotSupported { what }, span));
+        self.report(Diagnostic::new(said::NotSupported { what }, span));
     }
 
     /// The switches of the control.

@@ -14,7 +14,7 @@ use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
 use crate::geometry::{Point, SAME, Turn};
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{Motion, MotionKind};
 use crate::setup::dialect::{Control, DecimalRule, IInG92, NegativeArcR, XuConflict};
 use crate::text::block::{Block, Value, Word};
@@ -67,8 +67,7 @@ impl Interpreter {
         if !absolute_counts {
             fixes.reverse();
         }
-        let diagnostic =
-            Diagnostic::new(Message::AbsoluteAndIncremental { absolute, incremental, used }, span);
+        let diagnostic = Diagnostic::new(said::AbsoluteAndIncremental { absolute, incremental, used }, span);
         self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
         if absolute_counts { Target::Absolute(value(a)) } else { Target::Incremental(value(i)) }
     }
@@ -100,7 +99,7 @@ impl Interpreter {
             return;
         }
         if self.state.reported.first(Once::AxisNotHere) {
-            let message = Message::AxisNotHere { word: quote(text, word.span) };
+            let message = said::AxisNotHere { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span));
         }
         self.lose(Doubts::of(&[Doubt::Y]));
@@ -139,7 +138,7 @@ impl Interpreter {
         if let Some(angle) =
             angle.as_ref().filter(|_| self.state.plane != Plane::Zx || self.state.virtual_plane.is_some())
         {
-            let message = Message::CyclePlane { code: ",A", alarm: "PS0212" };
+            let message = said::CyclePlane { code: ",A", alarm: "PS0212" };
             self.report(Diagnostic::new(message, angle.span));
             request.drop = true;
             return;
@@ -159,7 +158,7 @@ impl Interpreter {
                     Ok(to) => to,
                     Err(fault) => {
                         let alarm = fault.alarm().unwrap_or("PS0057");
-                        let message = Message::AngleNoPoint { word: angle.word, alarm };
+                        let message = said::AngleNoPoint { word: angle.word, alarm };
                         self.report(Diagnostic::new(message, angle.span));
                         request.drop = true;
                         return;
@@ -225,12 +224,12 @@ impl Interpreter {
         let Some((word, letter, corner)) = found.next() else { return Ok(None) };
         let quoted = quote(text, word.span);
         if let Some((other, ..)) = found.next() {
-            let message = Message::CornerTwice { word: quoted, other: quote(text, other.span) };
+            let message = said::CornerTwice { word: quoted, other: quote(text, other.span) };
             self.report(Diagnostic::new(message, word.span));
             return Err(());
         }
         if request.switches_compensation {
-            self.report(Diagnostic::new(Message::CornerWithCompensation { word: quoted }, word.span));
+            self.report(Diagnostic::new(said::CornerWithCompensation { word: quoted }, word.span));
             return Err(());
         }
         let Some(value) = self.reading().length(word).filter(|&value| value != 0.0) else { return Ok(None) };
@@ -248,7 +247,7 @@ impl Interpreter {
         let comma = request.comma.into_iter().flatten().next().map(|index| &block.words[index]);
         let plain_word = [b'C', b'R'].into_iter().find_map(|address| words.get(address));
         let Some(word) = comma.or(plain_word.filter(|_| !self.state.c_axis)) else { return true };
-        let message = Message::CornerInThread { word: quote(text, word.span) };
+        let message = said::CornerInThread { word: quote(text, word.span) };
         self.report(Diagnostic::new(message, word.span).with(Fix::delete(text, word.span)));
         false
     }
@@ -265,7 +264,7 @@ impl Interpreter {
         if self.state.plane != Plane::Zx && surface.is_none() {
             if self.state.reported.first(Once::PlaneNotHere) {
                 let word = if self.state.plane == Plane::Xy { "G17" } else { "G19" };
-                self.report(Diagnostic::new(Message::PlaneNotHere { word }, block.words_span()));
+                self.report(Diagnostic::new(said::PlaneNotHere { word }, block.words_span()));
             }
             request.drop = true;
             return;
@@ -281,7 +280,7 @@ impl Interpreter {
                 if let Some(address) = [b'I', b'J', b'K'].into_iter().find(|&word| words.get(word).is_some())
                 {
                     let word = words.quote(text, address);
-                    self.report(Diagnostic::new(Message::CylinderForbidden { word }, words.span(address)));
+                    self.report(Diagnostic::new(said::CylinderForbidden { word }, words.span(address)));
                     request.drop = true;
                     return;
                 }
@@ -297,9 +296,7 @@ impl Interpreter {
             (None, None, None) => {
                 let alarm = self.dialect.strict || self.dialect.control == Control::Gsk;
                 let severity = if alarm { Severity::Error } else { Severity::Warning };
-                self.report(
-                    Diagnostic::new(Message::ArcNoCenter { code }, block.words_span()).graded(severity),
-                );
+                self.report(Diagnostic::new(said::ArcNoCenter { code }, block.words_span()).graded(severity));
                 if alarm {
                     request.drop = true;
                 } else {
@@ -316,7 +313,7 @@ impl Interpreter {
         {
             let (span, word) = (words.span(b'R'), words.quote(text, b'R'));
             let fix = Fix::write(span, words::with_other_sign(&word));
-            self.report(Diagnostic::new(Message::ArcRadiusNegative { word }, span).with(fix));
+            self.report(Diagnostic::new(said::ArcRadiusNegative { word }, span).with(fix));
             request.drop = true;
             return;
         }
@@ -328,7 +325,7 @@ impl Interpreter {
             let span = words.span(b'R');
             let fix =
                 Fix::write(span, format!("R{}", words::behind_letter(&word).trim_start_matches([' ', '-'])));
-            self.report(Diagnostic::new(Message::ArcOverHalf { word }, span).with(fix));
+            self.report(Diagnostic::new(said::ArcOverHalf { word }, span).with(fix));
         }
         let (up, right) = self.plane_targets(text, words);
         let to = Point::new(up.from(self.state.position.x), right.from(self.state.position.z));
@@ -355,16 +352,16 @@ impl Interpreter {
             }
             // It goes along Y, which was reported.
             Ok(None) if words.has_any(letters(b"YV")) => {}
-            Ok(None) => self.report(Diagnostic::new(Message::ArcNowhere, block.words_span())),
+            Ok(None) => self.report(Diagnostic::new(said::ArcNowhere, block.words_span())),
             Err(fault) => {
-                let message = match fault {
+                let message: Message = match fault {
                     arcs::ArcError::RadiusTooSmall { distance } => {
                         let word = words.quote(text, b'R');
-                        Message::ArcRadiusTooSmall { word, distance, least: distance / 2.0 }
+                        said::ArcRadiusTooSmall { word, distance, least: distance / 2.0 }.into()
                     }
-                    arcs::ArcError::EndOffCircle { start_radius: 0.0, .. } => Message::ArcNoRadius,
+                    arcs::ArcError::EndOffCircle { start_radius: 0.0, .. } => said::ArcNoRadius.into(),
                     arcs::ArcError::EndOffCircle { start_radius, end_radius } => {
-                        Message::ArcEndOffCircle { start_radius, end_radius }
+                        said::ArcEndOffCircle { start_radius, end_radius }.into()
                     }
                 };
                 self.report(Diagnostic::new(message, block.words_span()));
@@ -408,7 +405,7 @@ impl Interpreter {
                 if let Some(reached) = reached.filter(|&reached| reached <= length + SAME) {
                     // As people measure it.
                     let reached = (100.0 * reached).round() / 100.0;
-                    let message = Message::LeadRunsOut { word: words.quote(text, b'K'), reached, length };
+                    let message = said::LeadRunsOut { word: words.quote(text, b'K'), reached, length };
                     self.report(Diagnostic::new(message, words.span(b'K')));
                     request.drop = true;
                     return;
@@ -445,7 +442,7 @@ impl Interpreter {
         let by_inch = self.state.threads_per_inch.map(|threads| 25.4 / threads);
         let lead = by_e.or(by_inch).or(self.state.feed).filter(|&lead| lead > 0.0);
         match lead {
-            None => self.report(Diagnostic::new(Message::LeadMissing { code }, block.words_span())),
+            None => self.report(Diagnostic::new(said::LeadMissing { code }, block.words_span())),
             Some(feed) if by_e.is_none() && by_inch.is_none() => {
                 self.observe(text, Event::LeadOfFeed { block, code, feed });
             }

@@ -17,7 +17,7 @@ use crate::cycles::pattern::{self, Pattern};
 use crate::cycles::roughing::{self, Direction, Roughing};
 use crate::cycles::{Contour, Move};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{Cycle, CycleStep, Motion, MotionKind, Step};
 use crate::setup::dialect::{Control, G71Retract, G73Intervals};
 use crate::text::block::{Block, Value, Word};
@@ -98,19 +98,19 @@ impl Interpreter {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
-                let message = Message::CycleWord { code, word };
+                let message = said::CycleWord { code, word };
                 self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 self.state.parameters.depth = Some(0.0);
                 return None;
             }
             if !words.has_any(letters(b"UWR")) {
-                self.report(Diagnostic::new(Message::ContourNotNamed { code }, block.words_span()));
+                self.report(Diagnostic::new(said::ContourNotNamed { code }, block.words_span()));
                 return None;
             }
             if let Some(depth) = length(depth_word) {
                 self.state.parameters.depth = Some(depth);
                 if depth <= 0.0 {
-                    let message = Message::DepthNotPositive { code, depth };
+                    let message = said::DepthNotPositive { code, depth };
                     let diagnostic = Diagnostic::new(message, words.span(depth_word));
                     let word = words.quote(text, depth_word);
                     let fix = (depth < 0.0)
@@ -127,7 +127,7 @@ impl Interpreter {
                     words.span(other_word),
                     format!("{}{}", depth_word as char, words::behind_letter(&word)),
                 );
-                let message = Message::DepthMissing { code };
+                let message = said::DepthMissing { code };
                 self.report(Diagnostic::new(message, words.span(other_word)).with(fix));
                 self.state.parameters.depth = Some(0.0);
                 return None;
@@ -136,7 +136,7 @@ impl Interpreter {
                 self.state.parameters.escape = escape.abs();
                 let depth = self.state.parameters.depth.unwrap_or(f64::INFINITY);
                 if escape.abs() > depth {
-                    let message = Message::EscapeTooLarge { word: words.quote(text, b'R'), depth };
+                    let message = said::EscapeTooLarge { word: words.quote(text, b'R'), depth };
                     self.report(Diagnostic::new(message, words.span(b'R')));
                 }
             }
@@ -152,12 +152,12 @@ impl Interpreter {
             // A depth that is wrong in the first block was reported there.
             if let Some(word) = words.get(b'D') {
                 let depth = plain(word).map(|depth| depth * self.state.unit.millimetres());
-                let message = depth.map_or(Message::DepthMissing { code }, |depth| {
-                    Message::DepthNotPositive { code, depth }
+                let message: Message = depth.map_or(said::DepthMissing { code }.into(), |depth| {
+                    said::DepthNotPositive { code, depth }.into()
                 });
                 self.report(Diagnostic::new(message, word.span));
             } else if depth.is_none() {
-                self.report(Diagnostic::new(Message::DepthMissing { code }, block.words_span()));
+                self.report(Diagnostic::new(said::DepthMissing { code }, block.words_span()));
             }
             return None;
         };
@@ -228,7 +228,7 @@ impl Interpreter {
             moves = roughing::rough(contour, &how, most);
         }
         if how.shape == roughing::Shape::Pockets && !self.dialect.type_ii {
-            self.report(Diagnostic::new(Message::ContourTypeTwo { code }, block.words_span()));
+            self.report(Diagnostic::new(said::ContourTypeTwo { code }, block.words_span()));
             return None;
         }
         let fault = match moves {
@@ -279,7 +279,7 @@ impl Interpreter {
                 let own = if address == b'X' { 'U' } else { 'W' };
                 let word = words.quote(text, address);
                 let fix = Fix::write(words.span(address), format!("{own}{}", words::behind_letter(&word)));
-                let message = Message::CycleWord { code: "G73", word };
+                let message = said::CycleWord { code: "G73", word };
                 self.report(Diagnostic::new(message, words.span(address)).with(fix));
                 return None;
             }
@@ -333,8 +333,8 @@ impl Interpreter {
         match passes {
             Some(passes) if passes >= 1.0 => Some(passes as u32),
             _ => {
-                let message =
-                    passes.map_or(Message::PatternNoPasses, |passes| Message::PatternPasses { passes });
+                let message: Message = passes
+                    .map_or(said::PatternNoPasses.into(), |passes| said::PatternPasses { passes }.into());
                 self.report(Diagnostic::new(message, words.span(address)));
                 None
             }
@@ -369,9 +369,9 @@ impl Interpreter {
             return;
         }
         if most < self.setup.limits.moves_per_cycle {
-            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, span);
+            self.sink.end(said::TooManyMotions { most: self.setup.limits.motions }.into(), span);
         } else {
-            self.report(Diagnostic::new(Message::TooManyPasses { code, most }, span));
+            self.report(Diagnostic::new(said::TooManyPasses { code, most }, span));
         }
     }
 
@@ -423,13 +423,13 @@ fn contour_message(
     let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
     let turns_back = |axis, piece| {
         let alarm = if axis == 'Z' { "PS0064" } else { "PS0329" };
-        Message::ContourTurnsBack { code, axis, line: shape.line_of(piece), alarm }
+        said::ContourTurnsBack { code, axis, line: shape.line_of(piece), alarm }.into()
     };
     Some(match fault {
         roughing::RoughingError::NotMonotoneAlong { piece } => turns_back(along, piece),
         roughing::RoughingError::NotMonotoneAcross { piece } => turns_back(across, piece),
-        roughing::RoughingError::BeyondStart { .. } => Message::ContourBeyondStart { code, axis: across },
-        roughing::RoughingError::NothingToCut => Message::ContourNothingToCut { code },
+        roughing::RoughingError::BeyondStart { .. } => said::ContourBeyondStart { code, axis: across }.into(),
+        roughing::RoughingError::NothingToCut => said::ContourNothingToCut { code }.into(),
         roughing::RoughingError::TooManyMoves => return None,
     })
 }

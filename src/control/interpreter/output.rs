@@ -5,7 +5,7 @@
 use super::Interpreter;
 use crate::control::modal::PathMove;
 use crate::geometry::Point;
-use crate::message::Message;
+use crate::message::said;
 use crate::motion::{Motion, MotionKind, Stop, StopKind};
 use crate::text::block::Block;
 
@@ -84,7 +84,7 @@ impl Interpreter {
     #[inline]
     fn store(&mut self, mut path_move: PathMove) {
         if !self.sink.has_room() {
-            self.sink.end(Message::TooManyMotions { most: self.setup.limits.motions }, path_move.span);
+            self.sink.end(said::TooManyMotions { most: self.setup.limits.motions }.into(), path_move.span);
             return;
         }
         // A block after that of a motion that waited may have failed.

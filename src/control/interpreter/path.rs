@@ -13,7 +13,7 @@ use crate::control::modal::{Angle, Compensating, Follower, Joint, PathMove, Pend
 use crate::control::tool_offset;
 use crate::cycles::Piece;
 use crate::geometry::{Point, Turn};
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Programmed};
 use crate::setup::dialect::Dialect;
 use crate::text::block::Block;
@@ -126,7 +126,7 @@ impl Interpreter {
             }
             Err(fault) => {
                 let alarm = fault.alarm().unwrap_or("PS0057");
-                let message = Message::AngleNoPoint { word: open.word.clone(), alarm };
+                let message = said::AngleNoPoint { word: open.word.clone(), alarm };
                 let diagnostic = Diagnostic::new(message, open.span);
                 self.state.pending = None;
                 self.lose_place();
@@ -162,10 +162,7 @@ impl Interpreter {
         let joined = match joined {
             // The control puts nothing in between, and goes on.
             Err(CornerError::NoCorner { turn }) if turn.abs() < ANGLE_ALLOWANCE => {
-                self.report(Diagnostic::new(
-                    Message::CornerStraight { word: joint.word.clone() },
-                    joint.span,
-                ));
+                self.report(Diagnostic::new(said::CornerStraight { word: joint.word.clone() }, joint.span));
                 Ok(Joined { first, inserted: None, second })
             }
             joined => joined,
@@ -336,13 +333,13 @@ impl Interpreter {
                 Err(fault) => {
                     let radius = compensating.compensator.nose().radius;
                     let code = if self.state.compensation == Compensation::Off { "G40" } else { "G41/G42" };
-                    let message = match fault.reason {
-                        Reason::ArcAtSwitch => Message::CompensationOnArc { code },
-                        Reason::NoIntersection { .. } => Message::CompensationNoIntersection { radius },
+                    let message: Message = match fault.reason {
+                        Reason::ArcAtSwitch => said::CompensationOnArc { code }.into(),
+                        Reason::NoIntersection { .. } => said::CompensationNoIntersection { radius }.into(),
                         Reason::Overcut { .. } | Reason::CutsIn { .. } | Reason::ArcRadius { .. } => {
-                            Message::CompensationOvercut { radius, alarm: "PS0041" }
+                            said::CompensationOvercut { radius, alarm: "PS0041" }.into()
                         }
-                        Reason::ArcCenter => Message::CompensationOvercut { radius, alarm: "PS0038" },
+                        Reason::ArcCenter => said::CompensationOvercut { radius, alarm: "PS0038" }.into(),
                     };
                     self.report(Diagnostic::new(message, path_move.words));
                     self.left_out();
@@ -377,11 +374,11 @@ impl Interpreter {
         if let Some(pending) = self.state.pending.take() {
             match (&pending.joint, &pending.angle) {
                 (_, Some(angle)) => {
-                    let message = Message::AngleNoPoint { word: angle.word.clone(), alarm: "PS0058" };
+                    let message = said::AngleNoPoint { word: angle.word.clone(), alarm: "PS0058" };
                     self.report(Diagnostic::new(message, angle.span));
                 }
                 (Some(joint), None) => {
-                    let message = Message::CornerNoMove { word: joint.word.clone() };
+                    let message = said::CornerNoMove { word: joint.word.clone() };
                     self.report(Diagnostic::new(message, joint.span));
                 }
                 (None, None) => {}
@@ -461,17 +458,17 @@ impl Interpreter {
     fn report_corner(&mut self, joint: &Joint, fault: CornerError) {
         let word = joint.word.clone();
         let alarm = fault.alarm().unwrap_or("PS0051");
-        let message = match fault {
-            CornerError::TooLong { .. } | CornerError::NoFit { .. } => Message::CornerTooLarge { word },
-            CornerError::NoCorner { .. } | CornerError::Negative { .. } => Message::CornerNone { word },
-            CornerError::SecondNotPerpendicular => Message::CornerNoMove { word },
+        let message: Message = match fault {
+            CornerError::TooLong { .. } | CornerError::NoFit { .. } => said::CornerTooLarge { word }.into(),
+            CornerError::NoCorner { .. } | CornerError::Negative { .. } => said::CornerNone { word }.into(),
+            CornerError::SecondNotPerpendicular => said::CornerNoMove { word }.into(),
             CornerError::FirstNotAlongAxis | CornerError::WrongLetter | CornerError::WrongSign => {
-                Message::CornerAxis { word, alarm }
+                said::CornerAxis { word, alarm }.into()
             }
             CornerError::NoSolution { .. }
             | CornerError::NoEndPoint
             | CornerError::NextIncomplete
-            | CornerError::AngleDisagrees { .. } => Message::AngleNoPoint { word, alarm },
+            | CornerError::AngleDisagrees { .. } => said::AngleNoPoint { word, alarm }.into(),
         };
         self.report(Diagnostic::new(message, joint.span));
     }

@@ -10,8 +10,9 @@ use crate::control::codes::Multiple;
 use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
-use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity};
+use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::setup::dialect::PqUnit;
+use crate::source::Span;
 use crate::text::block::{Block, Value};
 use crate::units::Unit;
 
@@ -29,7 +30,7 @@ impl Interpreter {
         if !words.has_any(AXES) {
             if let Some(retract) = length(b'R') {
                 if retract < 0.0 {
-                    let message = Message::ReliefNegative { word: words.quote(text, b'R') };
+                    let message = said::ReliefNegative { word: words.quote(text, b'R') };
                     self.report(Diagnostic::new(message, words.span(b'R')).graded(Severity::Warning));
                 }
                 self.state.parameters.retract = retract.abs();
@@ -59,7 +60,7 @@ impl Interpreter {
         };
         let (address, other) = if cycle == Multiple::FacePecking { (b'Q', b'P') } else { (b'P', b'Q') };
         if peck.unwrap_or(0.0) == 0.0 {
-            let message = Message::PeckMissing { code, address: address as char };
+            let message = said::PeckMissing { code, address: address as char };
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
             self.report(Diagnostic::new(message, block.words_span()).graded(severity));
             if self.dialect.strict {
@@ -73,7 +74,7 @@ impl Interpreter {
             // Far apart they are grooves of their own.
             && (width - NEAR..=1.5 * width).contains(&step)
         {
-            let message = Message::GrooveStep { word: words.quote(text, other), step, width };
+            let message = said::GrooveStep { word: words.quote(text, other), step, width };
             self.report(Diagnostic::new(message, words.span(other)));
         }
         let how = Pecking {
@@ -88,22 +89,22 @@ impl Interpreter {
             },
         };
         let most = self.moves_left();
-        let (message, span) = match grooving::peck(start, direction, &how, most) {
+        let (message, span): (Message, Span) = match grooving::peck(start, direction, &how, most) {
             Ok(moves) => {
                 self.run_cycle(block, cycle.cycle(), None, &moves);
                 return Some(());
             }
             Err(grooving::PeckingError::NegativeRelief) => {
-                (Message::ReliefNegative { word: words.quote(text, b'R') }, words.span(b'R'))
+                (said::ReliefNegative { word: words.quote(text, b'R') }.into(), words.span(b'R'))
             }
             Err(grooving::PeckingError::NoStepover) => {
-                (Message::PeckMissing { code, address: other as char }, block.words_span())
+                (said::PeckMissing { code, address: other as char }.into(), block.words_span())
             }
             Err(grooving::PeckingError::NegativePeck) => {
-                (Message::PeckNegative { word: words.quote(text, address) }, words.span(address))
+                (said::PeckNegative { word: words.quote(text, address) }.into(), words.span(address))
             }
             Err(grooving::PeckingError::NegativeStepover) => {
-                (Message::PeckNegative { word: words.quote(text, other) }, words.span(other))
+                (said::PeckNegative { word: words.quote(text, other) }.into(), words.span(other))
             }
             Err(grooving::PeckingError::TooManyMoves) => {
                 self.refuse_long_cycle(block, code, 0, most);
@@ -177,7 +178,7 @@ impl Interpreter {
         if let Some(address) = pointed.filter(|_| forbidden) {
             let word = words.quote(text, address);
             let fixes = self.in_micrometres(text, words);
-            let diagnostic = Diagnostic::new(Message::PointNotAllowed { word }, words.span(address));
+            let diagnostic = Diagnostic::new(said::PointNotAllowed { word }, words.span(address));
             self.report(Diagnostic { fixes, ..diagnostic });
             return false;
         }
@@ -185,7 +186,7 @@ impl Interpreter {
             let address = pointed.unwrap_or(if words.get(b'Q').is_some() { b'Q' } else { b'P' });
             let word = words.quote(text, address);
             let fixes = self.in_micrometres(text, words);
-            let diagnostic = Diagnostic::new(Message::AmountInMillimetres { word }, words.span(address));
+            let diagnostic = Diagnostic::new(said::AmountInMillimetres { word }, words.span(address));
             self.report(Diagnostic { fixes, ..diagnostic });
         }
         true

@@ -10,7 +10,7 @@ use crate::control::contour::Purpose;
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::Event;
 use crate::control::words::{self, Words, quote};
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Severity, said};
 use crate::motion::SpindleTurn;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
@@ -48,13 +48,13 @@ impl Interpreter {
             b'A' if word.comma => request.comma[2] = Some(index),
             _ if word.comma => {
                 let text = quote(text, word.span);
-                self.report(Diagnostic::new(Message::NotUnderstood { text }, word.span));
+                self.report(Diagnostic::new(said::NotUnderstood { text }, word.span));
                 request.drop = true;
             }
             address => {
                 if let Some(before) = words.take(index, word) {
                     let used = quote(text, block.words[index].span);
-                    let message = Message::DuplicateWord { address: address as char, used };
+                    let message = said::DuplicateWord { address: address as char, used };
                     let fixes = [before.span, word.span].map(|span| Fix::delete(text, span));
                     self.report(Diagnostic { fixes: fixes.into(), ..Diagnostic::new(message, word.span) });
                 }
@@ -111,7 +111,7 @@ impl Interpreter {
             G::LocalFrame => request.one_shot = Some(OneShot::LocalFrame),
             G::Multiple(cycle) => request.one_shot = Some(OneShot::Multiple(cycle)),
             G::Plane(plane) if plane != state.plane && state.compensation != Compensation::Off => {
-                self.report(Diagnostic::new(Message::CompensationPlane, word.span));
+                self.report(Diagnostic::new(said::CompensationPlane, word.span));
                 request.drop = true;
             }
             G::Plane(plane) => state.plane = plane,
@@ -154,15 +154,15 @@ impl Interpreter {
         // machines with a B axis G43.
         if matches!(tenths, Some(430 | 440)) {
             request.length_offset = true;
-            self.report(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.report(Diagnostic::new(said::MakerG { word: quoted }, word.span));
             return;
         }
         if tenths.is_some_and(|key| matches!(key, 1_140..4_000 | 9_000..) && key.is_multiple_of(10)) {
-            self.report(Diagnostic::new(Message::MakerG { word: quoted }, word.span));
+            self.report(Diagnostic::new(said::MakerG { word: quoted }, word.span));
             self.lose_program();
             return;
         }
-        self.report(Diagnostic::new(Message::UnknownG { word: quoted }, word.span));
+        self.report(Diagnostic::new(said::UnknownG { word: quoted }, word.span));
         // It may have been one of group 01.
         self.lose(Doubts::of(&[Doubt::Code]));
         request.drop = true;
@@ -179,7 +179,7 @@ impl Interpreter {
                 std::mem::swap(&mut dropped, &mut used);
             }
             let fixes = [before, span].map(|span| Fix::delete(text, span));
-            let diagnostic = Diagnostic::new(Message::SameGroup { dropped, used }, span);
+            let diagnostic = Diagnostic::new(said::SameGroup { dropped, used }, span);
             self.report(Diagnostic { fixes: fixes.into(), ..diagnostic });
         }
     }
@@ -211,7 +211,7 @@ impl Interpreter {
             Some(M::Return) => request.call_code = Some(CallCode::Return),
             None => {
                 request.maker_m = true;
-                self.report(Diagnostic::new(Message::UnknownM { word: quote(text, word.span) }, word.span));
+                self.report(Diagnostic::new(said::UnknownM { word: quote(text, word.span) }, word.span));
             }
         }
     }

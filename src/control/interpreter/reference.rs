@@ -12,7 +12,7 @@ use crate::control::modal::{Once, Target};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, OFFSETS, STANDARD_FRAMES};
 use crate::control::words::{Counts, Words, letters, plain, quote};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::motion::MotionKind;
 use crate::text::block::Block;
 use crate::units::Diameter;
@@ -39,7 +39,7 @@ impl Interpreter {
             && let Some(word) = words.get(b'P')
             && !matches!(plain(word), Some(2.0 | 3.0 | 4.0))
         {
-            let message = Message::ReferenceNumber { word: quote(text, word.span) };
+            let message = said::ReferenceNumber { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span));
             request.drop = true;
             return;
@@ -50,7 +50,7 @@ impl Interpreter {
         if !words.has_any(AXES) && !turns {
             if !words.has_any(letters(b"YV")) && self.state.reported.first(Once::G28NoAxis) {
                 let code = if request.one_shot == Some(OneShot::OtherHome) { "G30" } else { "G28" };
-                self.report(Diagnostic::new(Message::G28NoAxis { code }, block.words_span()));
+                self.report(Diagnostic::new(said::G28NoAxis { code }, block.words_span()));
             }
             return;
         }
@@ -87,7 +87,7 @@ impl Interpreter {
         let home = self.reference_point();
         let off = |named: u32, a: f64, b: f64| words.has_any(named) && (a - b).abs() > 0.001;
         if off(letters(b"XU"), to.x, home.x) || off(letters(b"ZW"), to.z, home.z) {
-            let message = Message::NotAtReference { x: Diameter::from_radius(home.x).mm(), z: home.z };
+            let message = said::NotAtReference { x: Diameter::from_radius(home.x).mm(), z: home.z };
             self.report(Diagnostic::new(message, block.words_span()));
         }
     }
@@ -95,7 +95,7 @@ impl Interpreter {
     /// G29: over the intermediate point of G28 to the end.
     pub(super) fn leave_home(&mut self, text: &[u8], block: &Block, request: &mut Request, words: &Words) {
         let Some(middle) = self.state.intermediate else {
-            self.report(Diagnostic::new(Message::NoIntermediate, block.words_span()));
+            self.report(Diagnostic::new(said::NoIntermediate, block.words_span()));
             request.drop = true;
             return;
         };
@@ -136,10 +136,7 @@ impl Interpreter {
         };
         if from_reference && !self.dialect.ref_point_given && self.state.reported.first(Once::MachineZero) {
             let home = self.dialect.ref_point;
-            self.report(Diagnostic::new(
-                Message::MachineZero { x: home.x.mm(), z: home.z },
-                block.words_span(),
-            ));
+            self.report(Diagnostic::new(said::MachineZero { x: home.x.mm(), z: home.z }, block.words_span()));
         }
         let to = Point::new(x.map_or(from.x, |x| zero.x + x), z.map_or(from.z, |z| zero.z + z));
         self.push(block, self.motion(MotionKind::Rapid, to));
@@ -155,7 +152,7 @@ impl Interpreter {
             return;
         }
         if let Some(word) = words.get(b'Q').filter(|word| !matches!(plain(word), Some(0.0..=9.0))) {
-            let message = Message::TipNumber { word: quote(text, word.span) };
+            let message = said::TipNumber { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span));
             request.drop = true;
             return;
@@ -197,7 +194,7 @@ impl Interpreter {
             // Tool life, parameters and other tables: no motion depends on them.
             (Some(_), _) => {
                 self.state.data_input = true;
-                self.report(Diagnostic::new(Message::DataPassedOver, words.span(b'L')));
+                self.report(Diagnostic::new(said::DataPassedOver, words.span(b'L')));
             }
             (None, None) => self.bad_data(text, request, words, b'P'),
         }
@@ -205,7 +202,7 @@ impl Interpreter {
 
     fn bad_data(&mut self, text: &[u8], request: &mut Request, words: &Words, address: u8) {
         let word = words.get(address).map_or("G10".to_owned(), |word| quote(text, word.span));
-        self.report(Diagnostic::new(Message::OffsetNumber { word }, words.span(address)));
+        self.report(Diagnostic::new(said::OffsetNumber { word }, words.span(address)));
         request.drop = true;
     }
 

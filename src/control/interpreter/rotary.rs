@@ -12,7 +12,7 @@ use crate::control::modal::{Once, PathMove, Target, VirtualPlane};
 use crate::control::words::{Counts, Words, letters, quote};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
 use crate::geometry::{Arc, Turn};
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, Message, said};
 use crate::motion::{Motion, MotionKind, Rotary};
 use crate::setup::dialect::PolarX;
 use crate::source::Span;
@@ -38,14 +38,12 @@ impl Interpreter {
         }
         let word_text = quote(text, word.span);
         let frame = matches!(code, G::Setting | G::LocalFrame | G::Machine | G::Frame(_) | G::ExtendedFrame);
-        self.report(Diagnostic::new(
-            match plane.surface {
-                Surface::Face if frame => Message::PolarFrame { word: word_text },
-                Surface::Face => Message::PolarForbidden { word: word_text },
-                Surface::Cylinder { .. } => Message::CylinderForbidden { word: word_text },
-            },
-            word.span,
-        ));
+        let message: Message = match plane.surface {
+            Surface::Face if frame => said::PolarFrame { word: word_text }.into(),
+            Surface::Face => said::PolarForbidden { word: word_text }.into(),
+            Surface::Cylinder { .. } => said::CylinderForbidden { word: word_text }.into(),
+        };
+        self.report(Diagnostic::new(message, word.span));
         false
     }
 
@@ -54,7 +52,7 @@ impl Interpreter {
         let Some(plane) = self.state.virtual_plane else { return };
         let (code, face) = (quote(text, span), plane.surface == Surface::Face);
         let off = if face { "G13.1" } else { "G07.1 C0" };
-        self.report(Diagnostic::new(Message::PlaneLeftOn { code, off }, span));
+        self.report(Diagnostic::new(said::PlaneLeftOn { code, off }, span));
     }
 
     /// G12.1 and G13.1.
@@ -62,7 +60,7 @@ impl Interpreter {
         let code = if switch == Switch::On { "G12.1" } else { "G13.1" };
         if let Some(other) = block.words.iter().find(|word| word.address != b'G' || !is_polar(word)) {
             let other_text = quote(text, other.span);
-            self.report(Diagnostic::new(Message::PolarNotAlone { code, other: other_text }, other.span));
+            self.report(Diagnostic::new(said::PolarNotAlone { code, other: other_text }, other.span));
             request.drop = true;
             self.leave_plane_refused(switch);
             return;
@@ -89,7 +87,7 @@ impl Interpreter {
     fn compensates_at(&mut self, block: &Block, code: &'static str) -> bool {
         let compensates = self.state.compensation != Compensation::Off;
         if compensates {
-            self.report(Diagnostic::new(Message::PlaneCompensation { code }, block.words_span()));
+            self.report(Diagnostic::new(said::PlaneCompensation { code }, block.words_span()));
         }
         compensates
     }
@@ -99,7 +97,7 @@ impl Interpreter {
         let reading = self.reading();
         let radius = words.get(b'C').and_then(|word| reading.length(word));
         let Some(radius) = radius.filter(|&radius| radius >= 0.0 && block.words.len() == 2) else {
-            self.report(Diagnostic::new(Message::CylinderFormat, block.words_span()));
+            self.report(Diagnostic::new(said::CylinderFormat, block.words_span()));
             request.drop = true;
             if radius == Some(0.0) {
                 self.leave_plane_refused(Switch::Off);
@@ -120,13 +118,13 @@ impl Interpreter {
             return;
         }
         if self.state.virtual_plane.is_some() {
-            self.report(Diagnostic::new(Message::CylinderFormat, block.words_span()));
+            self.report(Diagnostic::new(said::CylinderFormat, block.words_span()));
             request.drop = true;
             return;
         }
         if self.state.motion == MotionMode::Rapid {
             let word = "G00".to_owned();
-            self.report(Diagnostic::new(Message::CylinderForbidden { word }, block.words_span()));
+            self.report(Diagnostic::new(said::CylinderForbidden { word }, block.words_span()));
             request.drop = true;
             return;
         }
@@ -171,9 +169,9 @@ impl Interpreter {
                 MotionMode::Rapid => "G00".to_owned(),
                 _ => quote(text, block.words_span()),
             };
-            let message = match plane.surface {
-                Surface::Face => Message::PolarForbidden { word },
-                Surface::Cylinder { .. } => Message::CylinderForbidden { word },
+            let message: Message = match plane.surface {
+                Surface::Face => said::PolarForbidden { word }.into(),
+                Surface::Cylinder { .. } => said::CylinderForbidden { word }.into(),
             };
             if self.state.reported.first(Once::PlaneRapid) {
                 self.report(Diagnostic::new(message, block.words_span()));

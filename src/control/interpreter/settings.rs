@@ -9,7 +9,7 @@ use crate::control::modal::Once;
 use crate::control::offsets::{EXTENDED_FRAMES, STANDARD_FRAMES};
 use crate::control::words::{Words, letters, plain, quote};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Message, Severity};
+use crate::message::{Diagnostic, Message, Severity, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn};
 use crate::setup::dialect::Control;
 use crate::source::Span;
@@ -97,7 +97,7 @@ impl Interpreter {
         let (at_work, in_force) = self.state.tool;
         let adds_offset = in_force == 0 && u64::from(at_work) == value;
         if digits <= 2 && value > 0 && !adds_offset {
-            let message = Message::ShortTool { word: quote(text, word.span), offset: offset as u32 };
+            let message = said::ShortTool { word: quote(text, word.span), offset: offset as u32 };
             // M06 beside it: a turret that takes two digits, or a changer.
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(if self.state.m_code == 6 { diagnostic.graded(Severity::Info) } else { diagnostic });
@@ -108,9 +108,9 @@ impl Interpreter {
             // With M06 it is the number of a tool changer.
             let of_machine = !beyond || self.state.m_code == 6;
             let word_text = quote(text, word.span);
-            let message = match of_machine {
-                true => Message::ToolNumberOfMachine { word: word_text },
-                false => Message::ToolNumber { word: word_text },
+            let message: Message = match of_machine {
+                true => said::ToolNumberOfMachine { word: word_text }.into(),
+                false => said::ToolNumber { word: word_text }.into(),
             };
             let diagnostic = Diagnostic::new(message, word.span);
             self.report(if of_machine { diagnostic.graded(Severity::Info) } else { diagnostic });
@@ -133,7 +133,7 @@ impl Interpreter {
         if let Some(word) = pointed.filter(|_| !forum) {
             // Haas reads seconds where there is a point.
             let severity = if self.dialect.strict { Severity::Error } else { Severity::Warning };
-            let message = Message::DwellWithPoint { word: quote(text, word.span) };
+            let message = said::DwellWithPoint { word: quote(text, word.span) };
             self.report(Diagnostic::new(message, word.span).graded(severity));
             if severity == Severity::Error {
                 request.drop = true;
@@ -149,7 +149,7 @@ impl Interpreter {
                 self.wait_here(self.path_move(block, motion));
             }
             _ => {
-                let diagnostic = Diagnostic::new(Message::DwellNoTime, block.words_span());
+                let diagnostic = Diagnostic::new(said::DwellNoTime, block.words_span());
                 // Many controls take a lone G04 as an exact stop; with the spindle stopped
                 // no groove waits for a turn.
                 let only_stops = self.state.spindle.turn == SpindleTurn::Stopped
@@ -188,7 +188,7 @@ impl Interpreter {
         if let (Some(lowest), Some(highest), Some(limit)) = (spindle.lowest, spindle.highest, limit)
             && lowest > highest
         {
-            self.report(Diagnostic::new(Message::ClampReversed { lowest, highest }, words.span(limit)));
+            self.report(Diagnostic::new(said::ClampReversed { lowest, highest }, words.span(limit)));
         }
     }
 
@@ -214,7 +214,7 @@ impl Interpreter {
             _ => {
                 let word = words.get(b'P').map_or(quote(text, span), |word| quote(text, word.span));
                 self.report(Diagnostic::new(
-                    Message::OffsetNumber { word },
+                    said::OffsetNumber { word },
                     words.get(b'P').map_or(span, |word| word.span),
                 ));
                 request.drop = true;

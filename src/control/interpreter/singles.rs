@@ -11,7 +11,7 @@ use crate::control::words::{self, Counts, Words, plain, quote};
 use crate::cycles::Move;
 use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message, Severity};
+use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{CycleStep, Motion};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
@@ -46,9 +46,9 @@ impl Interpreter {
             let word = quote(text, span);
             let diagnostic = match cycle {
                 Single::Threading => {
-                    Diagnostic::new(Message::CornerInThread { word }, span).with(Fix::delete(text, span))
+                    Diagnostic::new(said::CornerInThread { word }, span).with(Fix::delete(text, span))
                 }
-                Single::Turning | Single::Facing => Diagnostic::new(Message::CornerNoLine { word }, span),
+                Single::Turning | Single::Facing => Diagnostic::new(said::CornerNoLine { word }, span),
             };
             self.report(diagnostic);
             request.drop = true;
@@ -56,7 +56,7 @@ impl Interpreter {
         }
         let other = [b'Y', b'V', b'C', b'H'].into_iter().find(|&address| words.get(address).is_some());
         if let Some(address) = other {
-            let message = Message::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
+            let message = said::CycleAxis { code: cycle.cycle().code(), word: words.quote(text, address) };
             let fix = Fix::delete(text, words.span(address));
             self.report(Diagnostic::new(message, words.span(address)).with(fix));
             request.drop = true;
@@ -172,11 +172,11 @@ impl Interpreter {
             let error = self.dialect.control == Control::Gsk || self.dialect.strict;
             let severity = if error { Severity::Error } else { Severity::Warning };
             let word = word(self);
-            let message = match cycle {
+            let message: Message = match cycle {
                 Single::Turning | Single::Threading => {
-                    Message::TaperBeyondHalf { word, limit: Diameter::from_radius(way).mm() }
+                    said::TaperBeyondHalf { word, limit: Diameter::from_radius(way).mm() }.into()
                 }
-                Single::Facing => Message::TaperBeyondLength { word, limit: way },
+                Single::Facing => said::TaperBeyondLength { word, limit: way }.into(),
             };
             self.report(Diagnostic::new(message, span).graded(severity));
             return !error;

@@ -7,7 +7,7 @@ use super::Interpreter;
 use crate::control::codes::{Compensation, Plane};
 use crate::control::offsets::{Column, EXTENDED_FRAMES, STANDARD_FRAMES};
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Message};
+use crate::message::{Diagnostic, said};
 use crate::setup::dialect::FeedMode;
 use crate::text::block::Block;
 use crate::units::{Diameter, Unit};
@@ -175,7 +175,7 @@ impl Interpreter {
     }
 
     fn unknown_system(&mut self, block: &Block, variable: u32) {
-        self.report(Diagnostic::new(Message::SystemVariable { variable }, block.words_span()));
+        self.report(Diagnostic::new(said::SystemVariable { variable }, block.words_span()));
     }
 
     /// A column of a tool offset, mm: as the program wrote it, else as the setup says.

@@ -10,7 +10,7 @@ use crate::cycles::single::Single;
 use crate::cycles::threading::{self, MultiThread};
 use crate::cycles::units;
 use crate::geometry::Point;
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::Cycle;
 use crate::setup::dialect::{Control, G76Clamp, PqUnit};
 use crate::text::block::{Block, Value};
@@ -81,7 +81,7 @@ impl Interpreter {
             },
         };
         let most = self.moves_left();
-        let message = match threading::thread(start, &how, most) {
+        let message: Message = match threading::thread(start, &how, most) {
             Ok(moves) => {
                 let angle = if one_block { 60.0 } else { angle };
                 let how = &how;
@@ -90,12 +90,12 @@ impl Interpreter {
                 self.run_cycle(block, Cycle::MultiThreading, Some(lead), &moves);
                 return Some(());
             }
-            Err(threading::ThreadingError::Angle) => Message::ThreadAngle { angle },
+            Err(threading::ThreadingError::Angle) => said::ThreadAngle { angle }.into(),
             Err(threading::ThreadingError::LeastDepthTooLarge) => {
-                Message::ThreadLeastDepth { least: how.least_depth, height: how.height }
+                said::ThreadLeastDepth { least: how.least_depth, height: how.height }.into()
             }
-            Err(threading::ThreadingError::NoHeight) => Message::ThreadNoHeight,
-            Err(threading::ThreadingError::NoFirstDepth) => Message::ThreadNoFirstDepth,
+            Err(threading::ThreadingError::NoHeight) => said::ThreadNoHeight.into(),
+            Err(threading::ThreadingError::NoFirstDepth) => said::ThreadNoFirstDepth.into(),
             Err(threading::ThreadingError::TooManyMoves) => {
                 self.refuse_long_cycle(block, "G76", 0, most);
                 return None;
@@ -121,7 +121,7 @@ impl Interpreter {
             if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
                 let written = quote(text, word.span);
                 let head = written.len().saturating_sub(2);
-                let diagnostic = Diagnostic::new(Message::ThreadAngle { angle }, word.span);
+                let diagnostic = Diagnostic::new(said::ThreadAngle { angle }, word.span);
                 // The nearest angle there is.
                 let apart = |other: &f64| (other - angle).abs();
                 let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
@@ -135,7 +135,7 @@ impl Interpreter {
             self.state.parameters.least_amount = self.amount(words, b'Q');
             let least = self.state.parameters.least_amount.map_or(0.0, |least| least.in_increments);
             if self.dialect.pq_unit != PqUnit::Mm && least > LEAST_DEPTH {
-                let message = Message::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
+                let message = said::ThreadLeastLarge { word: words.quote(text, b'Q'), least };
                 self.report(Diagnostic::new(message, words.span(b'Q')));
             }
         }

@@ -16,7 +16,7 @@ mod variables;
 
 use std::ops::Range;
 
-use crate::message::Message;
+use crate::message::{Message, said};
 
 pub use arguments::{ArgumentError, arguments};
 pub use expression::address_value;
@@ -104,22 +104,22 @@ impl MacroErrorKind {
     /// What is said of it.
     pub fn message(self) -> Message {
         match self {
-            Self::Overflow => Message::MacroOverflow,
-            Self::DivisionByZero => Message::MacroDivisionByZero,
-            Self::UnknownFunction => Message::MacroUnknownFunction,
-            Self::Expression => Message::MacroExpression,
-            Self::BracketOpen => Message::MacroBracketOpen,
-            Self::NumberOrCondition => Message::MacroNumberOrCondition,
-            Self::VariableNumber => Message::MacroVariableNumber,
-            Self::ReadOnly => Message::MacroReadOnly,
-            Self::BracketsTooDeep => Message::MacroBracketsTooDeep,
-            Self::FunctionArgument => Message::MacroFunctionArgument,
-            Self::EndMissing => Message::MacroEndMissing,
-            Self::Format => Message::MacroFormat,
-            Self::LoopNumber => Message::MacroLoopNumber,
-            Self::WordsBehind => Message::MacroWordsBehind,
-            Self::JumpTarget => Message::MacroJumpTarget,
-            Self::ArgumentLetter => Message::MacroArgumentLetter,
+            Self::Overflow => said::MacroOverflow.into(),
+            Self::DivisionByZero => said::MacroDivisionByZero.into(),
+            Self::UnknownFunction => said::MacroUnknownFunction.into(),
+            Self::Expression => said::MacroExpression.into(),
+            Self::BracketOpen => said::MacroBracketOpen.into(),
+            Self::NumberOrCondition => said::MacroNumberOrCondition.into(),
+            Self::VariableNumber => said::MacroVariableNumber.into(),
+            Self::ReadOnly => said::MacroReadOnly.into(),
+            Self::BracketsTooDeep => said::MacroBracketsTooDeep.into(),
+            Self::FunctionArgument => said::MacroFunctionArgument.into(),
+            Self::EndMissing => said::MacroEndMissing.into(),
+            Self::Format => said::MacroFormat.into(),
+            Self::LoopNumber => said::MacroLoopNumber.into(),
+            Self::WordsBehind => said::MacroWordsBehind.into(),
+            Self::JumpTarget => said::MacroJumpTarget.into(),
+            Self::ArgumentLetter => said::MacroArgumentLetter.into(),
         }
     }
 

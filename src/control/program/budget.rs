@@ -3,7 +3,7 @@
 //! In: each such step. Out: the message of the limit that is exceeded (`limits`).
 
 use crate::limits::Limits;
-use crate::message::Message;
+use crate::message::{Message, said};
 
 /// How much of each limit has been used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,9 +32,9 @@ impl Budget {
         self.repeated_text += bytes;
         let (blocks, text) = (limits.repeated_blocks, limits.repeated_text);
         if self.repeated > blocks {
-            Err(Message::TooManyRepeats { most: blocks })
+            Err(said::TooManyRepeats { most: blocks }.into())
         } else if self.repeated_text > text {
-            Err(Message::TooMuchRepeated { most: text })
+            Err(said::TooMuchRepeated { most: text }.into())
         } else {
             Ok(())
         }
@@ -43,19 +43,19 @@ impl Budget {
     /// Counts a round of a loop or call.
     pub fn round(&mut self, limits: &Limits) -> Result<(), Message> {
         self.rounds += 1;
-        within(self.rounds, limits.rounds, |most| Message::TooManyRounds { most })
+        within(self.rounds, limits.rounds, |most| said::TooManyRounds { most }.into())
     }
 
     /// Counts a macro statement or expression that is worked out through a jump, loop or call.
     pub fn macro_step(&mut self, limits: &Limits) -> Result<(), Message> {
         self.macro_steps += 1;
-        within(self.macro_steps, limits.macro_steps, |most| Message::TooManyMacroSteps { most })
+        within(self.macro_steps, limits.macro_steps, |most| said::TooManyMacroSteps { most }.into())
     }
 
     /// Counts steps that leave no motion.
     pub fn work(&mut self, steps: usize, limits: &Limits) -> Result<(), Message> {
         self.work = self.work.saturating_add(steps);
-        within(self.work, limits.cycle_work, |most| Message::TooMuchWork { most })
+        within(self.work, limits.cycle_work, |most| said::TooMuchWork { most }.into())
     }
 }
 
@@ -80,14 +80,14 @@ mod tests {
         let mut budget = Budget::default();
         assert_eq!(budget.repeat(10, &limits), Ok(()));
         assert_eq!(budget.repeat(10, &limits), Ok(()));
-        assert_eq!(budget.repeat(10, &limits), Err(Message::TooManyRepeats { most: 2 }));
+        assert_eq!(budget.repeat(10, &limits), Err(said::TooManyRepeats { most: 2 }.into()));
         let mut budget = Budget::default();
-        assert_eq!(budget.repeat(101, &limits), Err(Message::TooMuchRepeated { most: 100 }));
+        assert_eq!(budget.repeat(101, &limits), Err(said::TooMuchRepeated { most: 100 }.into()));
         assert_eq!(budget.round(&limits), Ok(()));
-        assert_eq!(budget.round(&limits), Err(Message::TooManyRounds { most: 1 }));
+        assert_eq!(budget.round(&limits), Err(said::TooManyRounds { most: 1 }.into()));
         assert_eq!(budget.macro_step(&limits), Ok(()));
-        assert_eq!(budget.macro_step(&limits), Err(Message::TooManyMacroSteps { most: 1 }));
+        assert_eq!(budget.macro_step(&limits), Err(said::TooManyMacroSteps { most: 1 }.into()));
         assert_eq!(budget.work(5, &limits), Ok(()));
-        assert_eq!(budget.work(usize::MAX, &limits), Err(Message::TooMuchWork { most: 5 }));
+        assert_eq!(budget.work(usize::MAX, &limits), Err(said::TooMuchWork { most: 5 }.into()));
     }
 }

@@ -1,7 +1,7 @@
 //! U where X was meant: increments among places.
 
 use super::{Program, round};
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, said};
 use crate::units::Diameter;
 
 impl Program<'_> {
@@ -36,7 +36,7 @@ impl Program<'_> {
             let meant = format!("X{}", &written[1..]);
             let fix = Fix::write(word.span, meant.clone());
             let to = round(leads * self.unit);
-            let message = Message::IncrementalForAbsolute { word: written, axis: 'X', to, meant };
+            let message = said::IncrementalForAbsolute { word: written, axis: 'X', to, meant };
             diagnostics.push(Diagnostic::new(message, word.span).with(fix));
         }
         diagnostics
@@ -73,8 +73,7 @@ impl Program<'_> {
             let written = self.quote(word);
             let meant = format!("X{}", &written[1..]);
             let fix = Fix::write(word.span, meant.clone());
-            let message =
-                Message::IncrementalForAbsolute { word: written, axis: 'X', to: round(leads), meant };
+            let message = said::IncrementalForAbsolute { word: written, axis: 'X', to: round(leads), meant };
             diagnostics.push(Diagnostic::new(message, word.span).with(fix));
         }
         diagnostics

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Program, Role, Word, round};
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, said};
 use crate::setup::dialect::DecimalRule;
 use crate::units::Diameter;
 
@@ -37,7 +37,7 @@ impl Program<'_> {
             let zero = written.find('0').unwrap_or_default();
             let meant = format!("{}0.{}", &written[..zero], &written[zero + 1..]);
             let fix = Fix::write(word.span, meant.clone());
-            let message = Message::LeadingZero { word: written, value: word.value, meant };
+            let message = said::LeadingZero { word: written, value: word.value, meant };
             Diagnostic::new(message, word.span).with(fix)
         };
         alone.map(tell).collect()
@@ -70,7 +70,7 @@ impl Program<'_> {
         }
         let tell = |word: &Word| {
             let message =
-                Message::PointMissing { word: self.quote(word), thousandths: word.value * self.increment };
+                said::PointMissing { word: self.quote(word), thousandths: word.value * self.increment };
             let diagnostic = Diagnostic::new(message, word.span);
             Diagnostic { fixes: self.with_point(word), ..diagnostic }
         };
@@ -149,7 +149,7 @@ impl Program<'_> {
                 continue;
             }
             let (to, farthest) = (round(place), round(farthest));
-            let message = Message::FarOff { word: self.quote(word), axis, to, farthest };
+            let message = said::FarOff { word: self.quote(word), axis, to, farthest };
             let fixes = if word.decimals.is_none() { self.with_point(word) } else { Vec::new() };
             diagnostics.push(Diagnostic { fixes, ..Diagnostic::new(message, word.span) });
         }

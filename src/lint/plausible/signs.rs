@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::passes::{CENTRE, Pass};
 use super::{CORNER, Program, Role, Row, Word};
-use crate::message::{Diagnostic, Fix, Message};
+use crate::message::{Diagnostic, Fix, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
 /// The farthest that a tool leaves the face at feed before the next rapid, mm.
@@ -132,7 +132,7 @@ impl Program<'_> {
         let written = self.quote(word);
         let meant = format!("Z-{}", written[1..].trim_start_matches([' ', '+']));
         let fix = Fix::write(word.span, meant.clone());
-        Diagnostic::new(Message::MinusMissing { word: written, meant }, word.span).with(fix)
+        Diagnostic::new(said::MinusMissing { word: written, meant }, word.span).with(fix)
     }
 
     /// Where and how all motions cut, in one look at them.
