@@ -57,7 +57,7 @@ pub type Arguments<'a> = Vec<(&'static str, Value<'a>)>;
 pub struct Message {
     /// Its place in the tables of messages.
     index: u16,
-    /// Its arguments, in the order of `ARGUMENTS`; the alarm stands behind them.
+    /// Its arguments, in the order of `ARGUMENTS`; the alarm stands last.
     values: Box<[Value<'static>]>,
 }
 

@@ -1,6 +1,6 @@
 //! The build script: makes Rust and JSON of the rule files.
 //!
-//! In: `src/rules/<slug>.md`. Out, in `OUT_DIR`: `message.rs` (the enum and the table of rules),
+//! In: `src/rules/<slug>.md`. Out, in `OUT_DIR`: `message.rs` (the types of messages and the table of rules),
 //! `sentences.rs` (the templates in three languages), `example_messages.rs` (a value of each
 //! message, for tests), and `messages.<language>.json` for the page. A mistake in a rule file fails
 //! the build with file and line.

@@ -27,7 +27,7 @@ pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     );
     let has_point = number.contains('.');
     let digits = number.trim_start_matches('0');
-    let value: f64 = number.parse().unwrap_or(0.0);
+    let value = size_of(number);
     let whole = !has_point && !negative;
     let contour = code(&[70, 71, 72, 73]);
     let deep = code(&[74, 75, 76]);
@@ -59,4 +59,21 @@ pub fn candidates(number: &str, span: Span, words: &[Word]) -> Vec<char> {
     offer('W', !has(b"W"));
     found.truncate(OFFERED);
     found
+}
+
+/// A number of digits and at most one point, near enough to compare it with what letters take; 0 for anything
+/// else.
+fn size_of(number: &str) -> f64 {
+    let (mut value, mut scale, mut points) = (0.0, 1.0, 0);
+    for byte in number.bytes() {
+        match byte {
+            b'.' => points += 1,
+            b'0'..=b'9' => {
+                value = 10.0 * value + f64::from(byte - b'0');
+                scale *= if points > 0 { 10.0 } else { 1.0 };
+            }
+            _ => return 0.0,
+        }
+    }
+    if points > 1 { 0.0 } else { value / scale }
 }

@@ -60,8 +60,14 @@ pub fn wasm(setup: &Setup) -> Result<Duration> {
         features: &[],
         target: run::target(),
         package: run::www().join("pkg"),
-        // A function with one caller stays a function: merged into it, it compresses worse.
-        optimised: &["--one-caller-inline-max-function-size=1", "-Oz"],
+        // A function with one caller stays a function: merged into it, it compresses worse. Functions of like
+        // names have like code, and compress better side by side.
+        optimised: &[
+            "--one-caller-inline-max-function-size=1",
+            "-Oz",
+            "--converge",
+            "--reorder-functions-by-name",
+        ],
         is_cut: true,
     };
     module.build(setup)

@@ -11,6 +11,7 @@ use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::PqUnit;
 use crate::source::Span;
 use crate::text::block::{Block, Value};
@@ -194,9 +195,20 @@ impl Interpreter {
 
     /// P and Q as a control counts them, thousandths of a millimetre without a point.
     pub(super) fn in_micrometres(&self, text: &[u8], words: &Words) -> Vec<Fix> {
-        if self.state.unit != Unit::Millimetre {
-            return Vec::new();
+        // Before the part is there nobody reads the message.
+        match FIXING.is_loaded() && self.state.unit == Unit::Millimetre {
+            true => in_micrometres(text, words),
+            false => Vec::new(),
         }
+    }
+}
+
+/// The part that repairs words.
+const FIXING: Part = Part::Machine;
+
+in_part! {
+    Machine "0402"
+    fn in_micrometres(text: &[u8], words: &Words) -> Vec<Fix> {
         let found = [b'P', b'Q'].into_iter().filter_map(|address| words.get(address));
         let mut edits: Vec<Edit> = found
             .filter_map(|word| {
@@ -208,9 +220,7 @@ impl Interpreter {
                 Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
             })
             .collect();
-        if edits.first().map(|edit| edit.span.start) > edits.last().map(|edit| edit.span.start) {
-            edits.reverse();
-        }
+        edits.sort_by_key(|edit| edit.span.start);
         let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
         let title = Repair::Write { text: title.join(" ") };
         if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }

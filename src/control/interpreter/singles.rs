@@ -13,10 +13,21 @@ use crate::cycles::single::{self, PullOut, Single};
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, Severity, said};
 use crate::motion::{CycleStep, Motion};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::{Control, IInG92};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
+
+/// The part that writes numbers into messages.
+const QUOTING: Part = Part::Machine;
+
+in_part! {
+    Machine "0400"
+    fn taper_word(taper: f64) -> String {
+        format!("R{}", crate::units::number(taper))
+    }
+}
 
 impl Interpreter {
     /// G90, G92, G94 (seeds 000, 001 and 004).
@@ -84,7 +95,8 @@ impl Interpreter {
             // It is that of a block before.
             None => {
                 let taper = control.state.memory.taper / control.state.unit.millimetres();
-                format!("R{}", crate::units::number(taper))
+                // Before the part is there nobody reads the message.
+                if QUOTING.is_loaded() { taper_word(taper) } else { String::new() }
             }
         };
         if !self.taper_fits(cycle, start, end, taper_span, taper_word) {

@@ -12,14 +12,32 @@ use crate::cycles::units;
 use crate::geometry::Point;
 use crate::message::{Diagnostic, Fix, Message, said};
 use crate::motion::Cycle;
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::{Control, G76Clamp, PqUnit};
-use crate::text::block::{Block, Value};
+use crate::text::block::{Block, Value, Word};
 
 /// Tool angles that FANUC takes, degrees (PS0315).
 const THREAD_ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
 /// A least depth of G76 beyond this, mm, is no depth that somebody meant.
 const LEAST_DEPTH: f64 = 1.0;
+
+/// The part that repairs words.
+const FIXING: Part = Part::Machine;
+
+in_part! {
+    Machine "0401"
+    // P of G76 with the nearest angle there is.
+    fn nearest_angle(text: &[u8], word: &Word, angle: f64) -> Option<Fix> {
+        let Value::Number { number, .. } = word.value else { return None };
+        let written = quote(text, word.span);
+        let head = written.len().saturating_sub(2);
+        let apart = |other: &f64| (other - angle).abs();
+        let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        near.filter(|_| written.is_char_boundary(head) && number.digits >= 3)
+            .map(|near| Fix::write(word.span, format!("{}{near:02}", &written[..head])))
+    }
+}
 
 impl Interpreter {
     /// G76.
@@ -119,15 +137,9 @@ impl Interpreter {
             let angle = (packed % 100) as f64;
             self.state.parameters.angle = angle;
             if self.dialect.control != Control::Gsk && !THREAD_ANGLES.contains(&angle) {
-                let written = quote(text, word.span);
-                let head = written.len().saturating_sub(2);
                 let diagnostic = Diagnostic::new(said::ThreadAngle { angle }, word.span);
-                // The nearest angle there is.
-                let apart = |other: &f64| (other - angle).abs();
-                let near = THREAD_ANGLES.into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
-                let fix = near
-                    .filter(|_| written.is_char_boundary(head) && number.digits >= 3)
-                    .map(|near| Fix::write(word.span, format!("{}{near:02}", &written[..head])));
+                // Before the part is there nobody reads the message.
+                let fix = FIXING.is_loaded().then(|| nearest_angle(text, word, angle)).flatten();
                 self.report(Diagnostic { fixes: fix.into_iter().collect(), ..diagnostic });
             }
         }

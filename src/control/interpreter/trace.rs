@@ -6,6 +6,7 @@ use super::Interpreter;
 use super::calls::Here;
 use crate::control::codes;
 use crate::motion::Process;
+use crate::parts::in_part;
 use crate::text::block::{Block, BlockKind, Value};
 use crate::text::parser::Resume;
 
@@ -24,6 +25,28 @@ pub struct Executed {
     pub before: Process,
     /// The same once its own words for them count, before it moves.
     pub ready: Process,
+}
+
+in_part! {
+    Tools "0410"
+    // Only tools ask for a trace.
+    fn assigned(variable: u32, value: f64) -> String {
+        format!("#{variable}={value}")
+    }
+
+    Tools "0411"
+    fn values_of(block: &Block) -> String {
+        let mut values = String::new();
+        for word in &block.words {
+            let Value::Number { number, negative } = word.value else { continue };
+            let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
+            let space = if values.is_empty() { "" } else { " " };
+            let whole = number.value().fract() == 0.0;
+            let point = if number.has_point() && whole { "." } else { "" };
+            values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
+        }
+        values
+    }
 }
 
 impl Interpreter {
@@ -51,7 +74,7 @@ impl Interpreter {
     /// Keeps what the last block wrote into a table of the control.
     pub(super) fn trace_write(&mut self, variable: u32, value: f64) {
         if let Some(last) = self.trace.as_mut().and_then(|trace| trace.last_mut()) {
-            last.values = Some(format!("#{variable}={value}"));
+            last.values = Some(assigned(variable, value));
         }
     }
 
@@ -66,15 +89,7 @@ impl Interpreter {
     #[cold]
     pub(super) fn trace_values(&mut self, block: &Block) {
         let Some(trace) = self.trace.as_mut().filter(|_| self.contours.recorded.is_none()) else { return };
-        let mut values = String::new();
-        for word in &block.words {
-            let Value::Number { number, negative } = word.value else { continue };
-            let (comma, minus) = (if word.comma { "," } else { "" }, if negative { "-" } else { "" });
-            let space = if values.is_empty() { "" } else { " " };
-            let whole = number.value().fract() == 0.0;
-            let point = if number.has_point() && whole { "." } else { "" };
-            values += &format!("{space}{comma}{}{minus}{}{point}", word.address as char, number.value());
-        }
+        let values = values_of(block);
         if let Some(last) = trace.last_mut() {
             last.values = Some(values);
             last.steers = !block.is_broken() && block.words.iter().any(codes::steers);

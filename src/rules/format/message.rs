@@ -2,7 +2,7 @@
 
 use super::{LANGUAGES, Mistakes};
 
-/// A message: a variant of `Message`.
+/// A message: a type of `message::said`.
 #[derive(Clone, Debug, Default)]
 pub struct Message {
     /// The line of its heading, from 1.

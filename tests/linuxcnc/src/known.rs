@@ -1,7 +1,7 @@
 //! The differences between the playground and LinuxCNC that are meant: what they are, why, and how each is
 //! distinguished from a fault. Whatever is not here is a fault of one of the two.
 
-use gcode_playground::message::Message;
+use gcode_playground::message::{Message, Value, said};
 
 use crate::contour::{Corner, InContour};
 use crate::motion::Refusal;
@@ -141,28 +141,35 @@ pub struct Refused<'a> {
 
 /// Ours refuses, LinuxCNC does not.
 pub fn refused_by_ours(refusal: &Refusal, refused: &Refused) -> Option<KnownDifference> {
-    match refusal.message {
-        Message::ArcEndOffCircle { start_radius, end_radius } => {
-            let off = (start_radius - end_radius).abs();
-            let allowed = refused.arc_end_tolerance.max(start_radius.max(end_radius) * 0.001);
-            (start_radius > 0.001 && end_radius > 0.001 && off <= allowed + 1e-6)
-                .then_some(KnownDifference::ArcEnd)
-        }
-        Message::CompensationOvercut { .. } | Message::CompensationNoIntersection { .. } => {
-            let at = refused.contour?;
-            if at.before == Corner::Back || at.after == Corner::Back {
-                return Some(KnownDifference::StraightBack);
-            }
-            let overcut = matches!(refusal.message, Message::CompensationOvercut { .. });
-            let unseen = match at.after {
-                Corner::Straight | Corner::Near | Corner::Outer => true,
-                Corner::Open => at.unfinished,
-                Corner::Inner | Corner::Back => false,
-            };
-            (overcut && at.before == Corner::Inner && unseen).then_some(KnownDifference::OvercutUnseen)
-        }
-        _ => None,
+    let message = &refusal.message;
+    if message.is::<said::ArcEndOffCircle>() {
+        let (start, end) = (length(message, "start_radius")?, length(message, "end_radius")?);
+        let allowed = refused.arc_end_tolerance.max(start.max(end) * 0.001);
+        return (start > 0.001 && end > 0.001 && (start - end).abs() <= allowed + 1e-6)
+            .then_some(KnownDifference::ArcEnd);
     }
+    let overcut = message.is::<said::CompensationOvercut>();
+    if !overcut && !message.is::<said::CompensationNoIntersection>() {
+        return None;
+    }
+    let at = refused.contour?;
+    if at.before == Corner::Back || at.after == Corner::Back {
+        return Some(KnownDifference::StraightBack);
+    }
+    let unseen = match at.after {
+        Corner::Straight | Corner::Near | Corner::Outer => true,
+        Corner::Open => at.unfinished,
+        Corner::Inner | Corner::Back => false,
+    };
+    (overcut && at.before == Corner::Inner && unseen).then_some(KnownDifference::OvercutUnseen)
+}
+
+/// A length among the arguments of a message, mm.
+fn length(message: &Message, name: &str) -> Option<f64> {
+    message.arguments().into_iter().find_map(|(own, value)| match value {
+        Value::Length(length) | Value::Number(length) if own == name => Some(length),
+        _ => None,
+    })
 }
 
 /// LinuxCNC refuses, ours does not.
