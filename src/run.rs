@@ -25,7 +25,7 @@ use crate::parts::{Part, in_part};
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
-use crate::setup::{Lints, Setup};
+use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -458,6 +458,12 @@ impl Run {
         self.interpreter.setup()
     }
 
+    /// The setup as what happens at the machine needs it: with what prose in comments says of the tools. It
+    /// is read now, so whoever needs it often keeps it.
+    pub fn setup_at_machine(&self) -> Setup {
+        at_machine(self.setup(), &self.text)
+    }
+
     /// Motions of all full chunks; all motions once the run has ended.
     pub fn motions(&self) -> &Motions {
         self.interpreter.motions()
@@ -488,7 +494,7 @@ impl Run {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
-        let setup = interpreter.setup().clone();
+        let setup = at_machine(interpreter.setup(), &self.text);
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
         let resolved = OnceLock::new();
@@ -660,6 +666,11 @@ fn no_end(text: &[u8], span: Span) -> Diagnostic {
     };
     let fix = Fix::insert(at as u32, insert.to_owned()).safe();
     Diagnostic::new(said::NoEnd, span).with(fix)
+}
+
+/// The setup of a run with what prose in comments of its text says of the tools.
+fn at_machine(setup: &Setup, text: &[u8]) -> Setup {
+    Setup { described_tools: tool_words::read(text), ..setup.clone() }
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches

@@ -40,7 +40,8 @@ pub struct Setup {
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
-    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file.
+    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file,
+    /// and of a run only in the setup for its machine (`Run::setup_at_machine`).
     #[serde(skip)]
     pub described_tools: BTreeMap<u16, Tool>,
     /// The blank.

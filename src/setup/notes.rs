@@ -17,11 +17,10 @@
 //! with one of these words, but holds no `=`, is prose.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use super::fields::{self, Field, Name};
 use super::invalid::InvalidValue;
-use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
+use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
@@ -38,8 +37,6 @@ pub struct Notes {
     pub stock: Option<Stock>,
     /// Tools by their T word in four digits.
     pub tools: Vec<(String, Tool)>,
-    /// What prose says of tools, by turret station.
-    pub described_tools: BTreeMap<u16, Tool>,
     /// The tailstock.
     pub tailstock: Option<Tailstock>,
     /// The machine.
@@ -94,8 +91,7 @@ impl Notes {
     /// Reads the comments at the head of a text.
     pub fn read(text: &[u8]) -> Self {
         let head = &text[..text.len().min(HEAD)];
-        let described_tools = tool_words::read(&String::from_utf8_lossy(head));
-        let mut notes = Self { described_tools, ..Self::default() };
+        let mut notes = Self::default();
         let mut at = 0;
         while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
             let start = at + found + 1;
@@ -120,7 +116,6 @@ impl Notes {
         setup.dialect.decimal = self.decimal.or(setup.dialect.decimal);
         setup.rules = setup.rules.with(&self.rules);
         setup.tools.extend(self.tools.iter().cloned());
-        setup.described_tools.clone_from(&self.described_tools);
         setup
     }
 
@@ -400,8 +395,7 @@ mod tests {
     #[test]
     fn prose_is_prose_and_a_slip_is_told() {
         let prose = Notes::read(b"(STOCK: ROUND BAR)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)\n(X=3)");
-        assert_eq!(prose.described_tools.keys().collect::<Vec<_>>(), [&1]);
-        assert_eq!(Notes { described_tools: BTreeMap::new(), ..prose }, Notes::default());
+        assert_eq!(prose, Notes::default());
         let text = b"(STOCK D=65 LENGHT=80 BORE=x)";
         let notes = Notes::read(text);
         let told: Vec<_> = notes.unreadable.iter().map(|fault| fault.span.of(text)).collect();
