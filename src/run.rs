@@ -197,7 +197,8 @@ impl Run {
     }
 
     fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
-        let notes = Notes::read(&text);
+        let unread = (!Notes::can_be_read(&text)).then_some(Part::Setup);
+        let notes = if unread.is_some() { Notes::default() } else { Notes::read(&text) };
         let (mut setup, faults) = notes.applied_to(given.clone()).without_invalid_values();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
@@ -224,7 +225,7 @@ impl Run {
             numbers,
             of_setup: 0,
             has_lints: LINTS.is_loaded(),
-            missing: None,
+            missing: unread,
             begun: false,
             ended: false,
             finished: false,
@@ -300,7 +301,8 @@ impl Run {
         *self = Self::begin(self.take_text(), given, self.decided);
     }
 
-    /// A part of the module that the program needs and that had not been loaded when it was met: nothing that
+    /// A part of the module that the program needs, or what it says of its setup, and that had not been loaded when
+    /// it was met: nothing that
     /// came of the run can be used.
     pub fn missing(&self) -> Option<Part> {
         self.missing.or_else(|| self.interpreter.missing())
