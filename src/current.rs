@@ -531,7 +531,7 @@ in_part! {
         match std::mem::replace(&mut current.derived.material, Material::Untouched) {
             Material::Off(machined) => current.derived.material = Material::Off(machined),
             Material::Untouched => {
-                let simulation = Simulation::new(current.run.motions(), current.run.setup());
+                let simulation = Simulation::new(current.run.motions(), &current.run.setup_at_machine());
                 current.remove(simulation, motions);
             }
             Material::UnderWay(simulation) => current.remove(*simulation, motions),

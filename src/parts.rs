@@ -1,4 +1,5 @@
-//! The parts of the module: what the first picture needs, and what a page loads after it.
+//! The parts of the module: what every first picture needs, and what a page loads after it, or when a program
+//! has something to do with it.
 //!
 //! In: functions that are marked with [`in_part`]. Out: in the module of the page their code, with all code
 //! and data that nothing else needs, stands in a file of its own: `cargo xtask` cuts the linked module there
@@ -10,10 +11,13 @@
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// A part that is loaded after the first picture.
+/// A part that is not loaded with the module.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum Part {
+    /// What a program is run under: a setup as JSON or in its comments. Where there is one, it is loaded before
+    /// the run begins; elsewhere not at all.
+    Setup,
     /// What happens at the machine: material, collisions, lints, files.
     Machine,
     /// What the reader asks for: setup form, pasting, rewriting, expanding, tables.
@@ -34,12 +38,13 @@ static LOADED: AtomicU8 = AtomicU8::new(0);
 
 impl Part {
     /// All parts.
-    pub const ALL: [Self; 6] =
-        [Self::Machine, Self::Tools, Self::Seldom, Self::English, Self::Chinese, Self::Russian];
+    pub const ALL: [Self; 7] =
+        [Self::Setup, Self::Machine, Self::Tools, Self::Seldom, Self::English, Self::Chinese, Self::Russian];
 
     /// Its name in file names and in the page.
     pub const fn name(self) -> &'static str {
         match self {
+            Self::Setup => "setup",
             Self::Machine => "machine",
             Self::Tools => "tools",
             Self::Seldom => "seldom",

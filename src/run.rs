@@ -25,7 +25,7 @@ use crate::parts::{Part, in_part};
 use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
-use crate::setup::{Lints, Setup};
+use crate::setup::{Lints, Setup, tool_words};
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::text::parser::{Parser, Resume};
@@ -197,7 +197,8 @@ impl Run {
     }
 
     fn begin(text: Vec<u8>, given: Setup, before: Option<DecimalRule>) -> Self {
-        let notes = Notes::read(&text);
+        let unread = (!Notes::can_be_read(&text)).then_some(Part::Setup);
+        let notes = if unread.is_some() { Notes::default() } else { Notes::read(&text) };
         let (mut setup, faults) = notes.applied_to(given.clone()).without_invalid_values();
         let limits = setup.limits;
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
@@ -224,7 +225,7 @@ impl Run {
             numbers,
             of_setup: 0,
             has_lints: LINTS.is_loaded(),
-            missing: None,
+            missing: unread,
             begun: false,
             ended: false,
             finished: false,
@@ -300,7 +301,8 @@ impl Run {
         *self = Self::begin(self.take_text(), given, self.decided);
     }
 
-    /// A part of the module that the program needs and that had not been loaded when it was met: nothing that
+    /// A part of the module that the program needs, or what it says of its setup, and that had not been loaded when
+    /// it was met: nothing that
     /// came of the run can be used.
     pub fn missing(&self) -> Option<Part> {
         self.missing.or_else(|| self.interpreter.missing())
@@ -458,6 +460,12 @@ impl Run {
         self.interpreter.setup()
     }
 
+    /// The setup as what happens at the machine needs it: with what prose in comments says of the tools. It
+    /// is read now, so whoever needs it often keeps it.
+    pub fn setup_at_machine(&self) -> Setup {
+        at_machine(self.setup(), &self.text)
+    }
+
     /// Motions of all full chunks; all motions once the run has ended.
     pub fn motions(&self) -> &Motions {
         self.interpreter.motions()
@@ -488,7 +496,7 @@ impl Run {
         let mut interpreter = self.interpreter;
         let (trace, codes) = (interpreter.take_trace(), interpreter.code_list());
         let diagnostics = if self.finished { self.sorted } else { interpreter.diagnostics().to_vec() };
-        let setup = interpreter.setup().clone();
+        let setup = at_machine(interpreter.setup(), &self.text);
         let unit = interpreter.state.unit;
         let motions = interpreter.into_motions();
         let resolved = OnceLock::new();
@@ -660,6 +668,11 @@ fn no_end(text: &[u8], span: Span) -> Diagnostic {
     };
     let fix = Fix::insert(at as u32, insert.to_owned()).safe();
     Diagnostic::new(said::NoEnd, span).with(fix)
+}
+
+/// The setup of a run with what prose in comments of its text says of the tools.
+fn at_machine(setup: &Setup, text: &[u8]) -> Setup {
+    Setup { described_tools: tool_words::read(text), ..setup.clone() }
 }
 
 /// A control at power-on, with the lints that listen to it, once they are loaded, unless the setup switches

@@ -116,7 +116,8 @@ impl Playground {
     }
 
     /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is
-    /// wrong, such as an unknown key.
+    /// wrong, such as an unknown key. In a module that is cut into parts only `{}` is read without the part
+    /// `setup`.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
         self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;

@@ -112,6 +112,21 @@ fn nothing_of_a_run_outlives_it() {
 
 /// The rulers name the unit in the reader's language, whatever runs.
 #[test]
+fn an_edited_comment_describes_another_tool() {
+    let text = "O1\nG21 G99\nT0303 (GROOVE W=3)\nG0 X50 Z-10\nG1 X30 F.1\nG0 X50\nM30\n";
+    let mut current = fresh(text, &Setup::default());
+    let width = |current: &Current| {
+        let resolved = current.resolved_setup().expect("material is off");
+        resolved.tool(&current.motions().get(1)).tool.width
+    };
+    assert_eq!(width(&current), Some(3.0));
+    let at = text.find("3)").expect("the width") as u32;
+    current.edit(at, at + 1, "4");
+    run(&mut current);
+    assert_eq!(width(&current), Some(4.0));
+}
+
+#[test]
 fn the_unit_symbol_stays_from_run_to_run() {
     let (text, setup) = program("s003-g71");
     let mut current = fresh(&text, &setup);

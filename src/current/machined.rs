@@ -40,7 +40,7 @@ struct Shown {
 
 impl Kept {
     pub(super) fn of(run: &Run) -> Self {
-        Self { motions: run.motions().clone(), setup: run.setup().clone() }
+        kept(run)
     }
 }
 
@@ -104,10 +104,16 @@ in_part! {
     Machine "0090"
     fn compare(machined: &mut Machined, run: &Run, kept: Option<&Kept>) {
         machined.comparison = kept.and_then(|kept| {
-            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), run.setup())]);
+            let setup = run.setup_at_machine();
+            let [first, second] = parts([(&kept.motions, &kept.setup), (run.motions(), &setup)]);
             Some(Comparison::of(&first?, &second?))
         });
         machined.shown = None;
+    }
+
+    Machine "0092"
+    fn kept(run: &Run) -> Kept {
+        Kept { motions: run.motions().clone(), setup: run.setup_at_machine() }
     }
 
     Machine "0091"

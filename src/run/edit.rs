@@ -120,7 +120,7 @@ impl Run {
                 && (start >= provenance::HEAD
                     || self.recognised
                         == Recognised::of(&provenance::detect_in_head(&text), &self.setup().dialect))
-                && (start >= notes::HEAD || self.notes == Notes::read(&text))
+                && (start >= notes::HEAD || (Notes::can_be_read(&text) && self.notes.are_those_of(&text)))
         });
         let same_way = match checkpoint {
             Some(checkpoint) => {

@@ -3,8 +3,9 @@
 //! In: a setup as it was read. Out: the invalid values, and the setup without what is wrong in it, so that a
 //! run and a picture come of every setup.
 
-use super::{Setup, Stock, Tool};
+use super::{Machine, Setup, Stock, Tool};
 use crate::message::{Message, said};
+use crate::parts::in_part;
 use crate::units::Diameter;
 
 /// An invalid value.
@@ -115,20 +116,36 @@ impl Checker {
 impl Setup {
     /// The setup without what cannot be in it, and why. Stock and tools with an invalid
     /// value count as not given.
-    pub fn without_invalid_values(mut self) -> (Self, Vec<InvalidValue>) {
+    pub fn without_invalid_values(self) -> (Self, Vec<InvalidValue>) {
+        if self.has_nothing_to_check() { (self, Vec::new()) } else { checked(self) }
+    }
+
+    /// Whether it says nothing that can be invalid.
+    fn has_nothing_to_check(&self) -> bool {
+        let Self { initial, tools, stock, tailstock, machine, .. } = self;
+        let Machine { rapid_x, rapid_z, max_speed, .. } = machine;
+        let has_machine = rapid_x.or(*rapid_z).or(*max_speed).is_some();
+        tools.is_empty() && initial.is_none() && stock.is_none() && tailstock.is_none() && !has_machine
+    }
+}
+
+in_part! {
+    Setup "0201"
+    fn checked(setup: Setup) -> (Setup, Vec<InvalidValue>) {
+        let mut setup = setup;
         let mut checker = Checker::default();
-        if let Some(stock) = self.stock {
+        if let Some(stock) = setup.stock {
             checker.stock(&stock);
             if !checker.invalid.is_empty() {
-                self.stock = None;
+                setup.stock = None;
             }
         }
-        self.tools.retain(|name, tool| {
+        setup.tools.retain(|name, tool| {
             let before = checker.invalid.len();
             checker.tool(name, tool);
             checker.invalid.len() == before
         });
-        if let Some(tailstock) = self.tailstock {
+        if let Some(tailstock) = setup.tailstock {
             let before = checker.invalid.len();
             checker.at(
                 "tailstock.diameter",
@@ -137,21 +154,21 @@ impl Setup {
             );
             checker.at("tailstock.z", Some(tailstock.z.abs()), &[Requirement::AtMost(LONGEST)]);
             if checker.invalid.len() > before {
-                self.tailstock = None;
+                setup.tailstock = None;
             }
         }
-        if let Some(start) = self.initial {
+        if let Some(start) = setup.initial {
             let before = checker.invalid.len();
             checker.at("initial.x", Some(start.x.mm().abs()), &[Requirement::AtMost(LONGEST)]);
             checker.at("initial.z", Some(start.z.abs()), &[Requirement::AtMost(LONGEST)]);
             if checker.invalid.len() > before {
-                self.initial = None;
+                setup.initial = None;
             }
         }
         for (key, value) in [
-            ("machine.rapidX", &mut self.machine.rapid_x),
-            ("machine.rapidZ", &mut self.machine.rapid_z),
-            ("machine.maxSpeed", &mut self.machine.max_speed),
+            ("machine.rapidX", &mut setup.machine.rapid_x),
+            ("machine.rapidZ", &mut setup.machine.rapid_z),
+            ("machine.maxSpeed", &mut setup.machine.max_speed),
         ] {
             let before = checker.invalid.len();
             checker.at(key, *value, &[Requirement::Positive]);
@@ -159,7 +176,7 @@ impl Setup {
                 *value = None;
             }
         }
-        (self, checker.invalid)
+        (setup, checker.invalid)
     }
 }
 

@@ -23,6 +23,7 @@ use serde::Deserialize;
 
 use crate::limits::Limits;
 use crate::message::Levels;
+use crate::parts::in_part;
 use crate::units::Diameter;
 use dialect::DialectChoice;
 pub use machine::{Machine, Tailstock, Travel, Turret};
@@ -40,7 +41,8 @@ pub struct Setup {
     pub initial: Option<Position>,
     /// Tools by their T word in four digits (`T0101`).
     pub tools: BTreeMap<String, Tool>,
-    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file.
+    /// What prose in comments says of tools, by turret station: a hint for inferring them. Never in a file,
+    /// and of a run only in the setup for its machine (`Run::setup_at_machine`).
     #[serde(skip)]
     pub described_tools: BTreeMap<u16, Tool>,
     /// The blank.
@@ -73,10 +75,22 @@ pub enum Lints {
 }
 
 impl Setup {
-    /// Reads a setup from JSON. The error says what is wrong and where, and names an unknown key or a limit
+    /// Reads a setup from JSON; what says more than `{}` needs the part `Setup` of the module. The error says what is wrong and where, and names an unknown key or a limit
     /// that is set too high.
     pub fn from_json(json: &str) -> Result<Self, String> {
-        let setup: Self = serde_json::from_str(json).map_err(|error| {
+        if json == "{}" { Ok(Self::default()) } else { read_json(json) }
+    }
+
+    /// Where the tip stands at the start: X200 Z200 when nothing is said.
+    pub fn start(&self) -> Position {
+        self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })
+    }
+}
+
+in_part! {
+    Setup "0200"
+    fn read_json(json: &str) -> Result<Setup, String> {
+        let setup: Setup = serde_json::from_str(json).map_err(|error| {
             match key_before(json, error.line(), error.column()) {
                 Some(key) => format!("{key}: {error}"),
                 None => error.to_string(),
@@ -87,11 +101,6 @@ impl Setup {
             return Err(format!("tools.{name}: a tool is named by T and four digits, such as T0101"));
         }
         Ok(setup)
-    }
-
-    /// Where the tip stands at the start: X200 Z200 when nothing is said.
-    pub fn start(&self) -> Position {
-        self.initial.unwrap_or(Position { x: Diameter::new(200.0), z: 200.0 })
     }
 }
 

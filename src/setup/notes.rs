@@ -17,13 +17,13 @@
 //! with one of these words, but holds no `=`, is prose.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use super::fields::{self, Field, Name};
 use super::invalid::InvalidValue;
-use super::{Machine, Position, Setup, Stock, Tailstock, Tool, tool_words};
+use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
 use crate::units::Diameter;
@@ -38,8 +38,6 @@ pub struct Notes {
     pub stock: Option<Stock>,
     /// Tools by their T word in four digits.
     pub tools: Vec<(String, Tool)>,
-    /// What prose says of tools, by turret station.
-    pub described_tools: BTreeMap<u16, Tool>,
     /// The tailstock.
     pub tailstock: Option<Tailstock>,
     /// The machine.
@@ -74,6 +72,45 @@ struct Word<'a> {
     span: Span,
 }
 
+/// The word a note begins with; the last one in brackets, the others in parentheses.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Keyword {
+    Stock,
+    Tool,
+    Tailstock,
+    Machine,
+    Start,
+    Dialect,
+    Rules,
+    Billet,
+}
+
+impl Keyword {
+    const ALL: [Self; 8] = [
+        Self::Stock,
+        Self::Tool,
+        Self::Tailstock,
+        Self::Machine,
+        Self::Start,
+        Self::Dialect,
+        Self::Rules,
+        Self::Billet,
+    ];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Stock => "STOCK",
+            Self::Tool => "TOOL",
+            Self::Tailstock => "TAILSTOCK",
+            Self::Machine => "MACHINE",
+            Self::Start => "START",
+            Self::Dialect => "DIALECT",
+            Self::Rules => "RULES",
+            Self::Billet => "BILLET",
+        }
+    }
+}
+
 /// What can stand in a note of a tool.
 pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, TAP, ENDMILL), SIDE=OUTSIDE (INSIDE, FACE), INSERT=, R=, TIP=, KR=, POINT=, EDGE=, WIDTH=, D=, REACH=, SHANK=, ANGLE=, CUTTER=, OFFSETR=";
 
@@ -93,70 +130,56 @@ pub const MACHINE_WORDS: &str =
 impl Notes {
     /// Reads the comments at the head of a text.
     pub fn read(text: &[u8]) -> Self {
-        let head = &text[..text.len().min(HEAD)];
-        let described_tools = tool_words::read(&String::from_utf8_lossy(head));
-        let mut notes = Self { described_tools, ..Self::default() };
-        let mut at = 0;
-        while let Some(found) = memchr::memchr2(b'(', b'[', &head[at..]) {
-            let start = at + found + 1;
-            let ends = |byte: &u8| matches!(byte, b'(' | b')' | b'[' | b']' | b'\n' | b'\r' | b';');
-            let end = head[start..].iter().position(ends).map_or(head.len(), |length| start + length);
-            at = end;
-            let Ok(inside) = std::str::from_utf8(&head[start..end]) else { continue };
-            match head[start - 1] {
-                b'(' => notes.comment(inside, start),
-                _ => notes.billet(inside, start),
-            }
-        }
-        notes
+        if Self::may_stand_in(text) { read(text) } else { Self::default() }
+    }
+
+    /// Whether a text can have notes: only then the part `Setup` of the module is needed to read them. Never false where
+    /// there are some.
+    pub fn may_stand_in(text: &[u8]) -> bool {
+        comments(text).any(|comment| comment.keyword().is_some())
+    }
+
+    /// Whether the notes of a text can be read now: there are none, or what reads them has been loaded.
+    pub fn can_be_read(text: &[u8]) -> bool {
+        Part::Setup.is_loaded() || !Self::may_stand_in(text)
     }
 
     /// The setup with what the notes say in place of what it said.
-    pub fn applied_to(&self, mut setup: Setup) -> Setup {
-        setup.stock = self.stock.or(setup.stock);
-        setup.tailstock = self.tailstock.or(setup.tailstock);
-        setup.machine = self.machine.unwrap_or(setup.machine);
-        setup.initial = self.start.or(setup.initial);
-        setup.dialect.decimal = self.decimal.or(setup.dialect.decimal);
-        setup.rules = setup.rules.with(&self.rules);
-        setup.tools.extend(self.tools.iter().cloned());
-        setup.described_tools.clone_from(&self.described_tools);
-        setup
+    pub fn applied_to(&self, setup: Setup) -> Setup {
+        if self.places.is_empty() { setup } else { applied(self, setup) }
     }
 
     /// What is to be reported about them; `invalid` are those of the whole setup.
     pub fn diagnostics(&self, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
-        let words = self.unreadable.iter().map(|fault| {
-            let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
-            let key = word.split('=').next().map_or(0, str::len) as u32;
-            let told = Diagnostic::new(
-                said::NoteWord { word, expected: fault.expected.clone().into_owned() },
-                fault.span,
-            );
-            let key = Span { end: fault.span.start + key, ..fault.span };
-            let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
-            Diagnostic { fixes: fix.into_iter().collect(), ..told }
-        });
-        let values = invalid.into_iter().filter_map(|fault| {
-            let place = self.places.iter().rfind(|place| fault.key.starts_with(&place.0));
-            let span = place.map_or(Span::new(0, 0), |place| place.1);
-            // One fault, one message: what a word that cannot be read was to set is missing.
-            let is_consequence =
-                self.unreadable.iter().any(|fault| place.is_some() && span.contains(fault.span));
-            (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
-        });
-        words.chain(values).collect()
+        if self.unreadable.is_empty() && invalid.is_empty() {
+            Vec::new()
+        } else {
+            reported(self, invalid, text)
+        }
     }
 
-    fn comment(&mut self, inside: &str, start: usize) {
+    /// Whether they are what stands in a text.
+    pub fn are_those_of(&self, text: &[u8]) -> bool {
+        if Self::may_stand_in(text) {
+            are_those(self, text)
+        } else {
+            self.places.is_empty() && self.unreadable.is_empty()
+        }
+    }
+
+    fn note(&mut self, keyword: Keyword, inside: &str, start: usize) {
         let words = words(inside, start);
-        let Some((head, rest)) = words.split_first() else { return };
+        let Some((_, rest)) = words.split_first() else { return };
+        if keyword == Keyword::Billet {
+            return self.billet(inside, start);
+        }
         if !rest.iter().any(|word| !word.value.is_empty()) {
             return;
         }
         let whole = Span::new(start, start + inside.len());
-        match head.key.as_str() {
-            "STOCK" => {
+        match keyword {
+            Keyword::Billet => {}
+            Keyword::Stock => {
                 let mut stock = Stock {
                     diameter: Diameter::default(),
                     bore: Diameter::default(),
@@ -168,36 +191,35 @@ impl Notes {
                 self.stock = Some(stock);
                 self.stands("stock.", whole);
             }
-            "TOOL" => self.tool(rest, whole),
-            "TAILSTOCK" => {
+            Keyword::Tool => self.tool(rest, whole),
+            Keyword::Tailstock => {
                 let mut tailstock = Tailstock { z: 0.0, diameter: Diameter::new(20.0) };
                 self.fill(rest, fields::TAILSTOCK, &mut tailstock, "Z=, D=");
                 self.tailstock = Some(tailstock);
                 self.stands("tailstock.", whole);
             }
-            "MACHINE" => {
+            Keyword::Machine => {
                 let mut machine = Machine::default();
                 self.fill(rest, fields::MACHINE, &mut machine, MACHINE_WORDS);
                 self.machine = Some(machine);
                 self.stands("machine.", whole);
             }
-            "START" => {
+            Keyword::Start => {
                 let mut position = Setup::default().start();
                 self.fill(rest, fields::START, &mut position, "X=, Z=");
                 self.start = Some(position);
                 self.stands("initial.", whole);
             }
-            "DIALECT" => {
+            Keyword::Dialect => {
                 let mut dialect = DialectChoice::default();
                 self.fill(rest, fields::DIALECT, &mut dialect, DIALECT_WORDS);
                 self.decimal = dialect.decimal;
                 self.stands("dialect.", whole);
             }
-            "RULES" => {
+            Keyword::Rules => {
                 rest.iter().for_each(|word| self.rule(word));
                 self.stands("rules.", whole);
             }
-            _ => {}
         }
     }
 
@@ -248,10 +270,7 @@ impl Notes {
 
     /// `[BILLET X62 Z70`: diameter and length; the face is at Z0.
     fn billet(&mut self, inside: &str, start: usize) {
-        let mut words = inside.split_ascii_whitespace();
-        if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("billet")) {
-            return;
-        }
+        let mut words = inside.split_ascii_whitespace().skip(1);
         let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
             self.stands("stock.", Span::new(start, start + inside.len()));
@@ -280,6 +299,100 @@ impl Notes {
             }
         }
     }
+}
+
+in_part! {
+    Setup "0202"
+    fn read(text: &[u8]) -> Notes {
+        let mut notes = Notes::default();
+        for comment in comments(text) {
+            if let (Some(keyword), Ok(inside)) = (comment.keyword(), std::str::from_utf8(comment.inside)) {
+                notes.note(keyword, inside, comment.start);
+            }
+        }
+        notes
+    }
+
+    Setup "0203"
+    fn are_those(notes: &Notes, text: &[u8]) -> bool {
+        *notes == read(text)
+    }
+
+    Setup "0204"
+    fn applied(notes: &Notes, setup: Setup) -> Setup {
+        let mut tools = setup.tools;
+        tools.extend(notes.tools.iter().cloned());
+        Setup {
+            stock: notes.stock.or(setup.stock),
+            tailstock: notes.tailstock.or(setup.tailstock),
+            machine: notes.machine.unwrap_or(setup.machine),
+            initial: notes.start.or(setup.initial),
+            dialect: DialectChoice { decimal: notes.decimal.or(setup.dialect.decimal), ..setup.dialect },
+            rules: setup.rules.with(&notes.rules),
+            tools,
+            ..setup
+        }
+    }
+
+    Setup "0205"
+    fn reported(notes: &Notes, invalid: Vec<InvalidValue>, text: &[u8]) -> Vec<Diagnostic> {
+        let words = notes.unreadable.iter().map(|fault| {
+            let word = String::from_utf8_lossy(fault.span.of(text)).into_owned();
+            let key = word.split('=').next().map_or(0, str::len) as u32;
+            let told = Diagnostic::new(
+                said::NoteWord { word, expected: fault.expected.clone().into_owned() },
+                fault.span,
+            );
+            let key = Span { end: fault.span.start + key, ..fault.span };
+            let fix = fault.nearest.map(|nearest| Fix::write(key, nearest.to_owned()));
+            Diagnostic { fixes: fix.into_iter().collect(), ..told }
+        });
+        let values = invalid.into_iter().filter_map(|fault| {
+            let place = notes.places.iter().rfind(|place| fault.key.starts_with(&place.0));
+            let span = place.map_or(Span::new(0, 0), |place| place.1);
+            // One fault, one message: what a word that cannot be read was to set is missing.
+            let is_consequence =
+                notes.unreadable.iter().any(|fault| place.is_some() && span.contains(fault.span));
+            (!is_consequence).then(|| Diagnostic::new(fault.message(), span))
+        });
+        words.chain(values).collect()
+    }
+}
+
+/// A comment of a program, or what stands in brackets.
+struct Comment<'a> {
+    /// The parenthesis or bracket.
+    opened_by: u8,
+    /// The byte behind it.
+    start: usize,
+    inside: &'a [u8],
+}
+
+impl Comment<'_> {
+    /// The word that may make it a note.
+    fn keyword(&self) -> Option<Keyword> {
+        let inside = self.inside.trim_ascii_start();
+        let ends = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'=';
+        let word = &inside[..inside.iter().position(ends).unwrap_or(inside.len())];
+        let stands_here = |keyword: &Keyword| match keyword {
+            Keyword::Billet => self.opened_by == b'[',
+            _ => self.opened_by == b'(' && memchr::memchr(b'=', inside).is_some(),
+        };
+        let named = Keyword::ALL.into_iter().find(|own| own.name().as_bytes().eq_ignore_ascii_case(word));
+        named.filter(stands_here)
+    }
+}
+
+/// What is at the head of a text in parentheses and brackets, each closed by the next one or the end of its line.
+fn comments(text: &[u8]) -> impl Iterator<Item = Comment<'_>> {
+    let head = &text[..text.len().min(HEAD)];
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let start = at + memchr::memchr2(b'(', b'[', &head[at..])? + 1;
+        let ends = |byte: &u8| matches!(byte, b'(' | b')' | b'[' | b']' | b'\n' | b'\r' | b';');
+        at = head[start..].iter().position(ends).map_or(head.len(), |length| start + length);
+        Some(Comment { opened_by: head[start - 1], start, inside: &head[start..at] })
+    })
 }
 
 /// The word that differs least from one that is misspelt, if by little: a letter too many, too few or
@@ -382,6 +495,51 @@ mod tests {
         assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
 
+    /// Whatever is read as a note is told beforehand, however it is written; prose and code are not.
+    #[test]
+    fn where_notes_may_stand() {
+        let written = |name: &str| {
+            let swapped: String = name
+                .chars()
+                .enumerate()
+                .map(|(at, c)| if at % 2 == 0 { c.to_ascii_lowercase() } else { c })
+                .collect();
+            [name.to_owned(), name.to_ascii_lowercase(), swapped]
+        };
+        for name in Keyword::ALL.into_iter().flat_map(|keyword| written(keyword.name())) {
+            let notes = [
+                format!("({name} T1 D=1)"),
+                format!("O1 (PART) ( \t{name}\t Q=1"),
+                format!("G0 X1\r\n;({name}=2 Q=1)"),
+                format!("[({name} X=1]"),
+                format!("({name}  =  T1=1"),
+                format!("[{name} X1 Z2"),
+                format!("([ {name} x1 z2)"),
+                format!("\u{e9} ({name} Q=\u{e9})"),
+            ];
+            let read: Vec<_> =
+                notes.iter().filter(|text| read(text.as_bytes()) != Notes::default()).collect();
+            assert_eq!(read.len(), if name.eq_ignore_ascii_case("billet") { 2 } else { 6 }, "{read:?}");
+            for text in read {
+                assert!(Notes::may_stand_in(text.as_bytes()), "{text}");
+            }
+        }
+        for text in [
+            "",
+            "O1 (STOCK)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)",
+            "(STOCKS D=1)",
+            "(A STOCK D=1)",
+            "#1=[2+3] (A=3)",
+            "STOCK D=1",
+            "(BILLET X1 Z2)",
+            "[STOCK D=1]",
+        ] {
+            assert!(!Notes::may_stand_in(text.as_bytes()), "{text}");
+        }
+        let behind = format!("{}(STOCK D=1)", " ".repeat(HEAD));
+        assert!(!Notes::may_stand_in(behind.as_bytes()));
+    }
+
     #[test]
     fn a_class_billet_is_read() {
         for (text, stock) in [
@@ -400,8 +558,7 @@ mod tests {
     #[test]
     fn prose_is_prose_and_a_slip_is_told() {
         let prose = Notes::read(b"(STOCK: ROUND BAR)\n(TOOL 1 - ROUGHING)\n(MACHINE THE FACE)\n(X=3)");
-        assert_eq!(prose.described_tools.keys().collect::<Vec<_>>(), [&1]);
-        assert_eq!(Notes { described_tools: BTreeMap::new(), ..prose }, Notes::default());
+        assert_eq!(prose, Notes::default());
         let text = b"(STOCK D=65 LENGHT=80 BORE=x)";
         let notes = Notes::read(text);
         let told: Vec<_> = notes.unreadable.iter().map(|fault| fault.span.of(text)).collect();

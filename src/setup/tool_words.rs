@@ -11,6 +11,7 @@ mod terms;
 
 use std::collections::BTreeMap;
 
+use super::notes::HEAD;
 use super::{Side, Tool, ToolKind};
 use crate::units::Diameter;
 use numbers::Unit;
@@ -28,11 +29,13 @@ enum Tie {
     Named,
 }
 
-/// What the comments of a text say of the tools, by turret station.
-pub fn read(text: &str) -> BTreeMap<u16, Tool> {
-    if !text.contains('(') {
+/// What the comments at the head of a text say of the tools, by turret station.
+pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
+    let head = &text[..text.len().min(HEAD)];
+    if memchr::memchr(b'(', head).is_none() {
         return BTreeMap::new();
     }
+    let text = &*String::from_utf8_lossy(head);
     let unit = numbers::unit_of(text);
     let mut found: Vec<(Tie, u16, Tool)> = Vec::new();
     let mut above: Vec<Tool> = Vec::new();

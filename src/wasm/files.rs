@@ -69,7 +69,8 @@ in_part! {
     Machine "0030"
     fn bytes_of(playground: &mut Playground, format: FileFormat) -> Option<Vec<u8>> {
         playground.current.finish_part();
-        file(format, &Ran { current: &playground.current }, playground.language)
+        let (current, setup) = (&playground.current, playground.current.run().setup_at_machine());
+        file(format, &Ran { current, setup }, playground.language)
     }
 
     Machine "0031"
@@ -88,6 +89,7 @@ in_part! {
 /// The current program, all of its material off.
 struct Ran<'a> {
     current: &'a Current,
+    setup: Setup,
 }
 
 impl Exportable for Ran<'_> {
@@ -100,7 +102,7 @@ impl Exportable for Ran<'_> {
     }
 
     fn setup(&self) -> &Setup {
-        self.current.run().setup()
+        &self.setup
     }
 
     fn codes(&self) -> CodeList {

@@ -65,7 +65,7 @@ in_part! {
         let (run, language) = (playground.current.run(), playground.language);
         match playground.current.resolved_setup() {
             Some(resolved) => to_js(&SetupOverview::new(resolved, language)),
-            None => to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), run.setup()), language)),
+            None => to_js(&SetupOverview::new(&ResolvedSetup::new(run.motions(), &run.setup_at_machine()), language)),
         }
     }
 
@@ -92,7 +92,7 @@ in_part! {
 impl Playground {
     fn about_setup<T>(&self, answer: impl FnOnce(&Subject) -> T) -> T {
         let run = self.current.run();
-        let (inferred, given) = (inferred_setup(run.motions(), run.setup()), run.as_given());
+        let (inferred, given) = (inferred_setup(run.motions(), &run.setup_at_machine()), run.as_given());
         answer(&Subject {
             given: &given,
             page: &self.setup,

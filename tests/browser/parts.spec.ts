@@ -5,11 +5,13 @@ import { chromiumTest as test, type ChromiumPage } from './engines';
 import { type } from './page';
 
 const LATE_MS = 3_000;
+const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
+const PROGRAM_WITH_NOTE = `(STOCK D=60 LENGTH=80)\n${PROGRAM}`;
 const COMING = /^\d+ motions · \d+ lines · part and messages are loading …$/;
 
-/** Answers for the files of a part as it likes. */
+/** Answers for the file of a part as it likes; files that it shares with others have names of their own. */
 async function route(page: ChromiumPage, part: string, answer: (route: Route) => Promise<void>): Promise<void> {
-  await page.route(new RegExp(`/assets/${part}-[\\w-]+\\.wasm$`), answer);
+  await page.route(new RegExp(`/assets/${part}-[\\w-]{8}\\.wasm$`), answer);
 }
 
 async function late(route: Route): Promise<void> {
@@ -55,8 +57,13 @@ async function watched(page: ChromiumPage): Promise<Watched> {
     requestAnimationFrame(look);
   });
   await page.goto('./');
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await settled(page);
   return page.evaluate(() => (window as unknown as { seen: Watched }).seen);
+}
+
+/** There is nothing more to come. */
+async function settled(page: ChromiumPage): Promise<void> {
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
 }
 
 test('without delays the page ends at the same', async ({ page }) => {
@@ -78,6 +85,57 @@ for (const part of ['machine', 'machine-tools', 'en']) {
   });
 }
 
+test('setup arrives three seconds late: nothing is drawn before, and then all is right', async ({ page }) => {
+  const atOnce = await watched(page);
+  await route(page, 'setup', late);
+  const { said, listed, pictures } = await watched(page);
+  expect(said.filter((line) => !line.startsWith('Part …') && !COMING.test(line))).toEqual(['Loading …', atOnce.said.at(-1)]);
+  expect(listed).toEqual(atOnce.listed.at(-1) === 0 ? [0] : [0, atOnce.listed.at(-1)]);
+  expect(pictures.at(-1)).toBe(atOnce.pictures.at(-1));
+  // Nothing, the path, the path with its part.
+  expect(pictures.length).toBeLessThanOrEqual(3);
+});
+
+test('what a comment says of the setup holds from the first picture', async ({ page }) => {
+  await route(page, 'setup', late);
+  await page.goto(`./#${new URLSearchParams({ program: PROGRAM_WITH_NOTE, setup: '{}' })}`);
+  await expect(page.getByRole('status')).toContainText('Loading …');
+  await page.waitForTimeout(LATE_MS / 2);
+  await expect(page.getByRole('status')).toContainText('Loading …');
+  await expect(page.getByRole('status')).toContainText('2 motions');
+  await expect(page.getByRole('button', { name: /Setup/ })).not.toContainText('inferred');
+});
+
+test('without a setup nothing of it is loaded before the first picture', async ({ page }) => {
+  const asked: string[] = [];
+  await route(page, 'setup', async (route) => {
+    asked.push(route.request().url());
+    await route.continue();
+  });
+  await page.goto(`./#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
+  await expect(page.getByRole('status')).toContainText('2 motions');
+  await expect(page.getByRole('status')).not.toContainText('…');
+  expect(asked).toEqual([]);
+});
+
+test('a setup that cannot be loaded is reported; nothing is drawn without it, and it can be tried again', async ({ page }) => {
+  let broken = true;
+  await route(page, 'setup', (route) => (broken ? route.abort() : route.continue()));
+  await page.goto('./');
+  const notice = page.getByRole('alert').filter({ hasText: 'Not all of the playground could be loaded' });
+  await expect(notice).toBeVisible();
+  await expect(page.getByRole('status')).toHaveText('—');
+  await settled(page);
+  await type(page, PROGRAM_WITH_NOTE);
+  await settled(page);
+  await expect(notice).toBeVisible();
+  await expect(page.getByRole('status')).toHaveText('—');
+  broken = false;
+  await notice.getByRole('button', { name: 'Try again' }).click();
+  await expect(notice).toBeHidden();
+  await expect(page.getByRole('status')).toContainText('2 motions');
+});
+
 test('what is asked before its part is there is answered when it is', async ({ page }) => {
   await route(page, 'tools', late);
   await page.goto('./');
@@ -96,6 +154,7 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
   // Editing goes on, and each run tries again.
   await type(page, 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nG01 X');
   await expect(page.getByRole('status')).toContainText('2 motions');
+  await settled(page);
   await expect(notice).toBeVisible();
   broken = false;
   await notice.getByRole('button', { name: 'Try again' }).click();
@@ -107,7 +166,7 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
 test('a program with macros is drawn once what runs them is there, and not before', async ({ page }) => {
   await route(page, 'seldom', late);
   await page.goto('./');
-  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+  await settled(page);
   const canvas = page.locator('gcode-playground').locator('canvas').first();
   const before = await canvas.screenshot();
   const macro = 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30';

@@ -24,11 +24,29 @@ export function addPart(part, exports, compiled) {
   partLoaded(part);
 }
 
+/** Files that are being fetched, or have been and are in no module yet. */
+const fetched = new Map();
+
+/** Has the files of a part fetched, for a module that is still to come; one that cannot be had is tried again. */
+export function fetchPart(part) {
+  for (const file of PART_FILES[part]) compiled(file).catch(() => undefined);
+}
+
 /** Loads a part; rejected where one of its files cannot be had, after which it can be tried again. */
 export async function loadPart(part, exports) {
   const files = given.get(exports);
-  const compiled = PART_FILES[part].map((file) => (files?.has(file.href) === true ? undefined : compiledFrom(file)));
-  addPart(part, exports, await Promise.all(compiled));
+  const missing = PART_FILES[part].map((file) => (files?.has(file.href) === true ? undefined : compiled(file)));
+  addPart(part, exports, await Promise.all(missing));
+  for (const file of PART_FILES[part]) fetched.delete(file.href);
+}
+
+function compiled(file) {
+  const before = fetched.get(file.href);
+  if (before !== undefined) return before;
+  const now = compiledFrom(file);
+  fetched.set(file.href, now);
+  now.catch(() => fetched.delete(file.href));
+  return now;
 }
 
 async function compiledFrom(file) {

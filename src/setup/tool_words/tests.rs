@@ -150,7 +150,7 @@ fn a_number_glued_to_the_name_of_a_tool_is_a_counter() {
 /// Station and kind of each tool.
 fn check(text: &str, expected: &[(u16, ToolKind)]) {
     let found: Vec<_> =
-        read(text).into_iter().filter_map(|(station, tool)| Some((station, tool.kind?))).collect();
+        read(text.as_bytes()).into_iter().filter_map(|(station, tool)| Some((station, tool.kind?))).collect();
     assert_eq!(found, expected, "{text}");
 }
 
@@ -176,7 +176,7 @@ fn comments_belong_to_tools() {
 
 #[test]
 fn the_unit_is_that_of_the_program() {
-    let width = |text: &str| read(text)[&3].width;
+    let width = |text: &str| read(text.as_bytes())[&3].width;
     assert_eq!(width("(G21)\nG20\nT0303 (GROOVE W.1)"), Some(2.54));
     assert_eq!(width("G21 T0303 (GROOVE W3)"), Some(3.0));
     assert_eq!(width("G200 T0303 (GROOVE W3)"), Some(3.0));

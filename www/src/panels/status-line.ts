@@ -47,6 +47,7 @@ class StatusLine implements Panel {
   heard(event: Heard): void {
     if (event.kind === 'report') this.#show({ kind: 'summary', summary: event.report.summary, decimal: event.report.decimal });
     else if (event.kind === 'path') this.#show({ kind: 'path', summary: event.summary, rest: 'coming' });
+    else if (event.kind === 'part-failed' && event.needed === 'by-the-run') this.#show({ kind: 'failed' });
     else if (event.kind === 'part-failed' && this.#shown.kind === 'path') this.#show({ ...this.#shown, rest: 'failed' });
     else if (event.kind === 'progress') this.#show({ kind: 'running', work: event.work, done: event.done });
   }

@@ -239,8 +239,8 @@ export type LifeEvent =
 export type RunEvent =
   /** The run has ended and its path is drawn; messages and part follow once what makes them is loaded. */
   | { readonly kind: 'path'; readonly summary: Summary }
-  /** What the run waits for, or what a question needs, could not be loaded. */
-  | { readonly kind: 'part-failed'; readonly reason: string }
+  /** What the run cannot be carried out without, or what only its part, messages or an answer need, could not be loaded. */
+  | { readonly kind: 'part-failed'; readonly reason: string; readonly needed: 'by-the-run' | 'after-it' }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly work: Work; readonly done: number }

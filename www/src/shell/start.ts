@@ -19,6 +19,9 @@ export function initialProgram(element: HTMLElement): string {
   return lines.map((line) => line.slice(indent)).join('\n');
 }
 
+/** The control where a setup names none. */
+const CONTROL_IF_UNSAID = 'fanuc';
+
 export type MergedSetup =
   | { readonly kind: 'setup'; readonly json: string }
   | { readonly kind: 'unreadable'; readonly reason: string };
@@ -53,8 +56,9 @@ export function mergedSetup(json: string | null, { control, blockSkip, program }
   // Anything but an object is the interpreter's to refuse.
   if (typeof setup !== 'object' || setup === null || Array.isArray(setup)) return { kind: 'setup', json: json ?? '{}' };
   const merged: Record<string, unknown> = { ...setup };
-  if (control !== null) {
-    const dialect = merged['dialect'];
+  const dialect = merged['dialect'];
+  // A setup that says nothing is read without the part of the interpreter that reads others.
+  if (control !== null && (dialect !== undefined || control !== CONTROL_IF_UNSAID)) {
     merged['dialect'] = { ...(typeof dialect === 'object' ? dialect : {}), control };
   }
   if (blockSkip !== null) merged['blockSkip'] = blockSkip.split(/[\s,]+/).filter((part) => part !== '').map(numberOrText);

@@ -18,12 +18,13 @@ export interface AnswerRow<K extends QuestionKind> {
   /** It is answered once all material is off. */
   readonly waits?: 'for-the-part';
   /** The parts of the interpreter that answer it, where it is not the first one. */
-  readonly needs?: readonly ('machine' | 'tools' | 'language')[];
+  readonly needs?: readonly ('setup' | 'machine' | 'tools' | 'language')[];
   answer(core: Playground, ask: Questions[K]['ask']): Questions[K]['answer'] | Promise<Questions[K]['answer']>;
 }
 
 const IN_WORDS = ['machine', 'language'] as const;
 const TOOLS = ['tools', 'language'] as const;
+const SETUP_FORM = ['setup', ...TOOLS] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   ping: { answer: () => true },
@@ -48,9 +49,9 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   section: { needs: IN_WORDS, answer: (core) => core.section() },
   'programs-in': { needs: TOOLS, answer: (_, { text }) => programsIn(text) },
   'pieces-of': { needs: TOOLS, answer: (_, { program, language }) => piecesOf(program, language) },
-  'setup-form': { needs: TOOLS, answer: (core) => core.setupForm() },
-  'another-tool': { needs: TOOLS, answer: (core, { word }) => core.anotherTool(word) },
-  'read-setup': { needs: TOOLS, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
+  'setup-form': { needs: SETUP_FORM, answer: (core) => core.setupForm() },
+  'another-tool': { needs: SETUP_FORM, answer: (core, { word }) => core.anotherTool(word) },
+  'read-setup': { needs: SETUP_FORM, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
 };
 
 function writtenOut(core: Playground): WrittenOut {

@@ -4,8 +4,9 @@
 // that could not be loaded is tried again when it is asked for again. Must not know: what is in a part, or
 // what waits for it.
 
-import { loadPart, type PartName } from '../../pkg/parts.js';
+import { fetchPart, loadPart, type PartName } from '../../pkg/parts.js';
 
+export { fetchPart };
 export type { PartName };
 
 export interface PartsListener {

@@ -12,10 +12,12 @@ import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
   counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
   type Work } from '../protocol/protocol';
-import { Parts, type PartName } from './parts';
+import { fetchPart, Parts, type PartName } from './parts';
 import { handIn } from './text-in';
 import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
 
+/** The only setup that is read without the part `setup`. */
+const NO_SETUP = '{}';
 const BLOCKS_PER_SLICE = 20_000;
 /** The reader can stop a run any time; this is for when nobody is there. */
 const RUN_LIMIT_MS = 60_000;
@@ -68,6 +70,8 @@ let run = 0;
 let stage: Stage = { kind: 'done' };
 /** Why the setup that was sent last was not taken. */
 let setupRejected: string | undefined;
+/** A setup whose reader has not been loaded yet. */
+let unreadSetup: string | undefined;
 /** Looks for switches in the text; undefined when all of it was looked at. */
 let looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
 let switches: SwitchesInText | undefined;
@@ -89,7 +93,7 @@ const slices = new MessageChannel();
 let sliceQueued = false;
 
 self.onmessage = (event: MessageEvent<Command | Question>) => {
-  if (core === undefined) early.push(event.data);
+  if (core === undefined) hearEarly(event.data);
   else guarded(() => receive(event.data));
 };
 slices.port1.onmessage = () => {
@@ -110,6 +114,12 @@ async function load(): Promise<void> {
   }
   tellOfLife({ kind: 'ready' });
   for (const message of early.splice(0)) guarded(() => receive(message));
+}
+
+/** What is said to need another part has it fetched together with the interpreter. */
+function hearEarly(message: Command | Question): void {
+  early.push(message);
+  if (message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP) fetchPart('setup');
 }
 
 function receive(message: Command | Question): void {
@@ -188,7 +198,12 @@ function tellViews(playground: Playground): void {
 
 function ask(playground: Playground, question: Question): void {
   const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
-  const needs = (): readonly PartName[] => (row.needs ?? []).map((part) => (part === 'language' ? language : part));
+  const needs = (): readonly PartName[] => {
+    if (row.needs === undefined) return [];
+    // What is asked with parts is asked of a program that can run.
+    const missing = missingPart(playground);
+    return [...(missing === undefined ? [] : [missing]), ...row.needs.map((part) => (part === 'language' ? language : part))];
+  };
   const now = (): void => {
     if (!isLoaded(needs())) return whenLoaded(needs(), now);
     void reply(question.id, row.answer(playground, question.ask));
@@ -232,7 +247,7 @@ function goOnWithParts(): void {
 
 function partFailed(reason: unknown): void {
   loading = 'failed';
-  tell({ kind: 'part-failed', reason: describe(reason) });
+  tell({ kind: 'part-failed', reason: describe(reason), needed: stage.kind === 'lacking' ? 'by-the-run' : 'after-it' });
 }
 
 function whenWhole(act: () => void): void {
@@ -256,15 +271,43 @@ function begin(playground: Playground, change: BeginRun): void {
   if (change.setup !== undefined) changeSetup(playground, change.setup);
   if (change.text !== undefined) changeText(playground, change.text, change.came);
   playground.setCursor(change.cursor);
-  const now = performance.now();
-  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
   // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
   drawing = false;
   drawWanted = 'no';
+  const missing = missingPart(playground);
+  if (missing === undefined) advanceSoon();
+  else waitFor(missing, playground);
+}
+
+/** What the run cannot be carried out without, and is not there yet. */
+function missingPart(playground: Playground): PartName | undefined {
+  const missing = unreadSetup === undefined ? (playground.missingPart() as PartName | undefined) : 'setup';
+  return missing === undefined || isLoaded([missing]) ? undefined : missing;
+}
+
+/** Leaves the run until a part is there, which is loaded even before the first picture. */
+function waitFor(missing: PartName, playground: Playground): void {
+  stage = { kind: 'lacking' };
+  whenLoaded([missing], () => {
+    if (stage.kind === 'lacking') goOn(playground);
+  });
+  // Who waits hears of a failure by `partFailed`.
+  parts?.load(missing).catch(() => undefined);
+  queueSlice();
+}
+
+function advanceSoon(): void {
+  const now = performance.now();
+  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
   queueSlice();
 }
 
 function changeSetup(playground: Playground, json: string): void {
+  unreadSetup = undefined;
+  if (json !== NO_SETUP && !isLoaded(['setup'])) {
+    unreadSetup = json;
+    return;
+  }
   try {
     playground.setSetup(json);
     setupRejected = undefined;
@@ -356,17 +399,9 @@ function tellProgress(going: Going, work: Work, done: () => number): void {
 
 function end(playground: Playground): void {
   lookOn(playground);
-  const missing = playground.missingPart() as PartName | undefined;
-  if (missing !== undefined && !isLoaded([missing])) {
-    stage = { kind: 'lacking' };
-    whenLoaded([missing], () => {
-      if (stage.kind === 'lacking') goOn(playground);
-    });
-    release();
-    return;
-  }
-  if (isLoaded(['machine', language])) return goOn(playground);
-  if (missing !== undefined) return goOn(playground);
+  const missing = missingPart(playground);
+  if (missing !== undefined) return waitFor(missing, playground);
+  if (isLoaded(['machine', language]) || playground.missingPart() !== undefined) return goOn(playground);
   stage = { kind: 'waiting' };
   tell({ kind: 'path', summary: playground.summary() });
   wantDraw('now');
@@ -378,10 +413,10 @@ function end(playground: Playground): void {
 
 /** Runs again with what has been loaded since; or, where nothing has, goes on with what comes after the path. */
 function goOn(playground: Playground): void {
-  const now = performance.now();
-  if (!playground.beginAgain()) return toMachine(playground);
-  stage = { kind: 'running', startedAt: now, lastProgressAt: now };
-  queueSlice();
+  const setup = unreadSetup;
+  if (setup !== undefined) changeSetup(playground, setup);
+  if (playground.beginAgain() || setup !== undefined) advanceSoon();
+  else toMachine(playground);
 }
 
 function toMachine(playground: Playground): void {
@@ -476,7 +511,7 @@ function present(playground: Playground): void {
 function settle(): void {
   const waits = stage.kind === 'waiting' || stage.kind === 'lacking';
   const atWork = waits ? loading !== 'failed' : stage.kind !== 'done';
-  const busy = atWork || drawing || drawWanted !== 'no' || onTheWay || looking !== undefined;
+  const busy = atWork || drawing || (drawWanted !== 'no' && stage.kind !== 'lacking') || onTheWay || looking !== undefined;
   if (core === undefined || busy || settledAt === heard) return;
   settledAt = heard;
   tell({ kind: 'settled', heard });
