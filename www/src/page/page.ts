@@ -8,7 +8,7 @@ import '../shell/element';
 import './page.css';
 import { make } from '../dom/dom';
 import type { GcodePlayground } from '../shell/element';
-import type { ProgramFile } from '../editor/file';
+import type { ProgramFile } from '../editor/program-text';
 import { exampleOf, examples, type Example } from './gallery';
 import { linkedProgram, type LinkedProgram } from './linked';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';

@@ -39,7 +39,7 @@
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
 import { languageOf, type Language } from '../dom/language';
-import { programText, type ProgramFile } from '../editor/file';
+import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
 import { PANELS } from '../panels/index';
 import type { ClientPlace } from '../panels/panel';

@@ -7,8 +7,8 @@
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { Editor } from '../editor/editor';
-import { programText, type ProgramFile, type ProgramText } from '../editor/file';
+import { Program } from '../editor/program';
+import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { PANELS } from '../panels/index';
 import { REGIONS, type NewestQuestion, type Panel, type Region, type Services, type Shell } from '../panels/panel';
 import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
@@ -40,7 +40,7 @@ export interface ShellEvents {
 
 export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
-  readonly editor: Editor;
+  readonly editor: Program;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #regions: Readonly<Record<Region, HTMLElement>>;
@@ -58,7 +58,7 @@ export class PlaygroundShell implements Shell {
     this.#host = host;
     this.#events = events;
     this.#language = host.language;
-    this.editor = new Editor(root, this.#language, {
+    this.editor = new Program(this.#language, {
       changed: (how) => this.#typed(how),
       cursorMoved: () => this.#runs.cursorMoved(),
       viewMoved: () => void this.#runs.askTokens(),
@@ -81,6 +81,8 @@ export class PlaygroundShell implements Shell {
         for (const topic of ['core', 'program'] as const) this.service('hideNotice')(topic);
       },
       sent: () => events.changed(),
+      // Not earlier: what brings the picture has the line for itself.
+      ready: () => void this.#edit(),
       connected: (client) => {
         client.send({ kind: 'language', tag: this.#language });
         this.#tell((panel) => panel.connected?.((command) => client.send(command)));
@@ -281,6 +283,18 @@ export class PlaygroundShell implements Shell {
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics });
   }
 
+  /** Puts the editor in its place. */
+  async #edit(): Promise<void> {
+    try {
+      await this.editor.edit(this.root);
+      this.service('hideNotice')('editor');
+    } catch (error) {
+      const texts = WORDS[this.#language];
+      const reason = error instanceof Error ? error.message : String(error);
+      this.service('notice')(texts.editorFailed(reason), 'editor', { title: texts.tryAgain, act: () => void this.#edit() });
+    }
+  }
+
   #partFailed(reason: string): void {
     const texts = WORDS[this.#language];
     const remedy = { title: texts.tryAgain, act: () => this.send({ kind: 'load-parts' }) };
@@ -298,6 +312,7 @@ export class PlaygroundShell implements Shell {
     const texts = WORDS[this.#language];
     const text = loss.kind === 'load-failed' ? texts.loadFailed(loss.reason) : loss.kind === 'silent' ? texts.stopped : texts.crashed;
     this.service('notice')(text, 'core');
+    void this.#edit();
   }
 }
 
@@ -305,6 +320,7 @@ const WORDS = words({
   en: {
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
     partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
+    editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
     tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
@@ -313,6 +329,7 @@ const WORDS = words({
   zh: {
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
+    editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
     tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
@@ -321,6 +338,7 @@ const WORDS = words({
   ru: {
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
+    editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
     tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',

@@ -17,6 +17,8 @@ export type Loss = { readonly kind: 'silent' } | { readonly kind: 'crashed' | 'l
 export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
 
 export interface CoreListener {
+  /** The interpreter is loaded. */
+  ready(): void;
   /** Of the newest run. */
   event(event: Heard): void;
   /** Shows pictures of the newest run that the worker knows; the images are the listener's. */
@@ -145,6 +147,7 @@ export class CoreClient {
       case 'ready':
         this.#ready = true;
         this.#watchOver();
+        this.#listener.ready();
         return;
       default:
         if (event.run === this.#run) this.#listener.event(event);
