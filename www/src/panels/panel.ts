@@ -2,7 +2,7 @@
 //
 // A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this
 // folder, with its words in all languages at the end of the file, its styles beside it in a style sheet of
-// the same name, and one line in the list of `index.ts`. What is too large for one file, or is loaded when it
+// the same name, and one line in the list of `further.ts`. What is too large for one file, or is loaded when it
 // is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and
 // other panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
 
