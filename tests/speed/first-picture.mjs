@@ -201,12 +201,13 @@ async function typed() {
   });
 }
 
-/** A roughed shaft, pass after pass. */
+/** A roughed shaft, pass after pass, with a fault in every eightieth line: each has its row in the list of problems. */
 function longProgram() {
   const lines = ['O0001', 'G50 S2000', 'T0101', 'G96 S150 M03', 'G00 X102.0 Z2.0'];
   for (let pass = 0; lines.length < TYPED_LINES - 2; pass++) {
     const x = (100 - (pass % 400) * 0.2).toFixed(3);
     lines.push(`G00 X${x}`, `G01 Z-${(80 - (pass % 37)).toFixed(3)} F0.2`, `G01 X${(Number(x) + 1).toFixed(3)} Z-${(80.5 - (pass % 37)).toFixed(3)}`, 'G00 Z2.0');
+    if (pass % 20 === 19) lines.push('G04');
   }
   return [...lines.slice(0, TYPED_LINES - 2), 'M30', '%', ''].join('\n');
 }

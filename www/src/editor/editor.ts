@@ -7,14 +7,14 @@
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
-import { forEachDiagnostic, linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect } from '@codemirror/state';
 import {
   drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
-import { applyFix, lintDiagnostics } from './lint';
+import { applyFix, areShown, lintDiagnostics } from './lint';
 import { marks, showHovered, showRunning, showTokens } from './marks';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
@@ -163,10 +163,9 @@ export class Editor implements TextHolder {
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length);
-    let any = shown.length > 0;
-    if (!any) forEachDiagnostic(this.#view.state, () => (any = true));
-    if (any) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics);
+    // What stands there already costs a key nothing.
+    if (!areShown(this.#view.state, shown)) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
   }
 
   /** The block whose stroke the pointer is on. */
