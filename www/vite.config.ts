@@ -1,9 +1,43 @@
 // Builds the static page into www/dist. Addresses are relative, so the folder works wherever it is put.
-import { defineConfig } from 'vite';
+import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
+
+/**
+ * What the first picture needs is asked for by the page itself, at once, and not by one script after the
+ * other: the panels, which are imported when the element is made, and the module of the interpreter. The script of
+ * the worker is not among them: no way of preloading it is the same request in all browsers, and it is there long
+ * before the module.
+ */
+const preloads: Plugin = {
+  name: 'preloads',
+  transformIndexHtml: {
+    order: 'post',
+    handler(_html, { bundle }) {
+      const files = Object.values(bundle ?? {});
+      const module = files.filter(({ fileName }) => /gcode_playground_bg-[\w-]+\.wasm$/.test(fileName));
+      const panels = files.filter((file) => file.type === 'chunk' && file.isDynamicEntry && file.name === 'further');
+      const imported = panels.flatMap((file) => (file.type === 'chunk' ? file.imports : []));
+      const scripts = new Set([...panels.map(({ fileName }) => fileName), ...imported].filter((file) => file !== 'element.js'));
+      const link = (attrs: Record<string, string | boolean>): HtmlTagDescriptor => ({ tag: 'link', attrs, injectTo: 'head' });
+      return [
+        ...module.map(({ fileName }) => link({ rel: 'preload', as: 'fetch', type: 'application/wasm', crossorigin: true, href: `./${fileName}` })),
+        ...[...scripts].map((file) => link({ rel: 'modulepreload', crossorigin: true, href: `./${file}` })),
+      ];
+    },
+  },
+};
 
 export default defineConfig({
   base: './',
-  build: { target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123' },
+  plugins: [preloads],
+  build: {
+    target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
+    rollupOptions: {
+      input: { index: 'index.html', element: 'src/shell/element.ts' },
+      // The element has a name that stays, for other pages.
+      output: { entryFileNames: ({ name }) => (name === 'element' ? '[name].js' : 'assets/[name]-[hash].js') },
+      preserveEntrySignatures: 'allow-extension',
+    },
+  },
   worker: { format: 'es' },
   // The gallery's programs stand in tests/programs, one level above this folder.
   server: { fs: { allow: ['..'] } },

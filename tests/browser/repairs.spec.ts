@@ -38,6 +38,28 @@ test('one undo takes all repairs back', async ({ page }) => {
   await expect(all(page)).toHaveText('Apply 2 safe fixes');
 });
 
+test('an edit elsewhere leaves the row of a problem as it is, and its repair is made where it stands now', async ({ page }) => {
+  const before = 'G00 X50 Z1\nG00 X60 Z–2\nM30';
+  await open(page);
+  for (const where of ['list', 'tooltip'] as const) {
+    await type(page, before);
+    const repair = problems(page).getByRole('button', { name: /^Fix: / });
+    await expect(repair).toHaveCount(1);
+    await repair.evaluate((button) => Object.assign(button, { isTheSame: true }));
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.type('N10 ');
+    await expect.poll(() => value(page)).toBe(`N10 ${before}`);
+    await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+    expect(await repair.evaluate((button) => (button as HTMLElement & { isTheSame?: boolean }).isTheSame === true)).toBe(true);
+    if (where === 'list') await repair.click();
+    else {
+      await page.locator('.cm-lintRange').first().hover();
+      await page.locator('.cm-tooltip').getByRole('button').first().click();
+    }
+    await expect.poll(() => value(page)).toBe('N10 G00 X50 Z1\nG00 X60 Z-2\nM30');
+  }
+});
+
 test('the classroom checklist is chosen in the setup form, and other levels stay', async ({ page }) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from('O0001\n(RULES NO-PROGRAM-END=ERROR)\nG00 X40 Z2\n'));

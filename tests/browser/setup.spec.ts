@@ -242,6 +242,7 @@ test('how numbers without a point are read stands in the status line, and can be
   await expect(choice).toBeFocused();
   await choice.selectOption('calculator');
   await form(page).getByRole('button', { name: 'Apply' }).click();
+  await expect(form(page)).toBeHidden();
   await expect(status(page)).toContainText('W2000 is read as 2000 in');
 });
 

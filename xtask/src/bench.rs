@@ -1,5 +1,6 @@
 //! In: the options. Out: the tables of `tests/speed/README.md`: the playground beside a floor and its peers,
-//! natively, in wasm under Node and in a browser, and the times of the hostile programs.
+//! natively, in wasm under Node and in a browser; the times of the hostile programs; what the first picture
+//! costs on a slow line.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +28,7 @@ pub struct Options {
 pub fn main(options: Options) -> Result {
     let setup = Setup::for_building()?;
     let browser = browser::ensure()?;
-    package::wasm(&setup)?;
+    package::site(&setup)?;
     let binaries = run::target();
     let peers = binaries.join("bench-peers");
     build_floor_and_peers(&setup, options, &peers)?;
@@ -35,9 +36,10 @@ pub fn main(options: Options) -> Result {
     step("compiling the native run", native.args(["build", "--release", "--example", "native"]))?;
     let folder = binaries.join("bench");
     write_programs(&folder)?;
-    let [measures, hostile_times] = ["measures.md", "hostile.md"].map(|name| folder.join(name));
+    let [measures, hostile_times, first_picture] =
+        ["measures.md", "hostile.md", "first-picture.md"].map(|name| folder.join(name));
     let mut node = command("node");
-    node.arg("tests/speed/measure.mjs").arg(&folder).env(browser::VARIABLE, browser);
+    node.arg("tests/speed/measure.mjs").arg(&folder).env(browser::VARIABLE, &browser);
     node.arg("--binaries").arg(binaries.join("release/examples")).arg("--peers").arg(peers.join("release"));
     node.arg("--report").arg(&measures);
     if let Some(rounds) = options.rounds {
@@ -48,8 +50,19 @@ pub fn main(options: Options) -> Result {
     }
     step("measuring", &mut node)?;
     hostile::main(Some(&hostile_times))?;
+    let mut picture = command("node");
+    picture.arg("tests/speed/first-picture.mjs").arg("--report").arg(&first_picture);
+    picture.env(browser::VARIABLE, &browser);
+    if let Some(rounds) = options.rounds {
+        picture.arg("--rounds").arg(rounds.to_string());
+    }
+    step("measuring the first picture", &mut picture)?;
     if options.write {
-        write_tables(&[("measures", measures), ("hostile", hostile_times)])?;
+        write_tables(&[
+            ("measures", measures),
+            ("hostile", hostile_times),
+            ("first-picture", first_picture),
+        ])?;
     }
     Ok(())
 }

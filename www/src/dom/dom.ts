@@ -19,6 +19,21 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** Shows a text; what is shown already is left alone, since each change of the page is laid out again. */
+export function showText(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Shows these children in this order; those that stand right are left alone. */
+export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
+  const wanted = new Set<Element>(children);
+  for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
+  for (const [at, child] of children.entries()) {
+    const there = parent.children[at];
+    if (there !== child) parent.insertBefore(child, there ?? null);
+  }
+}
+
 /** The icons: 20 × 20, drawn with the text's colour. */
 const ICONS = {
   play: '<path d="M6 3.5v13l10.5-6.5z" fill="currentColor"/>',

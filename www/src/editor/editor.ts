@@ -2,23 +2,25 @@
 //
 // In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did
 // it (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and
-// `fileChanged` when the text is another file's, be it by undo. Must not know: the language it edits. Offsets
-// count every line end as one unit, as everywhere in this page.
+// `fileChanged` when the text is another file's, be it by undo. Loaded by `program.ts`, with all of CodeMirror.
+// Must not know: the language it edits.
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
-import { forEachDiagnostic, linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect } from '@codemirror/state';
 import {
   drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
-import { applyFix, lintDiagnostics } from './lint';
-import { marks, showHovered, showRunning, showTokens, type Span } from './marks';
-import { fileOf, fileOfText, origin, programText, renamed, textWithLineEnds, type ProgramFile, type ProgramText } from './file';
+import { applyFix, areShown, lintDiagnostics } from './lint';
+import { marks, showHovered, showRunning, showTokens } from './marks';
+import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
+import type { Change, EditorEvents, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
+import { programText, type ProgramFile, type ProgramText } from './program-text';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
@@ -33,21 +35,10 @@ const MARGIN_LINES = 60;
 /** Longer stretches (a file without line ends) stay without colours. */
 const HIGHLIGHT_LIMIT = 200_000;
 
-export interface EditorEvents {
-  /** `undone`: by undo, which brings back what was there before. */
-  changed(how: 'edited' | 'undone'): void;
-  cursorMoved(): void;
-  viewMoved(): void;
-  fileChanged(): void;
-  /** A text was pasted or dropped; it stands there now. */
-  pasted(from: number, to: number): void;
-}
-
 /** Marks a change that the page made, not the reader. */
 const byProgram = Annotation.define<true>();
 
-export class Editor {
-  readonly element = document.createElement('div');
+export class Editor implements TextHolder {
   readonly #view: EditorView;
   readonly #follower: Follower;
   readonly #events: EditorEvents;
@@ -56,20 +47,21 @@ export class Editor {
   #diagnostics: readonly Diagnostic[] = [];
   /** Counts the versions of the text. */
   #revision = 0;
-  readonly #unsent = new Unsent();
+  readonly #unsent: Unsent;
 
-  constructor(root: ShadowRoot, language: Language, events: EditorEvents) {
+  constructor(root: ShadowRoot, parent: HTMLElement, language: Language, start: Start, events: EditorEvents) {
+    const { program, file, unsent } = start;
     this.#events = events;
     this.#shownLanguage = language;
-    this.element.className = 'editor';
-    this.element.setAttribute('part', 'editor');
+    this.#unsent = new Unsent(unsent);
     this.#view = new EditorView({
-      parent: this.element,
+      parent,
       root,
       state: EditorState.create({
+        doc: docOf(program),
         extensions: [
           lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
-          history(), fileOfText, drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
+          history(), fileOfText(program.ends, file), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'fixed' }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -88,22 +80,18 @@ export class Editor {
     return this.#view.state.doc.toString();
   }
 
-  /** Line ends count and read as one unit. */
   textBetween(from: number, to: number): string {
     return this.#view.state.sliceDoc(from, to);
   }
 
-  /** With the line ends of the file. */
   get textWithLineEnds(): string {
     return textWithLineEnds(this.#view.state);
   }
 
-  /** The file the text came from. */
   get file(): ProgramFile | undefined {
     return fileOf(this.#view.state);
   }
 
-  /** The same text is saved as this file from now on. */
   set file(file: ProgramFile) {
     this.#view.dispatch({ effects: renamed(file), annotations: [byProgram.of(true), Transaction.addToHistory.of(false)] });
   }
@@ -116,12 +104,10 @@ export class Editor {
     return this.#revision;
   }
 
-  /** What makes the worker's text that of the editor; taken once. Nothing when it is already. */
   takeUnsent(): TextCommand | undefined {
     return this.#unsent.take(this.#view.state.doc);
   }
 
-  /** There is a worker that knows nothing yet. */
   unsend(): void {
     this.#unsent.all();
   }
@@ -141,26 +127,24 @@ export class Editor {
     this.diagnostics = this.#diagnostics;
   }
 
-  /** Another text from outside; `undoable` when it takes the place of something the reader may want back. */
   setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
     this.#replace(program, [origin(program.ends, file)], undoable);
   }
 
-  /** The same program written differently. */
   rewrite(text: string): void {
     this.#replace(programText(text), [], 'undoable');
   }
 
-  #replace({ doc, pieces }: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
+  #replace(program: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
     this.#view.dispatch({
       effects,
-      changes: { from: 0, to: this.length, insert: doc },
+      changes: { from: 0, to: this.length, insert: docOf(program) },
       selection: { anchor: 0 },
       annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
       scrollIntoView: true,
     });
-    this.#unsent.replaced(pieces);
-    this.element.firstElementChild?.classList.remove('cm-chosen');
+    this.#unsent.replaced(program.pieces);
+    this.#view.dom.classList.remove('cm-chosen');
   }
 
   /** The lines in sight with a margin, from 0, end exclusive; undefined when they are too long to colour. */
@@ -179,10 +163,9 @@ export class Editor {
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length);
-    let any = shown.length > 0;
-    if (!any) forEachDiagnostic(this.#view.state, () => (any = true));
-    if (any) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics);
+    // What stands there already costs a key nothing.
+    if (!areShown(this.#view.state, shown)) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
   }
 
   /** The block whose stroke the pointer is on. */
@@ -211,19 +194,12 @@ export class Editor {
     this.#view.dom.classList.add('cm-chosen');
   }
 
-  /** Sets the cursor down at the start of a problem and shows it. */
-  show(diagnostic: Diagnostic): void {
-    this.select({ from: diagnostic.from, to: diagnostic.to });
-    this.focus();
-  }
-
   /** Makes repairs; when the text has changed since they were offered, their places are no more. */
   apply(edits: Fix['edits']): void {
     if (this.#diagnostics.length > 0) applyFix(this.#view, edits);
   }
 
-  /** Changes of the reader's that undo takes back in one. */
-  change(edits: readonly Pick<Fix['edits'][number], 'from' | 'to' | 'text'>[]): void {
+  change(edits: readonly Change[]): void {
     if (edits.length === 0) return;
     this.#view.dispatch({
       changes: edits.map((edit) => ({ from: edit.from, to: edit.to, insert: edit.text })),

@@ -8,26 +8,12 @@ import { invertedEffects } from '@codemirror/commands';
 import {
   MapMode, RangeSet, RangeSetBuilder, RangeValue, StateEffect, StateField, Text, type ChangeDesc, type EditorState, type Extension,
 } from '@codemirror/state';
-import type { Encoding } from '../files/encodings';
-import { folded, inPieces, lineEndsOf, type LineEnds, type LineEndText } from '../files/line-ends';
+import type { LineEnds, LineEndText } from '../files/line-ends';
+import type { ProgramFile, ProgramText } from './program-text';
 
-export interface ProgramFile {
-  readonly name: string;
-  /** In which it is saved. */
-  readonly encoding: Encoding;
-}
-
-/** A whole text, ready for the editor and for the worker. */
-export interface ProgramText {
-  readonly doc: Text;
-  /** The same, as the worker receives it. */
-  readonly pieces: readonly string[];
-  readonly ends: LineEnds;
-}
-
-export function programText(text: string): ProgramText {
-  const pieces = inPieces(folded(text));
-  return { doc: pieces.reduce(append, Text.empty), pieces, ends: lineEndsOf(text) };
+/** The document of a text. */
+export function docOf({ doc, pieces }: ProgramText): Text {
+  return doc ?? pieces.reduce(append, Text.empty);
 }
 
 /** A document with one more piece of folded text at its end. */
@@ -60,8 +46,6 @@ interface Origin {
   readonly otherEnds: RangeSet<OtherEnd>;
 }
 
-const NO_ORIGIN: Origin = { file: undefined, mostEnds: '\n', otherEnds: RangeSet.empty };
-
 const moved = (origin: Origin, changes: ChangeDesc): Origin =>
   origin.otherEnds.size === 0 ? origin : { ...origin, otherEnds: origin.otherEnds.map(changes) };
 
@@ -73,7 +57,7 @@ const setFile = StateEffect.define<ProgramFile>();
 const restoreEnds = StateEffect.define<RangeSet<OtherEnd>>({ map: (ends, changes) => ends.map(changes) });
 
 const field = StateField.define<Origin>({
-  create: () => NO_ORIGIN,
+  create: () => ({ file: undefined, mostEnds: '\n', otherEnds: RangeSet.empty }),
   update(origin, transaction) {
     let next = transaction.docChanged ? moved(origin, transaction.changes) : origin;
     for (const effect of transaction.effects) {
@@ -85,15 +69,17 @@ const field = StateField.define<Origin>({
   },
 });
 
-export const fileOfText: Extension = [
-  field,
-  invertedEffects.of((transaction) => {
-    const before = transaction.startState.field(field);
-    if (transaction.effects.some((effect) => effect.is(setOrigin))) return [setOrigin.of(before)];
-    const after = transaction.state.field(field);
-    return after.otherEnds.size < before.otherEnds.size ? [restoreEnds.of(before.otherEnds)] : [];
-  }),
-];
+const undone: Extension = invertedEffects.of((transaction) => {
+  const before = transaction.startState.field(field);
+  if (transaction.effects.some((effect) => effect.is(setOrigin))) return [setOrigin.of(before)];
+  const after = transaction.state.field(field);
+  return after.otherEnds.size < before.otherEnds.size ? [restoreEnds.of(before.otherEnds)] : [];
+});
+
+/** Keeps file and line ends beside the text; those it begins with are these. */
+export function fileOfText(ends: LineEnds, file: ProgramFile | undefined): Extension {
+  return [field.init(() => originOf(ends, file)), undone];
+}
 
 export function fileOf(state: EditorState): ProgramFile | undefined {
   return state.field(field).file;
@@ -114,10 +100,14 @@ export function textWithLineEnds(state: EditorState): string {
 }
 
 /** What to add to the change that puts in a whole text, so that its file and its line ends are known. */
-export function origin({ most, others }: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
+export function origin(ends: LineEnds, file: ProgramFile | undefined): StateEffect<unknown> {
+  return setOrigin.of(originOf(ends, file));
+}
+
+function originOf({ most, others }: LineEnds, file: ProgramFile | undefined): Origin {
   const builder = new RangeSetBuilder<OtherEnd>();
   for (const [at, end] of others) builder.add(at, at, OTHER_ENDS[end]);
-  return setOrigin.of({ file, mostEnds: most, otherEnds: builder.finish() });
+  return { file, mostEnds: most, otherEnds: builder.finish() };
 }
 
 /** Called when the file of the text is called or encoded differently. */

@@ -6,11 +6,7 @@
 
 import { StateEffect, StateField, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
-
-export interface Span {
-  readonly from: number;
-  readonly to: number;
-}
+import type { Span } from './holder';
 
 /** The names the style sheet gives to the token classes 0, 1, 2 … */
 const TOKEN_STYLES = [

@@ -1,51 +1,13 @@
-// Files the reader opens, drops or saves: bytes to text and back.
+// Files the reader saves, or reads in another encoding: text to bytes and back.
 //
-// In: a `File`, or a text and its file. Out: the text and how it was read, or why there is none; the bytes to
-// save. What was opened and is saved unchanged has the same bytes. Must not know: what the text is for.
+// In: a text and its file. Out: the bytes to save, or the text in another encoding. What was opened
+// (`read-program.ts`) and is saved unchanged has the same bytes. Must not know: what the text is for.
 
-import { Text } from '@codemirror/state';
 import { decode, encode, isUnicode, type Encoding } from '../files/encodings';
-import { append, type ProgramFile, type ProgramText } from './file';
-import type { ReaderEvent } from '../files/file-reader';
+import type { ProgramFile } from './program-text';
 
-/** Bytes; a longer text the interpreter would refuse. */
-const SIZE_LIMIT = 64 * 1024 * 1024;
 /** The name of a program that never was a file. */
 const NEW_FILE: ProgramFile = { name: 'program.nc', encoding: 'utf-8' };
-
-export type Opened =
-  | { readonly kind: 'text'; readonly program: ProgramText; readonly file: ProgramFile; readonly binary: boolean }
-  | { readonly kind: 'too-large'; readonly name: string }
-  | { readonly kind: 'unreadable'; readonly name: string };
-
-export function readProgram(file: File): Promise<Opened> {
-  const { name } = file;
-  if (file.size > SIZE_LIMIT) return Promise.resolve({ kind: 'too-large', name });
-  const reader = new Worker(new URL('../files/file-reader.ts', import.meta.url), { type: 'module' });
-  const opened = new Promise<Opened>((resolve) => {
-    let doc = Text.empty;
-    const pieces: string[] = [];
-    reader.onmessage = ({ data: event }: MessageEvent<ReaderEvent>) => {
-      switch (event.kind) {
-        case 'piece':
-          // Each piece is a task of its own, so that a long text does not make the page stand still.
-          pieces.push(event.text);
-          doc = append(doc, event.text);
-          return;
-        case 'read': {
-          const { ends, encoding, binary } = event;
-          resolve({ kind: 'text', program: { doc, pieces, ends }, file: { name, encoding }, binary });
-          return;
-        }
-        case 'unreadable':
-          resolve({ kind: 'unreadable', name });
-      }
-    };
-    reader.onerror = () => resolve({ kind: 'unreadable', name });
-  });
-  reader.postMessage(file);
-  return opened.finally(() => reader.terminate());
-}
 
 export interface Saved {
   readonly bytes: Uint8Array<ArrayBuffer>;

@@ -17,8 +17,12 @@ const MOST_CHANGES = 100;
 
 export class Unsent {
   /** The text has to be sent: these pieces, or all there is in the document by then. */
-  #whole: readonly string[] | 'all' | undefined = 'all';
+  #whole: readonly string[] | 'all' | undefined;
   #changes: ChangeSet | undefined;
+
+  constructor(unsent: 'all' | 'nothing') {
+    this.#whole = unsent === 'all' ? 'all' : undefined;
+  }
 
   /** The whole text is needed, once more. */
   all(): void {

@@ -8,7 +8,7 @@ import '../shell/element';
 import './page.css';
 import { make } from '../dom/dom';
 import type { GcodePlayground } from '../shell/element';
-import type { ProgramFile } from '../editor/file';
+import type { ProgramFile } from '../editor/program-text';
 import { exampleOf, examples, type Example } from './gallery';
 import { linkedProgram, type LinkedProgram } from './linked';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
@@ -44,6 +44,8 @@ const settings = find('settings');
 let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
 let example: Example | undefined;
 let above: Above = { kind: 'example' };
+/** What the lines above the program were made of. */
+let aboveShown: readonly unknown[] = [];
 let keeping: ReturnType<typeof setTimeout> | undefined;
 /** The text as it was last loaded or kept. */
 let known = '';
@@ -216,10 +218,15 @@ function showAbove(what: Above): void {
   const texts = PAGE_WORDS[language];
   const lines: HTMLElement[] = [];
   const own = playground.file !== undefined;
+  const tooLong = playground.length > KEPT_LENGTH;
+  // This follows each key, and all of the page would be laid out again.
+  const shown = [what, language, example, own, tooLong];
+  if (shown.every((one, i) => one === aboveShown[i])) return;
+  aboveShown = shown;
   if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
   }
-  if (playground.length > KEPT_LENGTH) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
+  if (tooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
   if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
     lines.push(offer(texts.restored, texts.startAfresh, () => {

@@ -55,6 +55,7 @@ export class Drawing {
   #summary: Summary | undefined;
   #stroke: Stroke | undefined;
   #edge: string | undefined;
+  #legendShown = '';
   #travel = 0;
   #panning = { dx: 0, dy: 0 };
   #at = { x: 0, y: 0 };
@@ -181,10 +182,12 @@ export class Drawing {
       [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
       [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
     ];
+    const present = kinds.filter(([present]) => present);
+    const shown = present.map(([, , text]) => text).join();
+    if (shown === this.#legendShown) return;
+    this.#legendShown = shown;
     this.legend.replaceChildren(
-      ...kinds
-        .filter(([present]) => present)
-        .map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),
+      ...present.map(([, kind, text]) => make('li', {}, make('span', { className: `swatch ${kind}` }), text)),
     );
   }
 

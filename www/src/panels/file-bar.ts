@@ -7,8 +7,9 @@ import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { programText, type ProgramFile } from '../editor/file';
-import { bytesToSave, download, readProgram, reread } from '../editor/program-files';
+import { bytesToSave, download, reread } from '../editor/program-files';
+import { programText, type ProgramFile } from '../editor/program-text';
+import type { Opened } from '../editor/read-program';
 import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
 import type { Key, Panel, PanelKind, Services, Shell } from './panel';
 import fileBarStyles from './file-bar.css?inline';
@@ -64,7 +65,8 @@ class FileBar implements Panel {
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async #open(file: File): Promise<void> {
-    const opening = (this.#opening = readProgram(file));
+    const opening = read(file);
+    this.#opening = opening;
     const opened = await opening;
     // The reader has opened another one since.
     if (this.#opening !== opening) return;
@@ -116,6 +118,16 @@ class FileBar implements Panel {
         say(texts.noPlace(answer.character, chosen, present));
         break;
     }
+  }
+}
+
+/** What it takes to read one is loaded first. */
+async function read(file: File): Promise<Opened> {
+  try {
+    const { readProgram } = await import('../editor/read-program');
+    return await readProgram(file);
+  } catch {
+    return { kind: 'unreadable', name: file.name };
   }
 }
 

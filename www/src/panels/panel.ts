@@ -2,13 +2,13 @@
 //
 // A panel is one thing on the page: a button with its dialog, a bar, the pictures. It is one file of this
 // folder, with its words in all languages at the end of the file, its styles beside it in a style sheet of
-// the same name, and one line in the list of `index.ts`. What is too large for one file, or is loaded when it
+// the same name, and one line in the list of `further.ts`. What is too large for one file, or is loaded when it
 // is first needed, is a component beside it, with its own words. A panel knows the shell by `Shell`, and
 // other panels by the services they offer. Must not know: where text and setup are kept, or how runs begin.
 
 import type { Language } from '../dom/language';
-import type { Editor } from '../editor/editor';
-import type { ProgramFile, ProgramText } from '../editor/file';
+import type { Program } from '../editor/program';
+import type { ProgramFile, ProgramText } from '../editor/program-text';
 import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, SetupGroup, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
@@ -22,7 +22,7 @@ export type Region = (typeof REGIONS)[number];
 export interface PanelKind {
   /** Its own style sheet. */
   readonly styles?: string;
-  /** Called once for each element, when the editor is there and other panels may not be. */
+  /** Called once for each element, when other panels may not be there. */
   make(shell: Shell): Panel;
 }
 
@@ -84,7 +84,7 @@ export interface ClientPlace {
 }
 
 /** What a notice is about; another run hides `core` and `program`. */
-export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core';
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor';
 
 /** A button of a notice: what can be done about it. */
 export interface Remedy {
@@ -116,7 +116,8 @@ export interface NewestQuestion<K extends QuestionKind> {
 
 export interface Shell {
   readonly root: ShadowRoot;
-  readonly editor: Editor;
+  /** The program, and the editor it stands in. */
+  readonly editor: Program;
   readonly language: Language;
   /** What the panels of a region stand in. */
   region(region: Region): HTMLElement;

@@ -3,7 +3,7 @@
 // In: the diagnostics of the newest run. Out: the place the reader wants to see, the repairs the reader wants
 // made: one, or all safe fixes at once. Must not know: what a diagnostic is about.
 
-import { icon, make, prose } from '../dom/dom';
+import { arrange, icon, make, prose, showText } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import { PROBLEM_WORDS } from '../editor/problem-words';
@@ -19,10 +19,21 @@ const SHOWN = 200;
 
 export const problems: PanelKind = { styles: problemsStyles, make: (shell) => new Problems(shell) };
 
+/** A row of the list; an edit elsewhere moves its problem, and the row stays. */
+interface Row {
+  readonly element: HTMLLIElement;
+  diagnostic: Diagnostic;
+}
+
 class Problems implements Panel {
   readonly #shell: Shell;
   readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
   readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
+  readonly #title = make('span');
+  readonly #count = make('span', { className: 'count' });
+  readonly #more = make('li', { className: 'more' });
+  /** By what they show: many can show the same. */
+  #rows = new Map<string, Row[]>();
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
   readonly #element = make(
     'section', { className: 'problems', part: 'problems' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#list,
@@ -32,6 +43,7 @@ class Problems implements Panel {
 
   constructor(shell: Shell) {
     this.#shell = shell;
+    this.#toggle.append(icon('chevron'), this.#title, this.#count);
     this.#toggle.setAttribute('aria-controls', this.#list.id);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#list.hidden === true));
     this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
@@ -69,21 +81,38 @@ class Problems implements Panel {
     const count = this.#diagnostics.length;
     this.#element.hidden = count === 0;
     this.#element.setAttribute('aria-label', strings.problems);
-    this.#toggle.replaceChildren(
-      icon('chevron'),
-      make('span', {}, strings.problems),
-      make('span', { className: 'count' }, String(count)),
-    );
+    showText(this.#title, strings.problems);
+    showText(this.#count, String(count));
     const safe = countSafe(this.#diagnostics);
     this.#fixSafe.hidden = safe === 0;
-    this.#fixSafe.textContent = strings.fixSafe(safe);
+    showText(this.#fixSafe, strings.fixSafe(safe));
     this.#fixSafe.title = strings.fixSafeHelp;
-    const items = this.#diagnostics.slice(0, SHOWN).map((diagnostic) => this.#item(diagnostic));
-    if (count > SHOWN) items.push(make('li', { className: 'more' }, strings.moreProblems(count - SHOWN)));
-    this.#list.replaceChildren(...items);
+    const rows = this.#diagnostics.slice(0, SHOWN).map((diagnostic) => this.#row(diagnostic));
+    this.#rows = new Map();
+    for (const row of rows) {
+      const shows = this.#shows(row.diagnostic);
+      const same = this.#rows.get(shows);
+      if (same === undefined) this.#rows.set(shows, [row]);
+      else same.push(row);
+    }
+    showText(this.#more, strings.moreProblems(count - SHOWN));
+    arrange(this.#list, [...rows.map(({ element }) => element), ...(count > SHOWN ? [this.#more] : [])]);
   }
 
-  #item(diagnostic: Diagnostic): HTMLLIElement {
+  /** All that a row shows. */
+  #shows({ severity, kind, code, slug, alarm, message, line, column, fixes }: Diagnostic): string {
+    return JSON.stringify([this.#shell.language, severity, kind, code, slug, alarm, message, line, column, ...fixes.map(({ title }) => title)]);
+  }
+
+  /** The row that shows this already, or another one. */
+  #row(diagnostic: Diagnostic): Row {
+    const known = this.#rows.get(this.#shows(diagnostic))?.shift();
+    if (known === undefined) return this.#made(diagnostic);
+    known.diagnostic = diagnostic;
+    return known;
+  }
+
+  #made(diagnostic: Diagnostic): Row {
     const { language } = this.#shell;
     const [strings, said] = [WORDS[language], PROBLEM_WORDS[language]];
     const title = said.severity[diagnostic.severity];
@@ -103,15 +132,15 @@ class Problems implements Panel {
         make('span', { className: 'facts' }, facts.filter((fact) => fact !== '').join(' · ')),
       ),
     );
-    button.addEventListener('click', () => this.#shell.editor.show(diagnostic));
-    const fixes = diagnostic.fixes.map((fix) => {
+    button.addEventListener('click', () => this.#shell.editor.show(row.diagnostic));
+    const fixes = diagnostic.fixes.map((fix, at) => {
       const repair = make('button', { type: 'button', className: 'fix' }, ...prose(strings.fix(fix.title)));
-      repair.addEventListener('click', () => this.#fix(fix.edits));
+      repair.addEventListener('click', () => this.#fix(row.diagnostic.fixes[at]?.edits ?? []));
       return repair;
     });
-    const item = make('li', {}, button, ruleLink(diagnostic, language));
-    if (fixes.length > 0) item.append(make('div', { className: 'fixes' }, ...fixes));
-    return item;
+    const row: Row = { element: make('li', {}, button, ruleLink(diagnostic, language)), diagnostic };
+    if (fixes.length > 0) row.element.append(make('div', { className: 'fixes' }, ...fixes));
+    return row;
   }
 }
 

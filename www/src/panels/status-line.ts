@@ -29,6 +29,7 @@ class StatusLine implements Panel {
   readonly #stop = make('button', { type: 'button', className: 'framed', hidden: true });
   readonly #change = make('button', { type: 'button', className: 'change quiet' });
   #shown: Shown = { kind: 'loading' };
+  #said = '';
   readonly places = { foot: [this.#element, this.#stop] };
 
   constructor(shell: Shell) {
@@ -67,9 +68,12 @@ class StatusLine implements Panel {
     this.#stop.textContent = texts.stopRun;
     this.#stop.hidden = this.#shown.kind !== 'running';
     // On a narrow page the line breaks between facts, not inside them.
-    const facts = this.#facts().flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]);
-    this.#element.replaceChildren(...facts);
+    const written = this.#facts();
     const decimal = this.#shown.kind === 'summary' ? this.#shown.decimal : undefined;
+    const said = JSON.stringify([this.#shell.language, ...written, decimal]);
+    if (said === this.#said) return;
+    this.#said = said;
+    this.#element.replaceChildren(...written.flatMap((fact, i) => [i > 0 ? ' · ' : '', make('span', {}, fact)]));
     if (decimal === undefined) return;
     this.#change.textContent = texts.change;
     this.#change.setAttribute('aria-label', texts.changeDecimal);

@@ -31,6 +31,8 @@ class Views implements Panel {
   #state: ViewsState = { face: false, turret: 'rear', comparison: undefined };
   #wanted: Pictures = 'both';
   #told: Pictures = 'section';
+  /** Of the row, CSS pixels. */
+  #width = 0;
 
   readonly places = { views: [this.#choice, this.#turret, this.#keep, this.#end, this.#differences] };
 
@@ -54,6 +56,7 @@ class Views implements Panel {
     });
     new ResizeObserver(() => {
       // What floats over the pictures stands below this row.
+      this.#width = this.#row.getBoundingClientRect().width;
       this.#row.parentElement?.style.setProperty('--views-size', `${this.#row.offsetHeight}px`);
       this.#show();
     }).observe(this.#row);
@@ -97,7 +100,7 @@ class Views implements Panel {
 
   #show(): void {
     const { face, turret, comparison } = this.#state;
-    const wide = this.#row.getBoundingClientRect().width >= ROOM_FOR_BOTH;
+    const wide = this.#width >= ROOM_FOR_BOTH;
     const pictures = !face ? 'section' : this.#wanted === 'both' && !wide ? 'face' : this.#wanted;
     this.#choice.hidden = !face;
     this.#buttons.both.hidden = !wide;

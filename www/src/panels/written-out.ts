@@ -4,15 +4,11 @@
 // In: the text to show, with its colours, as an answer. Out: that text as the program, when the reader takes
 // it over. Must not know: how a cycle is expanded.
 
-import { defaultKeymap } from '@codemirror/commands';
-import { EditorState } from '@codemirror/state';
-import { drawSelection, EditorView, keymap, lineNumbers } from '@codemirror/view';
 import { Dialog } from '../dom/dialog';
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import { marks, showTokens } from '../editor/marks';
-import { editorTheme } from '../editor/theme';
+import type { CodeView } from '../editor/code-view';
 import type { WrittenOut } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 import writtenOutStyles from './written-out.css?inline';
@@ -29,7 +25,8 @@ class WrittenOutPanel implements Panel {
   readonly #take = make('button', { type: 'button', className: 'framed' });
   readonly #news = make('span', { className: 'unseen', role: 'log' });
   readonly #dialog = new Dialog('written-out', [this.#text], [this.#copy, this.#take, this.#news]);
-  #view: EditorView | undefined;
+  /** Made anew each time it is opened; its code is loaded with the editor's. */
+  #view: CodeView | undefined;
   #copied: ReturnType<typeof setTimeout> | undefined;
 
   readonly places = { foot: [this.#button], dialogs: [this.#dialog.element] };
@@ -69,38 +66,23 @@ class WrittenOutPanel implements Panel {
     const { editor } = this.#shell;
     this.#shell.flush();
     const { revision } = editor;
-    const written = await this.#shell.ask('expand', undefined);
-    if (written !== undefined && editor.revision === revision) this.#show(written, editor.text);
+    const [written, { CodeView }] = await Promise.all([this.#shell.ask('expand', undefined), import('../editor/code-view')]);
+    if (written !== undefined && editor.revision === revision) this.#show(written, editor.text, CodeView);
   }
 
   /** `before` is the program as it stands in the editor. */
-  #show(written: WrittenOut, before: string): void {
+  #show(written: WrittenOut, before: string, View: typeof CodeView): void {
     const changed = written.text.trimEnd() !== before.trimEnd();
     this.#dialog.about = changed ? this.#words.writtenOutAbout : this.#words.nothingToWriteOut;
     this.#take.hidden = !changed;
     this.#view?.destroy();
-    this.#view = new EditorView({
-      parent: this.#text,
-      root: this.#shell.root,
-      state: EditorState.create({
-        doc: written.text.trimEnd(),
-        extensions: [
-          EditorState.readOnly.of(true), EditorView.editable.of(false), lineNumbers(), drawSelection(), marks, editorTheme,
-          keymap.of(defaultKeymap),
-          EditorView.contentAttributes.of({
-            tabindex: '0', lang: 'en', 'aria-label': this.#words.writtenOut, 'aria-readonly': 'true',
-          }),
-        ],
-      }),
-    });
-    this.#view.dispatch({ effects: showTokens.of(written.tokens) });
+    this.#view = new View(this.#text, this.#shell.root, written.text.trimEnd(), written.tokens, this.#words.writtenOut);
     this.#dialog.show();
-    this.#view.requestMeasure();
-    this.#view.focus();
+    this.#view.opened();
   }
 
   #takeOver(): void {
-    const text = this.#view?.state.doc.toString();
+    const text = this.#view?.text;
     this.#dialog.close();
     if (text === undefined) return;
     this.#shell.rewrite(`${text}\n`);
@@ -112,13 +94,12 @@ class WrittenOutPanel implements Panel {
     const view = this.#view;
     if (view === undefined) return;
     try {
-      await navigator.clipboard.writeText(`${view.state.doc.toString()}\n`);
+      await navigator.clipboard.writeText(`${view.text}\n`);
       this.#showCopy('copied');
       this.#copied = setTimeout(() => this.#showCopy('copy'), COPIED_FOR_MS);
     } catch {
       // Not allowed here: what the reader's own Ctrl C needs is a selection.
-      view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
-      view.focus();
+      view.selectAll();
       this.#news.textContent = '';
       this.#dialog.about = this.#words.copyYourself;
     }

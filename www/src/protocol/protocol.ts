@@ -35,6 +35,12 @@ export type CanvasCommand =
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
 
+/** The first thing a worker hears: the compiled module of the interpreter. */
+export interface Core {
+  readonly kind: 'core';
+  readonly module: WebAssembly.Module;
+}
+
 export type Command =
   /** What happens to one of the pictures. */
   | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }

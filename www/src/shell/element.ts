@@ -13,7 +13,9 @@
 //   theme     auto | light | dark
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
-// The last two follow the reader, who finds a switch for each where the text has a use for it.
+//   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
+// `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
+// Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
 // openFile(file), saveFile(), focus(), and for automation
@@ -39,22 +41,16 @@
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
 import { languageOf, type Language } from '../dom/language';
-import { programText, type ProgramFile } from '../editor/file';
+import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
-import { PANELS } from '../panels/index';
-import type { ClientPlace } from '../panels/panel';
+import type { ClientPlace, Services } from '../panels/panel';
+import { viewOf, type View } from './layout';
 import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
 import { initialProgram } from './start';
+import { adopt } from './style-sheets';
 import colours from '../colours.css?inline';
-import editorStyles from '../editor/editor.css?inline';
 import styles from './styles.css?inline';
-
-const sheets = [colours, styles, editorStyles, ...PANELS.map(({ styles }) => styles ?? '')].map((text) => {
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(text);
-  return sheet;
-});
 
 export interface OpenedProgram {
   readonly text: string;
@@ -62,13 +58,18 @@ export interface OpenedProgram {
 }
 
 export class GcodePlayground extends HTMLElement {
-  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme'];
+  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
 
   /** Made when the element is first in a document. */
   #made: PlaygroundShell | undefined;
   /** What was set before. */
   #early: OpenedProgram | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
+
+  constructor() {
+    super();
+    this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
+  }
 
   connectedCallback(): void {
     (this.#made ??= this.#make()).connect();
@@ -82,6 +83,7 @@ export class GcodePlayground extends HTMLElement {
     if (before === now) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
+    else if (attribute === 'view') this.#viewChanged();
     else this.#made?.setupChanged();
   }
 
@@ -172,12 +174,20 @@ export class GcodePlayground extends HTMLElement {
     this.setAttribute('theme', theme);
   }
 
+  get view(): View {
+    return viewOf(this.getAttribute('view'));
+  }
+
+  set view(view: View) {
+    this.setAttribute('view', view);
+  }
+
   play(): void {
-    this.#shell.service('play')();
+    this.#with('play', (play) => play());
   }
 
   pause(): void {
-    this.#shell.service('pause')();
+    this.#with('pause', (pause) => pause());
   }
 
   override focus(): void {
@@ -196,12 +206,14 @@ export class GcodePlayground extends HTMLElement {
 
   /** Opens a file as the program; what it replaces can be brought back with undo. */
   async openFile(file: File): Promise<void> {
-    return this.#shell.service('openFile')(file);
+    const shell = this.#shell;
+    await shell.complete;
+    return shell.service('openFile')(file);
   }
 
   /** Saves the program as a file, in the encoding and with the line ends it was opened with. */
   saveFile(): void {
-    this.#shell.service('saveFile')();
+    this.#with('saveFile', (save) => save());
   }
 
   get #shell(): PlaygroundShell {
@@ -209,16 +221,33 @@ export class GcodePlayground extends HTMLElement {
     return this.#made;
   }
 
+  /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
+  #with<S extends 'play' | 'pause' | 'saveFile'>(name: S, act: (service: Services[S]) => void): void {
+    const shell = this.#shell;
+    if (shell.view !== 'all') throw new Error(`view="${shell.view}" does not offer ${name}`);
+    void shell.complete.then(() => act(shell.service(name)), () => undefined);
+  }
+
+  /** Another view is made anew, around the same program. */
+  #viewChanged(): void {
+    const made = this.#made;
+    if (made === undefined || made.view === this.view) return;
+    this.#early = this.opened;
+    made.disconnect();
+    this.#made = undefined;
+    this.shadowRoot?.replaceChildren();
+    if (this.isConnected) this.connectedCallback();
+  }
+
   #make(): PlaygroundShell {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-    root.adoptedStyleSheets = sheets;
+    adopt(root, [colours, styles]);
     const shell = new PlaygroundShell(root, this, {
       fire: (type, detail) => this.#fire(type, detail),
       changed: () => this.#changed(),
       unsettled: () => this.#settling.unsettle(),
       settled: (run) => this.#settling.settle(run),
     });
-    this.addEventListener('keydown', (event) => shell.pressed(event), { capture: true });
     const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
     shell.start(text, file);
     return shell;

@@ -1,17 +1,25 @@
-// Where the regions of the panels stand around the editor.
+// Where the regions of the panels stand around the editor, or around the picture alone.
 //
-// In: the editor. Out: the frame, and for each region what its panels stand in. Must not
+// In: the view, the editor. Out: the frame, and for each region what its panels stand in. Must not
 // know: which panels there are.
 
 import { make } from '../dom/dom';
 import type { Region } from '../panels/panel';
+
+/** What the element shows: all there is, or the picture alone. */
+export const VIEWS = ['all', 'picture'] as const;
+export type View = (typeof VIEWS)[number];
+
+export function viewOf(attribute: string | null): View {
+  return VIEWS.find((view) => view === attribute) ?? 'all';
+}
 
 export interface Layout {
   readonly frame: HTMLElement;
   readonly regions: Readonly<Record<Region, HTMLElement>>;
 }
 
-export function layout(editor: HTMLElement): Layout {
+export function layout(view: View, editor: HTMLElement): Layout {
   const bare = (): HTMLElement => make('div', { className: 'region' });
   const regions = {
     notices: bare(),
@@ -24,6 +32,11 @@ export function layout(editor: HTMLElement): Layout {
     foot: make('div', { className: 'foot' }),
     dialogs: bare(),
   };
+  if (view === 'picture') {
+    // The other regions stand nowhere.
+    const frame = make('div', { className: 'frame picture-only', part: 'frame' }, make('div', { className: 'shown' }, regions.notices, regions.pictures));
+    return { frame, regions };
+  }
   const frame = make(
     'div', { className: 'frame', part: 'frame' },
     make('div', { className: 'written' }, make('slot', { name: 'intro' }), regions.notices, regions.bar, editor, regions.problems),

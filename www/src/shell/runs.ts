@@ -4,7 +4,7 @@
 // run in one go; what is typed quickly goes together. A worker that is lost is replaced. Must not know:
 // panels, attributes, or what a setup holds.
 
-import type { Editor } from '../editor/editor';
+import type { Program } from '../editor/program';
 import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';
 import { CoreClient, Newest, type Heard, type Loss } from '../worker/core-client';
 import type { NewestQuestion } from '../panels/panel';
@@ -22,6 +22,8 @@ export interface RunsEvents {
   textChanged(): void;
   /** What was typed has been sent. */
   sent(): void;
+  /** The worker has loaded the interpreter. */
+  ready(): void;
   /** There is a worker that knows nothing yet. */
   connected(client: CoreClient): void;
   lost(loss: Loss): void;
@@ -30,7 +32,7 @@ export interface RunsEvents {
 }
 
 export class Runs {
-  readonly #editor: Editor;
+  readonly #editor: Program;
   readonly #events: RunsEvents;
   #client: CoreClient | undefined;
   /** What follows a new worker: the questions of which only the newest counts. */
@@ -46,7 +48,7 @@ export class Runs {
   /** The reader has put the cursor where it is. */
   #cursorKnown = false;
 
-  constructor(editor: Editor, events: RunsEvents) {
+  constructor(editor: Program, events: RunsEvents) {
     this.#editor = editor;
     this.#events = events;
   }
@@ -62,6 +64,7 @@ export class Runs {
   connect(): void {
     const events = this.#events;
     const client = (this.#client = new CoreClient({
+      ready: () => events.ready(),
       event: (event) => events.heard(event),
       pictures: (pictures) => events.pictures(pictures),
       unsettled: () => events.unsettled(),

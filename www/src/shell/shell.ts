@@ -2,25 +2,27 @@
 // worker and of the page around.
 //
 // In: what the reader does, what the worker reports. Out: the same to the panels; attributes and events of
-// the element, its host. Which panels there are, it knows from `panels/index.ts` alone. Must not know:
-// G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
+// the element, its host. Which panels there are, it knows from `panels/index.ts` and, where more than the
+// picture is shown, `panels/further.ts`, which is loaded then. Must not know: G-code. What is written and what it means is the interpreter's business, behind core-client.ts.
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import { Editor } from '../editor/editor';
-import { programText, type ProgramFile, type ProgramText } from '../editor/file';
-import { PANELS } from '../panels/index';
-import { REGIONS, type NewestQuestion, type Panel, type Region, type Services, type Shell } from '../panels/panel';
+import { Program } from '../editor/program';
+import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
+import { FIRST } from '../panels/index';
+import { REGIONS, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
 import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
-import type { Loss } from '../worker/core-client';
-import { layout } from './layout';
+import type { Heard, Loss } from '../worker/core-client';
+import { layout, type View } from './layout';
 import { ProgramSetup, type Attributes, type RunAs } from './program-setup';
 import { Runs } from './runs';
 import { mergedSetup, switchesSet } from './start';
+import { adopt } from './style-sheets';
 
 /** The element, whose attributes say how the program is run. */
 export interface Host {
   readonly language: Language;
+  readonly view: View;
   readonly control: string | null;
   setup: string | null;
   blockSkip: string | null;
@@ -38,18 +40,33 @@ export interface ShellEvents {
   settled(run: number): void;
 }
 
+/** What was told to the panels there are, for those that come later. */
+interface Missed {
+  readonly heard: Map<Heard['kind'], Heard>;
+  switches?: SwitchesSet;
+  isLost?: boolean;
+}
+
 export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
-  readonly editor: Editor;
+  readonly editor: Program;
+  readonly view: View;
+  /** All panels of the view are there; rejected where those of it could not be loaded. */
+  readonly complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #regions: Readonly<Record<Region, HTMLElement>>;
-  readonly #panels: readonly Panel[];
+  readonly #panels: Panel[] = [];
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
   readonly #programSetup = new ProgramSetup();
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
+  /** What panels that come later have to hear of the newest run; nothing once all are there. */
+  #missed: Missed | undefined = { heard: new Map() };
+  /** What of the page is still to come, and the run that is shown but for that. */
+  readonly #coming: Set<'panels' | 'editor'>;
+  #settledRun: number | undefined;
   /** Why the setup could not even be sent. */
   #setupUnreadable: string | undefined;
 
@@ -58,7 +75,9 @@ export class PlaygroundShell implements Shell {
     this.#host = host;
     this.#events = events;
     this.#language = host.language;
-    this.editor = new Editor(root, this.#language, {
+    this.view = host.view;
+    this.#coming = new Set(this.view === 'all' ? ['panels', 'editor'] as const : []);
+    this.editor = new Program(this.#language, {
       changed: (how) => this.#typed(how),
       cursorMoved: () => this.#runs.cursorMoved(),
       viewMoved: () => void this.#runs.askTokens(),
@@ -71,33 +90,43 @@ export class PlaygroundShell implements Shell {
     this.#runs = new Runs(this.editor, {
       setup: () => this.#mergedSetup(),
       heard: (event) => {
+        this.#missed?.heard.set(event.kind, event);
         this.#tell((panel) => panel.heard?.(event));
         if (event.kind === 'report') this.#reported(event.report);
         else if (event.kind === 'part-failed') this.#partFailed(event.reason);
       },
       pictures: (pictures) => this.#tell((panel) => panel.showPictures?.(pictures)),
-      outdated: () => this.#tell((panel) => panel.outdated?.()),
+      outdated: () => {
+        this.#missed?.heard.clear();
+        this.#tell((panel) => panel.outdated?.());
+      },
       textChanged: () => {
         for (const topic of ['core', 'program'] as const) this.service('hideNotice')(topic);
       },
       sent: () => events.changed(),
+      // Not earlier: what brings the picture has the line for itself.
+      ready: () => this.#editIfShown(),
       connected: (client) => {
         client.send({ kind: 'language', tag: this.#language });
         this.#tell((panel) => panel.connected?.((command) => client.send(command)));
       },
       lost: (loss) => this.#lost(loss),
-      unsettled: () => events.unsettled(),
-      settled: (run) => events.settled(run),
+      unsettled: () => {
+        this.#settledRun = undefined;
+        events.unsettled();
+      },
+      settled: (run) => {
+        this.#settledRun = run;
+        this.#settle();
+      },
     });
-    const { frame, regions } = layout(this.editor.element);
+    const { frame, regions } = layout(this.view, this.editor.element);
     this.#regions = regions;
-    this.#panels = PANELS.map(({ make }) => make(this));
-    for (const panel of this.#panels) {
-      for (const region of REGIONS) regions[region].append(...(panel.places[region] ?? []));
-      Object.assign(this.#services, panel.services);
-      panel.language = this.#language;
-    }
+    this.#add(FIRST);
     root.append(frame);
+    this.complete = this.view === 'all' ? this.#addFurther() : Promise.resolve();
+    // Whoever asks for it hears of a failure, and so does the reader.
+    this.complete.catch(() => undefined);
   }
 
   // ---- for the element ----------------------------------------------------------------------------
@@ -168,7 +197,7 @@ export class PlaygroundShell implements Shell {
 
   service<S extends keyof Services>(name: S): Services[S] {
     const service = this.#services[name];
-    if (service === undefined) throw new Error(`no panel offers ${name}`);
+    if (service === undefined) throw new Error(`view="${this.view}" does not offer ${name}`);
     return service;
   }
 
@@ -242,6 +271,41 @@ export class PlaygroundShell implements Shell {
 
   // ---- between them -------------------------------------------------------------------------------
 
+  /** Panels stand before those that are there already. */
+  #add(kinds: readonly PanelKind[]): readonly Panel[] {
+    adopt(this.root, kinds.map(({ styles }) => styles ?? ''));
+    const added = kinds.map(({ make }) => make(this));
+    for (const region of REGIONS) this.#regions[region].prepend(...added.flatMap(({ places }) => places[region] ?? []));
+    for (const panel of added) Object.assign(this.#services, panel.services);
+    this.#panels.unshift(...added);
+    for (const panel of added) panel.language = this.#language;
+    return added;
+  }
+
+  /** The panels that the picture does not need; they hear what has been since. */
+  async #addFurther(): Promise<void> {
+    try {
+      const { FURTHER, SHARED_STYLES } = await import('../panels/further');
+      adopt(this.root, SHARED_STYLES);
+      const missed = this.#missed;
+      this.#missed = undefined;
+      for (const panel of this.#add(FURTHER)) {
+        panel.fileChanged?.(this.editor.file);
+        if (missed?.switches !== undefined) panel.switched?.(missed.switches);
+        if (missed?.isLost === true) panel.lost?.();
+        for (const event of missed?.heard.values() ?? []) panel.heard?.(event);
+        const report = missed?.heard.get('report');
+        if (report?.kind === 'report' && 'available' in panel) panel.available = hasMotions(report.report);
+      }
+    } catch (error) {
+      // A second try would be answered with the first one's failure in some browsers.
+      this.service('notice')(WORDS[this.#language].pageFailed(describe(error)), 'editor');
+      throw error;
+    } finally {
+      this.#arrived('panels');
+    }
+  }
+
   #tell(tell: (panel: Panel) => void): void {
     for (const panel of this.#panels) tell(panel);
   }
@@ -267,18 +331,48 @@ export class PlaygroundShell implements Shell {
   #mergedSetup(): string | undefined {
     const { control, setup, blockSkip, program } = this.#host;
     const merged = mergedSetup(setup, { control, blockSkip, program });
-    this.#tell((panel) => panel.switched?.(switchesSet(merged)));
+    const switches = switchesSet(merged);
+    if (this.#missed !== undefined) this.#missed.switches = switches;
+    this.#tell((panel) => panel.switched?.(switches));
     this.#setupUnreadable = merged.kind === 'unreadable' ? merged.reason : undefined;
     return merged.kind === 'setup' ? merged.json : undefined;
   }
 
-  #reported({ summary, diagnostics, setupRejected }: Report): void {
+  #reported(report: Report): void {
+    const { summary, diagnostics, setupRejected } = report;
+    if (this.#missed !== undefined) this.#missed.isLost = false;
     const rejected = this.#setupUnreadable ?? setupRejected;
     if (rejected === undefined) this.service('hideNotice')('setup');
     else this.service('notice')(WORDS[this.#language].setupRejected(rejected), 'setup');
-    this.#available(summary.finished && summary.motions > 0);
+    this.#available(hasMotions(report));
     this.editor.diagnostics = diagnostics;
     this.#events.fire<{ summary: Summary; diagnostics: readonly Diagnostic[] }>('gcode-report', { summary, diagnostics });
+  }
+
+  /** There, or not to be had. */
+  #arrived(part: 'panels' | 'editor'): void {
+    this.#coming.delete(part);
+    this.#settle();
+  }
+
+  #settle(): void {
+    if (this.#settledRun !== undefined && this.#coming.size === 0) this.#events.settled(this.#settledRun);
+  }
+
+  #editIfShown(): void {
+    if (this.view === 'all') void this.#edit();
+  }
+
+  /** Puts the editor in its place. */
+  async #edit(): Promise<void> {
+    try {
+      await this.editor.edit(this.root);
+      this.service('hideNotice')('editor');
+    } catch (error) {
+      const texts = WORDS[this.#language];
+      this.service('notice')(texts.editorFailed(describe(error)), 'editor', { title: texts.tryAgain, act: () => void this.#edit() });
+    }
+    this.#arrived('editor');
   }
 
   #partFailed(reason: string): void {
@@ -294,17 +388,29 @@ export class PlaygroundShell implements Shell {
   #lost(loss: Loss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
     this.#available(false);
+    if (this.#missed !== undefined) this.#missed.isLost = true;
     this.#tell((panel) => panel.lost?.());
     const texts = WORDS[this.#language];
     const text = loss.kind === 'load-failed' ? texts.loadFailed(loss.reason) : loss.kind === 'silent' ? texts.stopped : texts.crashed;
     this.service('notice')(text, 'core');
+    this.#editIfShown();
   }
+}
+
+function hasMotions({ summary }: Report): boolean {
+  return summary.finished && summary.motions > 0;
+}
+
+function describe(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
 }
 
 const WORDS = words({
   en: {
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
     partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
+    pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}). Reload the page to try again.`,
+    editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
     tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
@@ -313,6 +419,8 @@ const WORDS = words({
   zh: {
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
+    pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。请刷新页面重试。`,
+    editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
     tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
@@ -321,6 +429,8 @@ const WORDS = words({
   ru: {
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
+    pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}). Обновите страницу.`,
+    editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
     tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',

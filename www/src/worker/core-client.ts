@@ -5,7 +5,8 @@
 // Watches that the worker answers at all; one that is silent for 15 s, or has failed, is ended and reported
 // as lost. Must not know: what the commands mean, or what is on the page.
 
-import { counts, OF_THE_RUN, type Answer, type Command, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type WorkerEvent } from '../protocol/protocol';
+import { coreModule } from './core-module';
+import { counts, OF_THE_RUN, type Answer, type Command, type Core, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type WorkerEvent } from '../protocol/protocol';
 
 const SILENCE_LIMIT_MS = 15_000;
 /** After the computer slept the timer may ring before the answer that is already there is read. */
@@ -17,6 +18,8 @@ export type Loss = { readonly kind: 'silent' } | { readonly kind: 'crashed' | 'l
 export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
 
 export interface CoreListener {
+  /** The interpreter is loaded. */
+  ready(): void;
   /** Of the newest run. */
   event(event: Heard): void;
   /** Shows pictures of the newest run that the worker knows; the images are the listener's. */
@@ -57,6 +60,10 @@ export class CoreClient {
     this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
     this.#worker.onmessage = (message: MessageEvent<WorkerEvent>) => this.#receive(message.data);
     this.#worker.onerror = (error) => this.#lose({ kind: 'load-failed', reason: error.message || 'worker' });
+    coreModule().then(
+      (module) => this.#ended || this.#worker.postMessage({ kind: 'core', module } satisfies Core),
+      (reason: unknown) => this.#lose({ kind: 'load-failed', reason: reason instanceof Error ? reason.message : String(reason) }),
+    );
   }
 
   /** The number of the run that the page wants. */
@@ -145,6 +152,7 @@ export class CoreClient {
       case 'ready':
         this.#ready = true;
         this.#watchOver();
+        this.#listener.ready();
         return;
       default:
         if (event.run === this.#run) this.#listener.event(event);

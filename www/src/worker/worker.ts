@@ -1,6 +1,6 @@
 // The interpreter's own thread: owns the `Playground`, its text and the canvas it draws on.
 //
-// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to:
+// In: the module of the interpreter, then commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to:
 // `tell` is the only door. A program is run in slices, and between slices the messages that have come in are
 // read, so newer text ends an older run at once. Pictures cross as images, one at a time: the next one leaves
 // when the page has shown the last, so that "settled" is what the page shows, not what was painted here. Must
@@ -10,7 +10,7 @@ import init, { Drawn, Playground } from '../../pkg/gcode_playground.js';
 import { ANSWERS, type AnswerRow } from './answers';
 import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
 import {
-  counts, type BeginRun, type Came, type Command, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
+  counts, type BeginRun, type Came, type Command, type Core, type LifeEvent, type Question, type QuestionKind, type Report, type RunEvent, type SwitchesInText, type TextChange, type TextCommand,
   type Work } from '../protocol/protocol';
 import { fetchPart, Parts, type PartName } from './parts';
 import { handIn } from './text-in';
@@ -92,20 +92,19 @@ const early: (Command | Question)[] = [];
 const slices = new MessageChannel();
 let sliceQueued = false;
 
-self.onmessage = (event: MessageEvent<Command | Question>) => {
-  if (core === undefined) hearEarly(event.data);
-  else guarded(() => receive(event.data));
+self.onmessage = ({ data: message }: MessageEvent<Core | Command | Question>) => {
+  if (message.kind === 'core') void load(message.module);
+  else if (core === undefined) hearEarly(message);
+  else guarded(() => receive(message));
 };
 slices.port1.onmessage = () => {
   sliceQueued = false;
   guarded(slice);
 };
 
-void load();
-
-async function load(): Promise<void> {
+async function load(module: WebAssembly.Module): Promise<void> {
   try {
-    const exports = await init({ module_or_path: new URL('../../pkg/gcode_playground_bg.wasm', import.meta.url) });
+    const exports = await init({ module_or_path: module });
     parts = new Parts(exports, { loaded: () => guarded(goOnWithParts), failed: (reason) => guarded(() => partFailed(reason)) });
     core = new Playground();
   } catch (error) {

@@ -1,0 +1,98 @@
+// The picture alone: an element of a manual that shows what a program does, without what it takes to edit it.
+import { test, expect, type BasicPage } from './engines';
+import { motionCount, program } from './page';
+
+const ID = 's000-o0002';
+
+interface Picture extends HTMLElement {
+  value: string;
+  view: string;
+  readonly settled: Promise<number>;
+}
+
+/** A page with one element, beside the modules of the built page. */
+async function openPicture(page: BasicPage, view: string): Promise<void> {
+  await page.goto('./rules/en/index.html');
+  await page.evaluate(async ({ view, text }) => {
+    const element = document.createElement('gcode-playground');
+    element.setAttribute('view', view);
+    element.textContent = text;
+    document.body.replaceChildren(element);
+    const told: number[] = [];
+    Object.assign(window, { told });
+    element.addEventListener('gcode-report', (event) => {
+      told.push((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions);
+    });
+    const script = document.createElement('script');
+    script.type = 'module';
+    script.src = new URL('../../element.js', location.href).href;
+    document.head.append(script);
+    await customElements.whenDefined('gcode-playground');
+    await (element as Picture).settled;
+  }, { view, text: program(ID) });
+}
+
+/** How many pixels of the picture have the colour of a cut. */
+function cuts(page: BasicPage): Promise<number> {
+  return page.evaluate(() => {
+    const root = document.querySelector('gcode-playground')?.shadowRoot;
+    const canvas = root?.querySelector('canvas');
+    const drawing = root?.querySelector('[part~=drawing]');
+    if (canvas === null || canvas === undefined || drawing === null || drawing === undefined) return -1;
+    const probe = drawing.appendChild(document.createElement('span'));
+    probe.style.color = 'var(--playground-feed)';
+    const [red = 0, green = 0, blue = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
+    probe.remove();
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, copy.width, copy.height);
+    let found = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      if (Math.abs(data[at]! - red) + Math.abs(data[at + 1]! - green) + Math.abs(data[at + 2]! - blue) < 24) found++;
+    }
+    return found;
+  });
+}
+
+/** The scripts that were loaded, without their hashes. */
+function scripts(page: BasicPage): Promise<string[]> {
+  return page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1]).filter((name) => name !== undefined));
+}
+
+test('view="picture" draws the program and loads neither the editor nor the panels', async ({ page }) => {
+  await openPicture(page, 'picture');
+  expect(await cuts(page)).toBeGreaterThan(100);
+  expect(await page.evaluate(() => (window as unknown as { told: number[] }).told)).toContain(motionCount(ID));
+  // Two pictures, of which one is hidden; no editor, no buttons, no line at the foot.
+  await expect(page.getByRole('img')).toHaveCount(1);
+  for (const role of ['textbox', 'button', 'slider', 'status', 'combobox'] as const) await expect(page.getByRole(role)).toHaveCount(0);
+  const loaded = await scripts(page);
+  expect(loaded).toContain('element');
+  expect(loaded.filter((name) => !['element', 'worker'].includes(name))).toEqual([]);
+});
+
+test('the picture is a property of the element, too: the rest comes and goes around the same program', async ({ page }) => {
+  await openPicture(page, 'picture');
+  const text = await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).value);
+  await page.evaluate(() => {
+    (document.querySelector('gcode-playground') as Picture).view = 'all';
+  });
+  await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  await expect(page.getByRole('status')).toContainText(`${motionCount(ID)} motions`);
+  expect(await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).value)).toBe(text);
+  await page.evaluate(async () => {
+    const element = document.querySelector('gcode-playground') as Picture;
+    element.view = 'picture';
+    await element.settled;
+  });
+  await expect(page.getByRole('textbox')).toHaveCount(0);
+  expect(await cuts(page)).toBeGreaterThan(100);
+});
+
+test('any other view is all of it', async ({ page }) => {
+  await openPicture(page, 'something');
+  await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  expect(await page.evaluate(() => (document.querySelector('gcode-playground') as Picture).view)).toBe('all');
+});

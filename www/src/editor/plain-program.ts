@@ -1,0 +1,127 @@
+// The program's text where there is no editor, or none yet.
+//
+// In: texts, changes of the reader's made by a panel. Out: the text with its own line ends, and all of it for
+// the worker after each change. Must not know: who shows it.
+
+import type { LineEnds } from '../files/line-ends';
+import { inPieces } from '../files/line-ends';
+import type { TextCommand } from '../protocol/protocol';
+import type { Change, Span, Start, TextEvents, TextHolder } from './holder';
+import { programText, type ProgramFile, type ProgramText } from './program-text';
+
+export class PlainProgram implements TextHolder {
+  readonly #events: TextEvents;
+  #program: ProgramText = programText('');
+  #text = '';
+  #file: ProgramFile | undefined;
+  #unsent: Start['unsent'] = 'all';
+  #selection: Span = { from: 0, to: 0 };
+  #revision = 0;
+
+  constructor(events: TextEvents) {
+    this.#events = events;
+  }
+
+  get text(): string {
+    return this.#text;
+  }
+
+  get textWithLineEnds(): string {
+    const { most, others } = this.#program.ends;
+    const parts: string[] = [];
+    let done = 0;
+    const upTo = (at: number): string => this.#text.slice(done, at).replaceAll('\n', most);
+    for (const [at, end] of others) {
+      parts.push(upTo(at), end);
+      done = at + 1;
+    }
+    return parts.join('') + upTo(this.length);
+  }
+
+  get length(): number {
+    return this.#text.length;
+  }
+
+  get revision(): number {
+    return this.#revision;
+  }
+
+  get file(): ProgramFile | undefined {
+    return this.#file;
+  }
+
+  set file(file: ProgramFile) {
+    this.#file = file;
+    this.#events.fileChanged();
+  }
+
+  get selection(): Span {
+    return this.#selection;
+  }
+
+  get cursor(): number {
+    return this.#selection.to;
+  }
+
+  /** What the editor that takes its place begins with. */
+  get start(): Start {
+    return { program: this.#program, file: this.#file, unsent: this.#unsent };
+  }
+
+  textBetween(from: number, to: number): string {
+    return this.#text.slice(from, to);
+  }
+
+  takeUnsent(): TextCommand | undefined {
+    if (this.#unsent === 'nothing') return undefined;
+    this.#unsent = 'nothing';
+    return { kind: 'text', pieces: this.#program.pieces };
+  }
+
+  unsend(): void {
+    this.#unsent = 'all';
+  }
+
+  setText(program: ProgramText, file: ProgramFile | undefined): void {
+    this.#put(program);
+    if (file === this.#file) return;
+    this.#file = file;
+    this.#events.fileChanged();
+  }
+
+  rewrite(text: string): void {
+    const { pieces } = programText(text);
+    // The lines are others; most line ends stay what they are.
+    this.#put({ pieces, ends: { most: this.#program.ends.most, others: [] } });
+  }
+
+  change(edits: readonly Change[]): void {
+    if (edits.length === 0) return;
+    let [text, ends] = [this.#text, this.#program.ends];
+    // The last in the text first: the others then still stand where they stood.
+    for (const edit of [...edits].sort((a, b) => b.from - a.from)) {
+      text = text.slice(0, edit.from) + edit.text + text.slice(edit.to);
+      ends = moved(ends, edit);
+    }
+    this.#put({ pieces: inPieces(text), ends });
+    this.#events.changed('edited');
+  }
+
+  select(span: Span): void {
+    if (span.to <= this.length) this.#selection = span;
+  }
+
+  #put(program: ProgramText): void {
+    this.#program = program;
+    this.#text = program.pieces.join('');
+    this.#selection = { from: 0, to: 0 };
+    this.#unsent = 'all';
+    this.#revision++;
+  }
+}
+
+function moved({ most, others }: LineEnds, { from, to, text }: Change): LineEnds {
+  const by = text.length - (to - from);
+  const kept = others.filter(([at]) => at < from || at >= to);
+  return { most, others: kept.map(([at, end]) => [at < from ? at : at + by, end]) };
+}

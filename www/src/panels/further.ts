@@ -1,0 +1,26 @@
+// The panels around the picture: in each region they stand in this order, before those of `index.ts`. Loaded
+// only where they are shown, while the interpreter is on its way.
+
+import { codes } from './codes';
+import { exports } from './exports';
+import { fileBar } from './file-bar';
+import { help } from './help';
+import type { PanelKind } from './panel';
+import { paste } from './paste';
+import { playback } from './playback';
+import { problems } from './problems';
+import { rewrite } from './rewrite';
+import { setup } from './setup';
+import { solid } from './solid';
+import { statusLine } from './status-line';
+import { switches } from './switches';
+import { views } from './views';
+import { writtenOut } from './written-out';
+import editorStyles from '../editor/editor.css?inline';
+
+export const FURTHER: readonly PanelKind[] = [
+  fileBar, switches, problems, setup, views, playback, statusLine, paste, solid, exports, rewrite, writtenOut, help, codes,
+];
+
+/** Of what stands beside them. */
+export const SHARED_STYLES: readonly string[] = [editorStyles];
