@@ -4,6 +4,7 @@
 
 use super::reason::Reason;
 use crate::source::Span;
+use crate::units::read_number;
 
 /// Longest stretch that is read as a remark or an expression, bytes; a bracket that closes later is none.
 const LONGEST_BRACKET: usize = 400;
@@ -298,7 +299,7 @@ impl Reader<'_> {
             ':' if first => {
                 let to = run(text, seen.end, end, |c| c.is_ascii_digit());
                 if (1..=8).contains(&(to - seen.end)) && ends_block(text, to) {
-                    let value = text[seen.end..to].parse().unwrap_or(0.0);
+                    let value = read_number(&text[seen.end..to]).unwrap_or(0.0);
                     return Some((
                         Kind::Word(Word { letter: b'O', value, lost_sign: false, reason: None }),
                         to,
@@ -364,7 +365,7 @@ impl Reader<'_> {
         let text = self.text;
         let to = run(text, start, end, |c| c.is_ascii_digit());
         if to - start == 5 && text[start..].starts_with('0') && ends_block(text, to) {
-            let value = text[start..to].parse().unwrap_or(0.0);
+            let value = read_number(&text[start..to]).unwrap_or(0.0);
             let reason = Some(Reason::ZeroForO);
             return Some((Kind::Word(Word { letter: b'O', value, lost_sign: false, reason }), to));
         }
@@ -588,7 +589,7 @@ pub(super) fn spell(text: &str, at: usize) -> Option<(Word, usize, String)> {
     reason = how.or(reason);
     now.push_str(&digits);
     let head = digits.splitn(3, '.').take(2).collect::<Vec<_>>().join(".");
-    let value: f64 = head.parse().unwrap_or(0.0);
+    let value = read_number(&head).unwrap_or(0.0);
     if lost_sign {
         reason = Some(Reason::UnreadableSign);
     }

@@ -369,8 +369,8 @@ impl Entry {
         match self {
             Number(_) => {
                 // A comma is the decimal point of half the world.
-                let number = text.replace(',', ".").replace('−', "-").parse::<f64>();
-                let number = number.ok().filter(|number| number.is_finite());
+                let number = crate::units::read_number(&text.replace(',', ".").replace('−', "-"));
+                let number = number.filter(|number| number.is_finite());
                 number.map(Value::Number).ok_or(ReadError::NotANumber)
             }
             Whole => text.parse::<u8>().map(|whole| Value::Number(whole.into())).or(Err(ReadError::NotWhole)),

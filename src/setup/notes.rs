@@ -26,7 +26,7 @@ use crate::message::{Diagnostic, Fix, Levels, Severity, said};
 use crate::parts::{Part, in_part};
 use crate::setup::dialect::{DecimalChoice, DialectChoice};
 use crate::source::Span;
-use crate::units::Diameter;
+use crate::units::{Diameter, read_number};
 
 /// Notes stand in the first bytes of a text: so many are looked at.
 pub const HEAD: usize = 1 << 16;
@@ -271,7 +271,7 @@ impl Notes {
     /// `[BILLET X62 Z70`: diameter and length; the face is at Z0.
     fn billet(&mut self, inside: &str, start: usize) {
         let mut words = inside.split_ascii_whitespace().skip(1);
-        let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter)?.parse::<f64>().ok();
+        let mut number = |letter: [char; 2]| words.next()?.strip_prefix(letter).and_then(read_number);
         if let (Some(diameter), Some(length)) = (number(['X', 'x']), number(['Z', 'z'])) {
             self.stands("stock.", Span::new(start, start + inside.len()));
             let (diameter, bore) = (Diameter::new(diameter), Diameter::default());

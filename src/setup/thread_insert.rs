@@ -63,7 +63,7 @@ impl ThreadInsert {
             .collect::<String>()
             .to_ascii_uppercase();
         let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-        let size = text[..digits].parse().ok().filter(|size| (6.0..=40.0).contains(size))?;
+        let size = crate::units::read_number(&text[..digits]).filter(|size| (6.0..=40.0).contains(size))?;
         // `U` before the side: a pattern that shows its point in the middle of the edge.
         let rest = text[digits..].strip_prefix('U').unwrap_or(&text[digits..]);
         let (side, rest) = match () {
@@ -89,11 +89,11 @@ impl ThreadInsert {
 /// Largest pitch, mm, and angle, degrees, of the threads an insert is made for: `AG60`, `2.0ISO`, `14UN`.
 fn threads(text: &str) -> (Option<f64>, Option<f64>) {
     if let Some((letters, pitch)) = RANGES.iter().find(|range| text.starts_with(range.0)) {
-        let angle = text[letters.len()..].get(..2).and_then(|digits| digits.parse().ok());
+        let angle = text[letters.len()..].get(..2).and_then(crate::units::read_number);
         return (Some(*pitch), angle);
     }
     let length = text.bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
-    let Some(number) = text[..length].parse::<f64>().ok().filter(|&number| number > 0.0) else {
+    let Some(number) = crate::units::read_number(&text[..length]).filter(|&number| number > 0.0) else {
         return (None, None);
     };
     let standard = STANDARDS.iter().find(|standard| text[length..].starts_with(standard.0));

@@ -216,7 +216,7 @@ in_part! {
                     return None;
                 };
                 let letter = written.chars().next()?;
-                let thousandths = (1000.0 * plain(word)?).round();
+                let thousandths = crate::units::number((1000.0 * plain(word)?).round());
                 Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
             })
             .collect();

@@ -188,7 +188,7 @@ fn measures(text: &str) -> impl Iterator<Item = Measure<'_>> {
 
 fn measure(text: &str, start: usize, end: usize) -> Option<Measure<'_>> {
     let written = text[start..end].trim_end_matches(['.', ',', '/']);
-    let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+    let number = |text: &str| crate::units::read_number(&text.replace(',', "."));
     let (value, fraction) = match written.split_once('/') {
         Some((above, below)) => (number(above)? / number(below).filter(|&below| below > 0.0)?, true),
         None => (number(written)?, false),

@@ -179,7 +179,7 @@ fn turning(word: &str, next: &str) -> Option<Tool> {
         && digits(nose)
     {
         tool.insert = Some(format!("{letters}{edge}"));
-        tool.nose_radius = nose.parse().ok().map(|tenths: f64| tenths / 10.0);
+        tool.nose_radius = crate::units::read_number(nose).map(|tenths| tenths / 10.0);
         return Some(tool);
     }
     let size = size.split_terminator(|c: char| c.is_alphabetic()).next().unwrap_or_default();
@@ -211,7 +211,7 @@ fn blade(word: &str, next: &str) -> Option<Tool> {
         return None;
     }
     let size = if own.is_empty() { next } else { own };
-    let number = |text: &str| text.parse::<f64>().ok();
+    let number = crate::units::read_number;
     let leading = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let width = match *name {
         "MGMN" | "MGGN" => number(&size[..leading(size)]).map(|w| if w >= 100.0 { w / 100.0 } else { w }),
