@@ -363,7 +363,7 @@ in_part! {
 struct Comment<'a> {
     /// The parenthesis or bracket.
     opened_by: u8,
-    /// The byte behind it.
+    /// The byte after it.
     start: usize,
     inside: &'a [u8],
 }
@@ -495,7 +495,7 @@ mod tests {
         assert_eq!(rules, [("classroom", Severity::Warning), ("no-program-end", Severity::Off)]);
     }
 
-    /// Whatever is read as a note is told beforehand, however it is written; prose and code are not.
+    /// Whatever is read as a note is found beforehand, however it is written; prose and code are not.
     #[test]
     fn where_notes_may_stand() {
         let written = |name: &str| {

@@ -1,4 +1,4 @@
-// A server of the built page behind a slow line: so many bits a second for all connections together, each
+// A server of the built page over a slow line: so many bits a second for all connections together, each
 // answer late by the time there and back, and by once more on a new connection.
 //
 // The line is slowed down here and not by the browser's own emulation, which leaves out what a worker asks for:

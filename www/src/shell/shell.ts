@@ -40,7 +40,7 @@ export interface ShellEvents {
   settled(run: number): void;
 }
 
-/** What was told to the panels there are, for those that come later. */
+/** What the panels there are have heard, for those that come later. */
 interface Missed {
   readonly heard: Map<Heard['kind'], Heard>;
   switches?: SwitchesSet;
