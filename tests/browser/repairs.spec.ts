@@ -60,6 +60,36 @@ test('an edit elsewhere leaves the row of a problem as it is, and its repair is 
   }
 });
 
+test('the tooltip of a problem stays where it first stands, and nothing of it is cut off', async ({ page }) => {
+  await open(page);
+  await type(page, 'G00 X60 Z–2\nM30');
+  for (const width of [1440, 500]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.locator('.cm-lintRange').first().hover();
+    const tooltip = page.locator('.cm-tooltip');
+    await expect(tooltip.getByRole('button')).toBeVisible();
+    const places = await tooltip.evaluate(async (element) => {
+      const seen = new Set<string>();
+      const end = performance.now() + 500;
+      while (performance.now() < end) {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        if (y > -1000) seen.add([x, y, width, height].map(Math.round).join(' '));
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      }
+      return [...seen];
+    });
+    expect(places).toHaveLength(1);
+    const covered = await tooltip.evaluate((element) => {
+      const { left, top, right, bottom } = element.getBoundingClientRect();
+      const corners = [[left + 12, top + 12], [right - 12, top + 12], [left + 12, bottom - 12], [right - 12, bottom - 12]] as const;
+      return corners.filter(([x, y]) => !element.contains((element.getRootNode() as ShadowRoot).elementFromPoint(x, y))).length;
+    });
+    expect(covered).toBe(0);
+    await page.mouse.move(width / 2, 890);
+    await expect(tooltip).toHaveCount(0);
+  }
+});
+
 test('the classroom checklist is chosen in the setup form, and other levels stay', async ({ page }) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from('O0001\n(RULES NO-PROGRAM-END=ERROR)\nG00 X40 Z2\n'));

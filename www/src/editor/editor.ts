@@ -23,6 +23,7 @@ import { editorPhrases } from './phrases';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
+import { make } from '../dom/dom';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
 import { Unsent } from './unsent';
@@ -54,6 +55,9 @@ export class Editor implements TextHolder {
     this.#events = events;
     this.#shownLanguage = language;
     this.#unsent = new Unsent(unsent);
+    // Not at the window: WebKit would move it there after it was shown. Not in the frame, which would cut it off.
+    const aboveTheFrame = make('div');
+    root.append(aboveTheFrame);
     this.#view = new EditorView({
       parent,
       root,
@@ -62,7 +66,7 @@ export class Editor implements TextHolder {
         extensions: [
           lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
-          search({ top: false }), linter(null), tooltips({ position: 'fixed' }), marks, editorTheme,
+          search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
             { key: 'F8', run: nextDiagnostic, shift: previousDiagnostic },

@@ -64,6 +64,8 @@ export const editorTheme: Extension = EditorView.theme({
     border: '1px solid var(--playground-line)',
     borderRadius: '8px',
     boxShadow: 'var(--playground-shadow)',
+    // Its size does not depend on its place, which is worked out from it.
+    width: 'max-content',
     maxWidth: 'min(30rem, 92vw)',
     overflow: 'hidden',
     fontFamily: 'var(--playground-font)',
