@@ -22,7 +22,7 @@ use crate::machine::{SimulationResult, danger};
 use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, in_part};
-use crate::provenance::{self, DecimalEvidence, Foreign, NumberWithoutPoint, Provenance};
+use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
@@ -175,11 +175,17 @@ struct Recognised {
 }
 
 impl Recognised {
-    /// What of a text counts under a setup that may leave less open.
-    fn of(shown: &Provenance, dialect: &DialectChoice) -> Self {
-        let foreign = shown.foreign.filter(|_| dialect.recognise != Some(false));
-        let is_open = foreign.is_none() && dialect.g_system.is_none();
-        Self { foreign, system: shown.system.filter(|_| is_open) }
+    /// What of a text counts under a setup that may leave less open; `None` where the part that can say so has not
+    /// been loaded.
+    fn of(text: &[u8], look: Look, dialect: &DialectChoice) -> Option<Self> {
+        let (may_be_foreign, has_system) = (dialect.recognise != Some(false), dialect.g_system.is_some());
+        if !look.is_unusual || !may_be_foreign && has_system {
+            return Some(Self::default());
+        }
+        let shown = provenance::recognise(text)?;
+        let foreign = shown.foreign.filter(|_| may_be_foreign);
+        let is_open = foreign.is_none() && !has_system;
+        Some(Self { foreign, system: shown.system.filter(|_| is_open) })
     }
 }
 
@@ -204,8 +210,8 @@ impl Run {
         let is_open = setup.dialect.decimal.unwrap_or_default() == DecimalChoice::Auto;
         let decides = is_open && before.is_none();
         // The numbers beyond the head are read only to decide by them.
-        let shown = if decides { provenance::detect(&text) } else { provenance::detect_in_head(&text) };
-        let numbers = decides.then_some(shown.numbers);
+        let look = if decides { provenance::look(&text) } else { provenance::look_at_head(&text) };
+        let numbers = decides.then_some(look.numbers);
         let decided = before.or(numbers.map(|numbers| numbers.rule())).filter(|_| is_open);
         if let Some(rule) = decided {
             setup.dialect.decimal = Some(rule.into());
@@ -243,7 +249,10 @@ impl Run {
             run.finish();
             return run;
         }
-        run.recognised = Recognised::of(&shown, &dialect);
+        match Recognised::of(&run.text, look, &dialect) {
+            Some(recognised) => run.recognised = recognised,
+            None => run.missing = run.missing.or(Some(provenance::RECOGNISED_BY)),
+        }
         if let Some(foreign) = run.recognised.foreign {
             run.interpreter.report(Diagnostic::new(foreign.target.message(), foreign.evidence));
             run.finish();

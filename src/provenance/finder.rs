@@ -425,7 +425,8 @@ fn is_axis(word: &Word) -> bool {
     matches!(word.letter, b'X' | b'Y' | b'Z') && word.number.is_some()
 }
 
-fn is_zero(word: &Word) -> bool {
+/// `X0`.
+pub(super) fn is_zero(word: &Word) -> bool {
     word.number.is_some_and(|number| number.mantissa == 0)
 }
 

@@ -8,6 +8,7 @@
 
 mod decimal;
 mod finder;
+mod hints;
 mod signs;
 mod statement;
 mod system;
@@ -18,6 +19,7 @@ use self::signs::{Sign, Weight};
 use self::statement::{Statement, Statements};
 use self::system::Scales;
 use crate::message::{Message, said};
+use crate::parts::{Part, in_part};
 use crate::setup::dialect::GSystem;
 use crate::source::Span;
 
@@ -121,34 +123,61 @@ pub struct Provenance {
     /// System B or C, where the text of a FANUC lathe is beyond doubt written in it;
     /// nothing is no reason to leave A.
     pub system: Option<(GSystem, Span)>,
+}
+
+/// What the first look at a text shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Look {
+    /// It has something that most programs have not: [`recognise`] may find something. Otherwise it does not.
+    pub is_unusual: bool,
     /// What its numbers show of the decimal rule.
     pub numbers: DecimalEvidence,
 }
 
-/// Reads the beginning of a text once for everything it shows.
-pub fn detect(text: &[u8]) -> Provenance {
-    detect_within(&text[..text.len().min(NUMBERS)])
+/// Looks at the beginning of a text, once for everything it shows.
+pub fn look(text: &[u8]) -> Look {
+    look_until(text, NUMBERS)
 }
 
 /// The same, but of the numbers only those of the head: all that shows the target of the text.
-pub fn detect_in_head(text: &[u8]) -> Provenance {
-    detect_within(&text[..text.len().min(HEAD)])
+pub fn look_at_head(text: &[u8]) -> Look {
+    look_until(text, HEAD)
 }
 
-fn detect_within(text: &[u8]) -> Provenance {
-    let (mut scores, mut finder) = (Scores::default(), Finder::default());
-    let (mut scales, mut numbers) = (Scales::default(), DecimalEvidence::default());
+fn look_until(text: &[u8], end: usize) -> Look {
+    let mut seen = Look::default();
     let mut statement = Statement::default();
-    let mut statements = Statements::new(text);
-    while statements.read(&mut statement) {
-        if (statement.span.start as usize) < HEAD {
+    let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
+    while statements.read(&mut statement) && (statement.span.start as usize) < end {
+        let is_head = (statement.span.start as usize) < HEAD;
+        seen.is_unusual = seen.is_unusual || is_head && hints::is_unusual(text, &statement);
+        seen.numbers.take(&statement);
+    }
+    seen
+}
+
+in_part! {
+    Seldom "0500"
+    fn read_closely(text: &[u8]) -> Provenance {
+        let (mut scores, mut finder, mut scales) = (Scores::default(), Finder::default(), Scales::default());
+        let mut statement = Statement::default();
+        let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
+        while statements.read(&mut statement) && (statement.span.start as usize) < HEAD {
             finder.look(text, &statement, |sign, span| scores.add(sign, span));
             scales.take(&statement);
         }
-        numbers.take(&statement);
+        Provenance { foreign: scores.verdict(), system: scales.verdict() }
     }
-    Provenance { foreign: scores.verdict(), system: scales.verdict(), numbers }
 }
+
+/// For what control a text was written, by its head; `None` where the part of the module that can say so has not
+/// been loaded. It is needed for texts that are [unusual](Look::is_unusual).
+pub fn recognise(text: &[u8]) -> Option<Provenance> {
+    RECOGNISED_BY.is_loaded().then(|| read_closely(text))
+}
+
+/// The part that recognises other controls.
+pub const RECOGNISED_BY: Part = Part::Seldom;
 
 /// What the numbers of a text show of the decimal rule.
 pub fn numbers(text: &[u8]) -> DecimalEvidence {

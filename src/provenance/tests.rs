@@ -5,27 +5,33 @@ use crate::setup::dialect::DecimalRule;
 use std::fs;
 use std::path::Path;
 
+/// What is found on a closer look, which the first look asks for wherever there is anything to find.
+#[track_caller]
+fn found(program: &str) -> Provenance {
+    let found = recognise(program.as_bytes()).expect("all parts are there");
+    let is_plain = !look(program.as_bytes()).is_unusual;
+    assert!(!is_plain || found == Provenance::default(), "the first look does not see {found:?}\n{program}");
+    found
+}
+
 /// The one door for foreign programs: this target, shown by this evidence.
 #[track_caller]
 fn check(program: &str, target: Target, evidence: &str) {
-    let found = detect(program.as_bytes())
-        .foreign
-        .map(|found| (found.target, found.evidence.quote(program.as_bytes())));
+    let found = found(program).foreign.map(|found| (found.target, found.evidence.quote(program.as_bytes())));
     assert_eq!(found, Some((target, evidence.to_owned())), "\n{program}");
 }
 
 /// The one door for systems B and C.
 #[track_caller]
 fn check_system(program: &str, system: GSystem, evidence: &str) {
-    let found =
-        detect(program.as_bytes()).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
+    let found = found(program).system.map(|(system, span)| (system, span.quote(program.as_bytes())));
     assert_eq!(found, Some((system, evidence.to_owned())), "\n{program}");
 }
 
 #[track_caller]
 fn check_at_home(program: &str) {
-    assert_eq!(detect(program.as_bytes()).foreign, None, "\n{program}");
-    assert_eq!(detect(program.as_bytes()).system, None, "\n{program}");
+    assert_eq!(found(program).foreign, None, "\n{program}");
+    assert_eq!(found(program).system, None, "\n{program}");
 }
 
 #[test]
@@ -241,12 +247,62 @@ fn programs_of_the_gallery_count_units() {
     }
 }
 
+/// A statement for each sign.
+const SIGNS: &str = "%1234|G71 U1 R1 P1 Q2 X1 Z1|G80 X38 Z-20 F100|G81 X20 Z-3|G82 X19 Z-18 F1.5|G76 C2 A60 X20 Z-30 K1 F2|G36|G37|\
+ENDW|CYCLE95(1,2)|LCYC95|DIAMON|%_N_SHAFT_MPF|R1=5|X=R1|LIMS=3000|MSG(1)|X=IC(5)|T=\"ROUGH\"|G2 X1 Z2 CR=5|TRANS Z80|GOTOF 1|M17|\
+G290|o100 sub|#<deep> = 3|G7|G8|G64 P0.01|G33.1 Z-5 K1|G33 Z-5 K1|G96 D2500 S200|G76 P1.5 Z-20 I-1 J0.2 K0.9|G92.1|(DEBUG, x)|(MSG, x)|\
+(RPT N10,N20)|(GOTO N10)|(IF P1 EQ 1 GOTO N2)|(P1=20)|(CALL 1)|(SUB 1)|(RET)|P1=K20|%SHAFT,MX,1|BEGIN PGM X MM|BLK FORM 0.1|\
+TOOL CALL 1|L X+10 FMAX|L X+10|LBL 1|$SHAFT.MIN%|NAT01|G85 NLAP1|VZSHZ=1|V1=5|NOEX|SB=500|G81 X20 Z-30 I2 K1|G82 X1 Z-3 I2 K1 L3|\
+G71 X20 I1 K2 L3|G43 H1|T1 M6|Y5|G2 X1 Y2 I3 J4|G81 X1 Y2 Z-3|G41 D1|G17|G49|G91 G28 Z0|M104 S200|M109 S200|M140 S60|M190 S60|\
+G1 X1 Y1 E2|G1 X1 Y0 E2|G92 E0|M82|G29|;LAYER:1|G95|G92 S2000|G77 X20 Z-10|G78 X20 Z-10|G79 X20 Z-10|G91|G94 F100|G33 Z-20 F1.5|\
+G24 X20 Z-5|G21 X20 Z-10 F1|G20 X20 Z-10 F1|G98|G50 S2000|G90 X20 Z-10 F1|X1 W-2|T0101|G96 S100|G70 P1 Q2|N10 G0 X50 Z2|(ROUGH)";
+
+#[test]
+fn the_first_look_sees_whatever_a_closer_one_finds() {
+    let signs: Vec<&str> = SIGNS.split('|').collect();
+    let mut random = 1_u64;
+    let mut unusual = 0;
+    for round in 0..60_000 {
+        let mut pick = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            signs[(random >> 33) as usize % signs.len()]
+        };
+        let program = (0..1 + round % 6).map(|_| pick()).collect::<Vec<_>>().join("\n");
+        unusual += usize::from(found(&program) != Provenance::default());
+    }
+    assert!(unusual > 5_000, "{unusual}");
+    for each in signs {
+        for more in ["", "G98\nX1 W-2\n"] {
+            found(&format!("{more}{each}\n{each}"));
+        }
+    }
+}
+
+#[test]
+fn an_ordinary_program_needs_no_closer_look() {
+    let shaft = "%\nO0001 (SHAFT, ROUGH AND FINISH)\nG21 G40 G80 G97 G99\nG28 U0 W0\nT0101\nG50 S2000\nG96 S180 M03\nG00 X52. Z2. M08\n\
+                 G71 U2. R1.\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 G42 X20.\nG01 Z0 F0.1\nG03 X30. Z-5. R5.\nN20 X50.\nG70 P10 Q20\n\
+                 G76 P020060 Q100 R0.05\nG76 X18.2 Z-20. P900 Q300 F1.5\nG92 X19. Z-20. F1.5\nG90 X40. Z-30. R-2.\nG94 X0 Z0 F0.1\n\
+                 G74 R1.\nG74 Z-40. Q5000 F0.1\nM98 P1000\nG04 X1.0\nM05\nM30\n%\n";
+    assert!(!look(shaft.as_bytes()).is_unusual);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let programs = fs::read_dir(folder).expect("programs").flatten();
+    let programs: Vec<_> =
+        programs.filter_map(|entry| fs::read_to_string(entry.path().join("program.nc")).ok()).collect();
+    let unusual = programs.iter().filter(|program| {
+        found(program);
+        look(program.as_bytes()).is_unusual
+    });
+    let unusual = unusual.count();
+    assert!(unusual * 3 < programs.len(), "{unusual} of {}", programs.len());
+}
+
 #[test]
 fn any_bytes_are_read() {
     let bytes: Vec<u8> = (0..=255u8).cycle().take(70_000).collect();
     for start in 0..256 {
-        detect(&bytes[start..]);
-        detect_in_head(&bytes[start..]);
+        recognise(&bytes[start..]);
+        look(&bytes[start..]);
         numbers(&bytes[start..]);
     }
     for end in

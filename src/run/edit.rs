@@ -118,8 +118,8 @@ impl Run {
         let checkpoint = self.checkpoints.last().filter(|_| {
             text.len() <= self.setup().limits.text
                 && (start >= provenance::HEAD
-                    || self.recognised
-                        == Recognised::of(&provenance::detect_in_head(&text), &self.setup().dialect))
+                    || Some(self.recognised)
+                        == Recognised::of(&text, provenance::look_at_head(&text), &self.setup().dialect))
                 && (start >= notes::HEAD || (Notes::can_be_read(&text) && self.notes.are_those_of(&text)))
         });
         let same_way = match checkpoint {

@@ -1,0 +1,48 @@
+//! Seeing at a glance that a text may not be what most are: a program in system A of a FANUC lathe.
+//!
+//! In: a statement. Out: whether it has anything that only other controls and machines write, or systems B and C;
+//! without any such statement [`recognise`](super::recognise) finds nothing. It may be wrong the other way:
+//! whoever asks has to look closer. Its code is in the core, that of a closer look is not.
+
+use super::finder::is_zero;
+use super::statement::Statement;
+
+/// What the remarks begin with that are statements of Fagor, of LinuxCNC.
+const REMARKS: [&[u8; 3]; 11] =
+    [b"RPT", b"GOT", b"IF ", b"CAL", b"PCA", b"SUB", b"RET", b"DEB", b"PRI", b"LOG", b"MSG"];
+
+/// Whether a statement has anything of that kind.
+pub fn is_unusual(text: &[u8], statement: &Statement) -> bool {
+    let line = statement.span.of(text);
+    let head = matches!(line, [b'%', _, ..] | [b'$', ..] | [b'o' | b'O', b'<', ..]);
+    let named = !statement.names().is_empty() || statement.named_variable.is_some();
+    let assigned = statement.words().iter().any(|word| word.assigned);
+    let beside_the_plane = statement.word(b'Y').is_some_and(|word| !is_zero(word) || statement.has(b'E'));
+    head || named || assigned || beside_the_plane || has_remark(text, statement) || has_code(statement)
+}
+
+fn has_remark(text: &[u8], statement: &Statement) -> bool {
+    let Some([b'(', first, second, third, ..]) = statement.remark.map(|span| span.of(text)) else {
+        return false;
+    };
+    let begins = [*first, *second, *third].map(|byte| byte.to_ascii_uppercase());
+    REMARKS.contains(&&begins) || begins[0] == b'P' && second.is_ascii_digit()
+}
+
+fn has_code(statement: &Statement) -> bool {
+    let has = |letters: &[u8]| statement.has_any(letters);
+    let cycle = has(b"XU") && has(b"ZW");
+    let unusual = |code: u32| match code {
+        70 | 80 | 240 | 330 | 331 | 360 | 370 | 910 | 921..=923 | 950 => true,
+        200 | 210 => cycle && has(b"F"),
+        640 => has(b"P"),
+        710..=730 => has(b"XZ"),
+        760 => has(b"CJ"),
+        770..=820 => cycle,
+        920 | 940 => !has(b"XZUW"),
+        960 => has(b"D"),
+        _ => false,
+    };
+    statement.codes(b'G').any(|(code, _)| unusual(code))
+        || statement.codes(b'M').any(|(code, _)| matches!(code, 1040 | 1090 | 1400 | 1900))
+}
