@@ -22,7 +22,9 @@ pub enum Part {
     Machine,
     /// What the reader asks for: setup form, pasting, rewriting, expanding, tables.
     Tools,
-    /// What few programs use: macros, hole cycles. A run that needs it and has not got it gives nothing, and is
+    /// Compensation of the tool nose radius, and corners between moves. Loaded as `Seldom` is.
+    Path,
+    /// What few programs use: macros, hole cycles; and what recognises other controls. A run that needs it and has not got it gives nothing, and is
     /// begun again when it is there ([`Run::missing`](crate::run::Run::missing)).
     Seldom,
     /// The sentences in English.
@@ -38,8 +40,16 @@ static LOADED: AtomicU8 = AtomicU8::new(0);
 
 impl Part {
     /// All parts.
-    pub const ALL: [Self; 7] =
-        [Self::Setup, Self::Machine, Self::Tools, Self::Seldom, Self::English, Self::Chinese, Self::Russian];
+    pub const ALL: [Self; 8] = [
+        Self::Setup,
+        Self::Machine,
+        Self::Tools,
+        Self::Path,
+        Self::Seldom,
+        Self::English,
+        Self::Chinese,
+        Self::Russian,
+    ];
 
     /// Its name in file names and in the page.
     pub const fn name(self) -> &'static str {
@@ -47,6 +57,7 @@ impl Part {
             Self::Setup => "setup",
             Self::Machine => "machine",
             Self::Tools => "tools",
+            Self::Path => "path",
             Self::Seldom => "seldom",
             Self::English => "en",
             Self::Chinese => "zh",

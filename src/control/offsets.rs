@@ -2,6 +2,8 @@
 //!
 //! Plain values, part of [`super::modal::State`]. Lengths in mm, X as a radius.
 
+use std::sync::Arc;
+
 use crate::geometry::Point;
 
 /// Frames of G54 to G59; those of G54.1 P1 and on come after them.
@@ -102,9 +104,10 @@ pub enum Column {
     Tip,
 }
 
-/// What the program has written into the tool offset table; all else is as the setup says.
+/// What the program has written into the tool offset table; all else is as the setup says. In order of
+/// number and column.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ToolOffsets(std::sync::Arc<std::collections::BTreeMap<(u16, Column), f64>>);
+pub struct ToolOffsets(Arc<Vec<((u16, Column), f64)>>);
 
 /// Most offset numbers of a control.
 pub const OFFSETS: u16 = 999;
@@ -112,13 +115,22 @@ pub const OFFSETS: u16 = 999;
 impl ToolOffsets {
     /// What was written, mm (X values as diameters, as tables have them).
     pub fn get(&self, offset: u16, column: Column) -> Option<f64> {
-        if self.0.is_empty() { None } else { self.0.get(&(offset, column)).copied() }
+        self.find(offset, column).ok().map(|at| self.0[at].1)
     }
 
     /// Writes an entry; numbers past [`OFFSETS`] are ignored.
     pub fn set(&mut self, offset: u16, column: Column, value: f64) {
         if (1..=OFFSETS).contains(&offset) {
-            std::sync::Arc::make_mut(&mut self.0).insert((offset, column), value);
+            let at = self.find(offset, column);
+            let entries = Arc::make_mut(&mut self.0);
+            match at {
+                Ok(at) => entries[at].1 = value,
+                Err(at) => entries.insert(at, ((offset, column), value)),
+            }
         }
+    }
+
+    fn find(&self, offset: u16, column: Column) -> Result<usize, usize> {
+        self.0.binary_search_by_key(&(offset, column), |entry| entry.0)
     }
 }

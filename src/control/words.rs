@@ -19,7 +19,7 @@ pub fn behind_letter(word: &str) -> &str {
 /// A word with a minus where it had none, and the other way round.
 pub fn with_other_sign(word: &str) -> String {
     let number = behind_letter(word);
-    let letter = &word[..word.len() - number.len()];
+    let letter = word.strip_suffix(number).unwrap_or_default();
     let number = number.trim_start();
     match number.strip_prefix('-') {
         Some(rest) => format!("{letter}{}", rest.trim_start()),

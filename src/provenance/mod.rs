@@ -181,13 +181,7 @@ pub const RECOGNISED_BY: Part = Part::Seldom;
 
 /// What the numbers of a text show of the decimal rule.
 pub fn numbers(text: &[u8]) -> DecimalEvidence {
-    let mut numbers = DecimalEvidence::default();
-    let mut statement = Statement::default();
-    let mut statements = Statements::new(&text[..text.len().min(NUMBERS)]);
-    while statements.read(&mut statement) {
-        numbers.take(&statement);
-    }
-    numbers
+    look(text).numbers
 }
 
 /// What the signs so far weigh.

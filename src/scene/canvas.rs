@@ -23,6 +23,7 @@ use super::view::View;
 use super::work::{ToolOutline, Work};
 use super::{Place, Scene, Stroke, StrokeStyle};
 use crate::geometry::Point;
+use crate::parts::{Part, in_part};
 pub use layer::Progress;
 use layer::StrokeLayer;
 use paths::Paths;
@@ -36,6 +37,16 @@ const CLEAR: f64 = 7.0;
 /// Picked-out strokes bear arrow heads from this length on the screen, CSS pixels.
 const LEAST_FOR_PICKED_ARROW: f64 = 22.0;
 
+/// The part that draws what lies over the strokes; nothing is picked out and no tool is shown before it is there.
+const OVER: Part = Part::Machine;
+
+in_part! {
+    Machine "0610"
+    fn draw_over(painter: &mut Painter, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        painter.draw_over(scene, view)
+    }
+}
+
 /// Draws scenes on a canvas.
 #[derive(Debug)]
 pub struct Painter {
@@ -48,6 +59,8 @@ pub struct Painter {
     painted: Option<Painted>,
     /// Something was painted since the image was taken.
     is_new: bool,
+    /// What lies over the strokes is drawn.
+    draws_over: bool,
 }
 
 /// What the last picture showed.
@@ -66,12 +79,24 @@ impl Painter {
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let sheet = Pen::new(OffscreenCanvas::new(1, 1)?)?;
         let screen = Pen::new(canvas)?;
-        Ok(Self { screen, sheet, strokes: StrokeLayer::new()?, picked: None, painted: None, is_new: false })
+        Ok(Self {
+            screen,
+            sheet,
+            strokes: StrokeLayer::new()?,
+            picked: None,
+            painted: None,
+            is_new: false,
+            draws_over: false,
+        })
     }
 
     /// Paints what has changed since the last time; a picture of many strokes takes several calls.
     pub fn draw(&mut self, picture: &Picture) -> Result<Progress, JsValue> {
         let Picture { scene, view, source } = picture;
+        let draws_over = OVER.is_loaded();
+        if draws_over != self.draws_over {
+            (self.draws_over, self.painted) = (draws_over, None);
+        }
         let progress = self.strokes.update(scene, view)?;
         let now = Painted {
             source: *source,
@@ -119,6 +144,15 @@ impl Painter {
         self.screen.begin(view)?;
         self.screen.copy(&self.sheet)?;
         self.screen.clip(view)?;
+        if self.draws_over {
+            draw_over(self, scene, view)?;
+        }
+        self.screen.unclip();
+        Ok(())
+    }
+
+    /// Draws what is picked out, named or moves.
+    fn draw_over(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
         self.highlight(scene, view)?;
         self.edge(view)?;
         self.name_steps(view)?;
@@ -139,7 +173,6 @@ impl Painter {
             }
             (None, None) => {}
         }
-        self.screen.unclip();
         Ok(())
     }
 

@@ -63,21 +63,18 @@ impl ThreadInsert {
             .collect::<String>()
             .to_ascii_uppercase();
         let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-        let size = crate::units::read_number(&text[..digits]).filter(|size| (6.0..=40.0).contains(size))?;
+        let (size, rest) = text.split_at_checked(digits)?;
+        let size = crate::units::read_number(size).filter(|size| (6.0..=40.0).contains(size))?;
         // `U` before the side: a pattern that shows its point in the middle of the edge.
-        let rest = text[digits..].strip_prefix('U').unwrap_or(&text[digits..]);
-        let (side, rest) = match () {
-            () if rest.starts_with("EI") => (None, &rest[2..]),
-            () if rest.starts_with('E') => (Some(Side::Outside), &rest[1..]),
-            // One maker writes N for inside.
-            () if rest.starts_with(['I', 'N']) => (Some(Side::Inside), &rest[1..]),
-            () => return None,
-        };
-        let (hand, rest) = match rest.as_bytes().first()? {
-            b'R' => (Hand::Right, &rest[1..]),
-            b'L' => (Hand::Left, &rest[1..]),
-            _ => return None,
-        };
+        let rest = rest.strip_prefix('U').unwrap_or(rest);
+        // One maker writes N for inside.
+        let sides =
+            [("EI", None), ("E", Some(Side::Outside)), ("I", Some(Side::Inside)), ("N", Some(Side::Inside))];
+        let (side, rest) =
+            sides.iter().find_map(|(letters, side)| Some((*side, rest.strip_prefix(letters)?)))?;
+        let hands = [("R", Hand::Right), ("L", Hand::Left)];
+        let (hand, rest) =
+            hands.iter().find_map(|(letter, hand)| Some((*hand, rest.strip_prefix(letter)?)))?;
         // Made for either hand: `RL`. A chip breaker that is pressed in: `M`.
         let rest = rest.strip_prefix('L').filter(|_| hand == Hand::Right).unwrap_or(rest);
         let rest = rest.strip_prefix('M').unwrap_or(rest);
@@ -88,15 +85,16 @@ impl ThreadInsert {
 
 /// Largest pitch, mm, and angle, degrees, of the threads an insert is made for: `AG60`, `2.0ISO`, `14UN`.
 fn threads(text: &str) -> (Option<f64>, Option<f64>) {
-    if let Some((letters, pitch)) = RANGES.iter().find(|range| text.starts_with(range.0)) {
-        let angle = text[letters.len()..].get(..2).and_then(crate::units::read_number);
-        return (Some(*pitch), angle);
+    let range = |(letters, pitch): &(&str, f64)| Some((text.strip_prefix(letters)?, *pitch));
+    if let Some((rest, pitch)) = RANGES.iter().find_map(range) {
+        return (Some(pitch), rest.get(..2).and_then(crate::units::read_number));
     }
     let length = text.bytes().take_while(|byte| byte.is_ascii_digit() || *byte == b'.').count();
-    let Some(number) = crate::units::read_number(&text[..length]).filter(|&number| number > 0.0) else {
+    let (number, rest) = text.split_at_checked(length).unwrap_or_default();
+    let Some(number) = crate::units::read_number(number).filter(|&number| number > 0.0) else {
         return (None, None);
     };
-    let standard = STANDARDS.iter().find(|standard| text[length..].starts_with(standard.0));
+    let standard = STANDARDS.iter().find(|standard| rest.starts_with(standard.0));
     let (angle, measure) = match standard {
         Some((_, angle, measure)) => (Some(*angle), *measure),
         // Threads per inch are whole numbers, and more of them than a pitch has millimetres.

@@ -73,6 +73,9 @@ pub struct Block {
     pub statement_end: u32,
     /// Some words hold macro expressions.
     pub has_expressions: bool,
+    /// It is not written as a block should be, and the [part](crate::text::parser::READS_FAULTS) that reads
+    /// such blocks has not been loaded: what is here is not all, or not right.
+    pub is_unread: bool,
     /// It has more words than are kept.
     overlong: bool,
 }
@@ -120,6 +123,7 @@ impl Block {
 
     pub(super) fn clear(&mut self) {
         self.overlong = false;
+        self.is_unread = false;
         self.kind = BlockKind::Words;
         self.delete = None;
         self.optional = None;

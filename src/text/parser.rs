@@ -13,14 +13,42 @@
 
 use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
-use super::{lost_letter, misread};
+use super::lost_letter;
+use super::misread::{self, Misread};
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said};
+use crate::parts::{Part, in_part};
 use crate::source::Span;
 use crate::source::shift::Shift;
 
 /// Most faults of one block that are reported; one mistake easily upsets the words after it.
 const FAULTS_PER_BLOCK: usize = 3;
+
+/// The part of the module that reads what is not written as it should be.
+pub const READS_FAULTS: Part = Part::Seldom;
+
+in_part! {
+    Seldom "0520"
+    fn reconsider(parser: &Parser, block: &mut Block, behind_semicolon: bool) {
+        parser.reconsider(block, behind_semicolon);
+    }
+
+    Seldom "0521"
+    fn take_misread(parser: &mut Parser, block: &mut Block, start: u32, misread: &Misread) {
+        parser.take_misread(block, start, misread);
+    }
+
+    Seldom "0522"
+    fn report_full_width(parser: &Parser, block: &mut Block, span: Span) {
+        parser.report_full_width(block, span);
+    }
+}
+
+/// Whether that part has been loaded; where it has not, the block is marked.
+fn may_read_faults(block: &mut Block) -> bool {
+    block.is_unread |= !READS_FAULTS.is_loaded();
+    !block.is_unread
+}
 
 /// Reads a program block by block.
 #[derive(Clone, Debug)]
@@ -73,8 +101,8 @@ impl<'a> Parser<'a> {
         block.line = self.line;
         let end = self.read(block);
         block.span = Span::new(start, end);
-        if !block.faults.is_empty() {
-            self.reconsider(block, behind_semicolon);
+        if !block.faults.is_empty() && may_read_faults(block) {
+            reconsider(self, block, behind_semicolon);
         }
         if block.kind == BlockKind::Percent && self.begun {
             self.ended = true;
@@ -84,8 +112,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Looks again at a block with faults: whether it was meant as one at all.
-    #[cold]
-    fn reconsider(&mut self, block: &mut Block, behind_semicolon: bool) {
+    fn reconsider(&self, block: &mut Block, behind_semicolon: bool) {
         let unclear = block.is_broken() || block.words.is_empty();
         if behind_semicolon && unclear && reads_as_prose(block.span.of(self.lexer.text())) {
             self.take_as_comment(block);
@@ -121,7 +148,7 @@ impl<'a> Parser<'a> {
                 // `X100 50`: the letter of the second number may be lost.
                 let written = fault.span.quote(self.lexer.text());
                 let Some(blank) = written.find([' ', '\t']) else { continue };
-                let second = written[blank..].trim_start();
+                let second = written.get(blank..).unwrap_or_default().trim_start();
                 fault.fixes.push(Fix::write(fault.span, without_blanks(&written)));
                 (second.to_owned(), fault.span.end - second.len() as u32)
             } else {
@@ -411,6 +438,12 @@ impl<'a> Parser<'a> {
     /// `；`, `（外圆）`: a sign that a control does not know, with its ASCII twin as the repair.
     #[cold]
     fn full_width(&self, block: &mut Block, span: Span) {
+        if may_read_faults(block) {
+            report_full_width(self, block, span);
+        }
+    }
+
+    fn report_full_width(&self, block: &mut Block, span: Span) {
         // One fault, one message; the repair of the first uncovers the next.
         if block.faults.iter().any(|fault| fault.message.is::<said::FullWidth>()) {
             return;
@@ -440,9 +473,18 @@ impl<'a> Parser<'a> {
     fn misread_word(&mut self, block: &mut Block, start: u32) -> bool {
         let text = self.lexer.text();
         let Some(misread) = misread::read(text, start as usize) else { return false };
+        self.lexer.seek(start as usize + misread.len);
+        if may_read_faults(block) {
+            take_misread(self, block, start, &misread);
+        }
+        true
+    }
+
+    fn take_misread(&mut self, block: &mut Block, start: u32, misread: &Misread) {
+        let text = self.lexer.text();
         let span = Span { start, end: start + misread.len as u32 };
         let word = span.quote(text);
-        let (plain, address) = (misread.plain, misread.address);
+        let (plain, address) = (&misread.plain, misread.address);
         let message: Message = match misread.letter {
             Some(letter) => {
                 let digit = if letter.eq_ignore_ascii_case(&b'O') { "0" } else { "1" };
@@ -450,16 +492,15 @@ impl<'a> Parser<'a> {
             }
             None => said::FullWidth { word, plain: plain.clone() }.into(),
         };
-        let fix = Fix::replace(Repair::Write { text: plain.clone() }, span, &plain);
+        let fix = Fix::replace(Repair::Write { text: plain.clone() }, span, plain);
         block.fault(Diagnostic::new(message, span).with(fix));
-        self.lexer.seek(span.end as usize);
-        let digits = plain[1..].trim_start_matches(['-', '+']);
-        let negative = plain[1..].starts_with('-');
+        let value = plain.get(1..).unwrap_or_default();
+        let digits = value.trim_start_matches(['-', '+']);
+        let negative = value.starts_with('-');
         let number = Number::read(digits.as_bytes());
         if number.points <= 1 && number.digits <= DIGITS {
             self.store(block, address, false, negative, number, span);
         }
-        true
     }
 
     fn comma(&mut self, block: &mut Block, comma: Span) {
@@ -624,7 +665,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Text after a `;` that does not read as words is a remark.
-    fn take_as_comment(&mut self, block: &mut Block) {
+    fn take_as_comment(&self, block: &mut Block) {
         let (text, span, line) = (self.lexer.text(), block.span, block.line);
         block.clear();
         (block.span, block.line) = (span, line);
@@ -733,7 +774,7 @@ fn reads_as_prose(bytes: &[u8]) -> bool {
 /// `X12..5` and `X12.8.` with one point; nothing where either could be meant: `X1.2.5`.
 fn without_second_point(word: &str) -> Option<String> {
     let first = word.find('.')?;
-    let (head, tail) = word.split_at(first + 1);
+    let (head, tail) = word.split_at_checked(first + 1)?;
     let rest = tail.replace('.', "");
     let sure = tail.starts_with('.') || tail.find('.') == Some(tail.len() - 1);
     sure.then(|| format!("{head}{rest}"))

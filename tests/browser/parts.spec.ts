@@ -167,18 +167,48 @@ test('a part that cannot be loaded is reported; the rest works, and it can be tr
   await expect(page.getByRole('status')).toContainText('problem');
 });
 
-test('a program with macros is drawn once what runs them is there, and not before', async ({ page }) => {
-  await route(page, 'seldom', late);
-  await page.goto('./');
+const ONLY_SOME_NEED = {
+  'a program with macros': { part: 'seldom', program: 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30', says: '2 motions' },
+  // The nose radius stands in the program, so that no setup is read.
+  'a compensated program': {
+    part: 'path',
+    program: 'G10 P1 X0 Z0 R0.8 Q3\nT0101\nG00 X50 Z2\nG42 G00 X40 Z1\nG01 Z-20 F0.2\nX46\nG40 G00 X50 Z2\nM30',
+    says: '5 motions',
+  },
+  'a program with a rounding': { part: 'path', program: 'G00 X40 Z2\nG01 Z-20 R2 F0.2\nX50\nM30', says: '4 motions' },
+  'a misread program': { part: 'seldom', program: 'G00 X5O Z2\nG01 Z-20 F0.2\nM30', says: '2 motions' },
+  'a program for another control': { part: 'seldom', program: 'G95 DIAMON\nT1 D1\nG0 X40 Z2\nG1 Z-20 F0.2\nM30', says: '0 motions' },
+};
+
+for (const [name, { part, program, says }] of Object.entries(ONLY_SOME_NEED)) {
+  test(`${name} is drawn once what reads it is there, and not before`, async ({ page }) => {
+    await route(page, part, late);
+    await page.goto('./');
+    await settled(page);
+    const canvas = page.locator('gcode-playground').locator('canvas').first();
+    const before = await canvas.screenshot();
+    await page.locator('gcode-playground').evaluate((element, text) => Object.assign(element, { value: text }), program);
+    await page.waitForTimeout(LATE_MS / 2);
+    expect((await canvas.screenshot()).equals(before)).toBe(true);
+    await expect(page.getByRole('status')).toContainText(says);
+    await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  });
+}
+
+test('an ordinary program needs no such part, also while it is written', async ({ page }) => {
+  const asked: string[] = [];
+  for (const part of ['seldom', 'path']) {
+    await route(page, part, async (route) => {
+      asked.push(part);
+      await route.continue();
+    });
+  }
+  await page.goto(`./#${new URLSearchParams({ program: PROGRAM, setup: '{}' })}`);
   await settled(page);
-  const canvas = page.locator('gcode-playground').locator('canvas').first();
-  const before = await canvas.screenshot();
-  const macro = 'G00 X50 Z2\n#1=40\nG01 X#1 Z-20 F0.2\nM30';
-  await page.locator('gcode-playground').evaluate((element, text) => Object.assign(element, { value: text }), macro);
-  await page.waitForTimeout(LATE_MS / 2);
-  expect((await canvas.screenshot()).equals(before)).toBe(true);
-  await expect(page.getByRole('status')).toContainText('2 motions');
-  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  expect(asked).toEqual([]);
+  // Who types may type anything.
+  await type(page, 'G00 X50 Z2\n');
+  await expect.poll(() => [...asked].sort()).toEqual(['path', 'seldom']);
 });
 
 test('a module that cannot be loaded is reported', async ({ page }) => {

@@ -33,7 +33,7 @@ impl Interpreter {
             return self.carry_out(text, &without_optional(block), here);
         }
         self.sink.fault = None;
-        let broken = !block.faults.is_empty() && {
+        let broken = (!block.faults.is_empty() || block.is_unread) && {
             self.report_faults(block);
             block.is_broken()
         };

@@ -10,7 +10,9 @@
 mod block;
 mod calls;
 mod checks;
+mod compensated;
 mod contours;
+mod corner;
 mod doubts;
 mod holes;
 mod macro_body;
@@ -48,7 +50,7 @@ use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, Dialect, GSystem};
 use crate::source::Span;
 use crate::text::block::Block;
-use crate::text::parser::Resume;
+use crate::text::parser::{READS_FAULTS, Resume};
 use contours::Contours;
 
 pub use calls::Here;
@@ -333,6 +335,9 @@ impl Interpreter {
     /// Reports what is wrong with the writing of a block that is not run.
     pub fn report_faults(&mut self, block: &Block) {
         self.sink.fault = None;
+        if block.is_unread {
+            self.missing = Some(READS_FAULTS);
+        }
         for fault in &block.faults {
             self.report(fault.clone());
         }

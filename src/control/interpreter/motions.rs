@@ -6,10 +6,9 @@ use super::request::Request;
 use super::{AXES, Interpreter};
 use crate::control::arcs::{self, CenterWords};
 use crate::control::codes::{Compensation, MotionMode, Plane};
-use crate::control::corners::{self, Corner, Letter};
 use crate::control::doubt::{Doubt, Doubts};
 use crate::control::events::{Event, ThreadPass};
-use crate::control::modal::{Angle, Follower, Joint, Once, Target};
+use crate::control::modal::{Angle, Once, Target};
 use crate::control::words::{self, Counts, Words, letters, plain, quote};
 use crate::cycles::single::Single;
 use crate::geometry::virtual_plane::Surface;
@@ -154,7 +153,7 @@ impl Interpreter {
                 return;
             }
             Some(angle) if !was_open => {
-                match corners::end_by_angle(from, angle.radians, named(x, from.x), named(z, from.z)) {
+                match self.end_by_angle(angle.radians, named(x, from.x), named(z, from.z)) {
                     Ok(to) => to,
                     Err(fault) => {
                         let alarm = fault.alarm().unwrap_or("PS0057");
@@ -189,57 +188,6 @@ impl Interpreter {
         let fine = self.dialect.decimal == DecimalRule::LeastIncrement && !number.has_point();
         let degrees = if fine { plain(word)? / 1000.0 } else { plain(word)? };
         Some(Angle { radians: degrees.to_radians(), span: word.span, word: quote(text, word.span) })
-    }
-
-    /// The chamfer or rounding word of a move: with comma, without, or L and D on GSK.
-    fn joint(
-        &mut self,
-        text: &[u8],
-        block: &Block,
-        request: &Request,
-        words: &Words,
-    ) -> Result<Option<Joint>, ()> {
-        // Most moves have no such word.
-        const CORNERS: u32 = letters(b"CDIKLR");
-        if request.comma == [None; 3] && !words.has_any(CORNERS) {
-            return Ok(None);
-        }
-        let straight = self.state.motion == MotionMode::Line && self.state.virtual_plane.is_none();
-        let gsk = self.dialect.control == Control::Gsk;
-        let [chamfer, round, _] = request.comma;
-        let comma = |index: Option<usize>| index.map(|index| &block.words[index]);
-        let plain_word = |letter: u8, allowed: bool| words.get(letter).filter(|_| allowed);
-        let candidates = [
-            (comma(chamfer), None, Corner::Chamfer as fn(f64) -> Corner),
-            (comma(round), None, Corner::Round),
-            (plain_word(b'L', gsk), None, Corner::Chamfer),
-            (plain_word(b'D', gsk), None, Corner::Round),
-            (plain_word(b'I', straight), Some(Letter::I), Corner::Chamfer),
-            (plain_word(b'K', straight), Some(Letter::K), Corner::Chamfer),
-            (plain_word(b'C', straight && !self.state.c_axis), Some(Letter::C), Corner::Chamfer),
-            (plain_word(b'R', straight), Some(Letter::R), Corner::Round),
-        ];
-        let mut found =
-            candidates.into_iter().filter_map(|(word, letter, corner)| Some((word?, letter, corner)));
-        let Some((word, letter, corner)) = found.next() else { return Ok(None) };
-        let quoted = quote(text, word.span);
-        if let Some((other, ..)) = found.next() {
-            let message = said::CornerTwice { word: quoted, other: quote(text, other.span) };
-            self.report(Diagnostic::new(message, word.span));
-            return Err(());
-        }
-        if request.switches_compensation {
-            self.report(Diagnostic::new(said::CornerWithCompensation { word: quoted }, word.span));
-            return Err(());
-        }
-        let Some(value) = self.reading().length(word).filter(|&value| value != 0.0) else { return Ok(None) };
-        Ok(Some(Joint {
-            corner: corner(if letter.is_some() { value.abs() } else { value }),
-            signed: letter.map(|letter| (letter, value)),
-            before: if gsk && letter.is_none() { Follower::LineOrArc } else { Follower::Line },
-            span: word.span,
-            word: quoted,
-        }))
     }
 
     /// A thread has no corner words (PS0050).

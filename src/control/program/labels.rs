@@ -3,16 +3,14 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 
-/// A sequence number and the block it stands before.
+/// A number and the block it leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Label {
-    sequence: u32,
-    /// Which O program of the text it belongs to, from 0.
+    number: u32,
+    /// Which O program of the text it belongs to, from 0; 0 for numbers of programs.
     program: u32,
     /// Where its block begins.
     at: Resume,
@@ -20,7 +18,25 @@ struct Label {
 
 impl Label {
     fn key(&self) -> (u32, u32, u32) {
-        (self.program, self.sequence, self.at.byte)
+        (self.program, self.number, self.at.byte)
+    }
+}
+
+/// Labels in order of program, number and place.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Sorted(Vec<Label>);
+
+impl Sorted {
+    fn new(mut labels: Vec<Label>) -> Self {
+        labels.sort_unstable_by_key(Label::key);
+        Self(labels)
+    }
+
+    /// The first of a number in a program that leads to byte `from` or beyond.
+    fn first(&self, program: u32, number: u32, from: u32) -> Option<Resume> {
+        let at = self.0.partition_point(|label| label.key() < (program, number, from));
+        let label = self.0.get(at)?;
+        ((label.program, label.number) == (program, number)).then_some(label.at)
     }
 }
 
@@ -36,16 +52,16 @@ struct Program {
 /// All programs and sequence numbers of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
-    /// In order of program, number and place.
-    labels: Vec<Label>,
+    /// The sequence numbers.
+    labels: Sorted,
     /// In order of the text; the first begins with the text.
     programs: Vec<Program>,
-    /// The first program of each number.
-    heads: BTreeMap<u32, Resume>,
-    /// Numbers that some program calls.
-    called: BTreeSet<u32>,
-    /// By called number: the first program that calls it and is called by none itself.
-    callers: BTreeMap<u32, Resume>,
+    /// The programs by their number.
+    heads: Sorted,
+    /// By called number: the programs that call it.
+    calls: Sorted,
+    /// The same, but only of programs that are called by none themselves.
+    callers: Sorted,
 }
 
 impl Labels {
@@ -55,6 +71,7 @@ impl Labels {
         let mut block = Block::default();
         let mut labels =
             Self { programs: vec![Program { number: None, head: Resume::default() }], ..Self::default() };
+        let mut sequences = Vec::new();
         // By index of the program that calls, the number it calls.
         let mut calls = Vec::new();
         let mut begun = false;
@@ -71,25 +88,20 @@ impl Labels {
             }
             begun |= !block.is_empty();
             if let Some(sequence) = block.sequence {
-                labels.labels.push(Label { sequence, program: labels.programs.len() as u32 - 1, at });
+                sequences.push(Label { number: sequence, program: labels.programs.len() as u32 - 1, at });
             }
             calls.extend(called(&block).map(|called| (labels.programs.len() - 1, called)));
         }
-        labels.labels.sort_unstable_by_key(Label::key);
-        for &(_, called) in &calls {
-            labels.called.insert(called);
-        }
-        for program in &labels.programs {
-            if let Some(number) = program.number {
-                labels.heads.entry(number).or_insert(program.head);
-            }
-        }
-        for (caller, called) in calls {
-            let caller = &labels.programs[caller];
-            if caller.number.is_none_or(|own| !labels.called.contains(&own)) {
-                labels.callers.entry(called).or_insert(caller.head);
-            }
-        }
+        let label = |number, at| Label { number, program: 0, at };
+        let heads = labels.programs.iter().filter_map(|program| Some(label(program.number?, program.head)));
+        let made_by = |&(caller, called): &(usize, u32)| label(called, labels.programs[caller].head);
+        let called = Sorted::new(calls.iter().map(made_by).collect());
+        let is_called = |&(caller, _): &(usize, u32)| {
+            labels.programs[caller].number.is_some_and(|own| called.first(0, own, 0).is_some())
+        };
+        let callers = calls.iter().filter(|call| !is_called(call)).map(made_by).collect();
+        (labels.heads, labels.callers) = (Sorted::new(heads.collect()), Sorted::new(callers));
+        (labels.labels, labels.calls) = (Sorted::new(sequences), called);
         labels
     }
 
@@ -107,7 +119,7 @@ impl Labels {
 
     /// The first block of the O program of a number.
     pub fn program(&self, number: u32) -> Option<Resume> {
-        self.heads.get(&number).copied()
+        self.heads.first(0, number, 0)
     }
 
     /// The O program that byte `at` belongs to.
@@ -122,12 +134,12 @@ impl Labels {
 
     /// Whether a program of the text calls the program of a number.
     pub fn is_called(&self, number: u32) -> bool {
-        self.called.contains(&number)
+        self.calls.first(0, number, 0).is_some()
     }
 
     /// The first program that calls the one of a number and is called by none itself.
     pub fn caller_of(&self, number: u32) -> Option<Resume> {
-        self.callers.get(&number).copied()
+        self.callers.first(0, number, 0)
     }
 
     fn index_at(&self, at: u32) -> usize {
@@ -137,9 +149,7 @@ impl Labels {
     /// The first block of a number from byte `byte` on, in the O program around byte `around`.
     fn first_from(&self, sequence: u32, around: u32, byte: u32) -> Option<Resume> {
         let program = self.index_at(around) as u32;
-        let at = self.labels.partition_point(|label| label.key() < (program, sequence, byte));
-        let label = self.labels.get(at)?;
-        ((label.program, label.sequence) == (program, sequence)).then_some(label.at)
+        self.labels.first(program, sequence, byte)
     }
 }
 

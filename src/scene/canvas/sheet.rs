@@ -16,6 +16,7 @@ use super::super::{Plane, Scene, StrokeStyle};
 use super::pen::{Dash, Pen, Text};
 use crate::geometry::{Point, within};
 use crate::machine::resolved_setup::Basis;
+use crate::parts::{Part, in_part};
 
 const FONT: &str = "12px system-ui, sans-serif";
 const NAME_FONT: &str = "600 12px system-ui, sans-serif";
@@ -50,6 +51,13 @@ pub fn dash(ink: Ink) -> Dash {
     }
 }
 
+in_part! {
+    Machine "0611"
+    fn draw_work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        work(pen, scene, view)
+    }
+}
+
 /// Draws what lies under the strokes.
 pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let (camera, palette) = (view.camera(), &view.palette);
@@ -64,7 +72,10 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     let level =
         across.iter().filter(|tick| major(tick)).map(|tick| from_to((0.0, tick.pixel), (width, tick.pixel)));
     pen.hairlines(view, &palette.grid, Dash::Solid, level)?;
-    work(pen, scene, view)?;
+    // The work comes from that part.
+    if Part::Machine.is_loaded() {
+        draw_work(pen, scene, view)?;
+    }
     center_lines(pen, scene.plane(), view)?;
     pen.unclip();
     Ok(())

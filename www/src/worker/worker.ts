@@ -319,11 +319,17 @@ function changeSetup(playground: Playground, json: string): void {
 function changeText(playground: Playground, text: TextCommand, came: Came): void {
   if (text.kind === 'edit') {
     for (const change of text.changes) edit(playground, change);
+    loadForTyping();
     if (came === 'at-once') playground.decideDecimalRule();
   } else {
     handIn(playground, text.pieces);
     lookForSwitches();
   }
+}
+
+/** Who types may type anything, and half a word is a mistake: what reads that is not first asked for when it is met. */
+function loadForTyping(): void {
+  if (isLoaded(['machine'])) parts?.load('seldom', 'path').catch(() => undefined);
 }
 
 function edit(playground: Playground, { from, to, insert }: TextChange): void {

@@ -1,0 +1,174 @@
+//! The programmed path beside which the tool nose goes: moves under compensation.
+//!
+//! In: moves of the path, corners put in; the side and the nose. Out: motions of the tip. A move is given out
+//! once the next one is known, or nothing more can come of the path.
+
+use super::Interpreter;
+use crate::control::codes::Compensation;
+use crate::control::compensation::{
+    Compensator, Element, MadeBy, Nose, Outcome, Reason, Shape, Side, Travel,
+};
+use crate::control::events::{CompensatedMove, Event};
+use crate::control::modal::{Compensating, PathMove};
+use crate::control::tool_offset;
+use crate::geometry::Turn;
+use crate::message::{Diagnostic, Message, said};
+use crate::motion::{Motion, MotionKind, Programmed};
+
+impl Interpreter {
+    /// One more move of the path, by a nose that has a radius or follows one that had.
+    pub(super) fn compensate(&mut self, path_move: PathMove, nose: Nose) {
+        let side = self.side();
+        let motion = path_move.motion;
+        // Another tool or offset: the new nose counts from this move on.
+        if side.is_some()
+            && self.state.compensating.as_ref().is_some_and(|old| old.compensator.nose() != nose)
+        {
+            self.flush_compensation();
+            let old = self.state.compensating.take();
+            self.state.tip = old.map(|old| old.compensator.tip()).filter(|tip| !tip.is_same(motion.from));
+        }
+        let mut compensating = match (self.state.compensating.take(), side) {
+            (Some(compensating), _) => compensating,
+            (None, Some(side)) if nose.radius > 0.0 => Compensating {
+                compensator: Compensator::start(side, nose, self.state.tip.take().unwrap_or(motion.from)),
+                waiting: Vec::new(),
+                dwells: Vec::new(),
+                is_new: true,
+                idle_blocks: 0,
+            },
+            (None, _) => return self.emit(path_move),
+        };
+        let starts = compensating.is_new && compensating.waiting.len() == 1;
+        let before = compensating.waiting.last().map(|(_, before)| before.motion);
+        compensating.is_new &= compensating.waiting.is_empty();
+        let own = CompensatedMove {
+            before: before.as_ref().filter(|_| !starts && side.is_some()),
+            motion: &motion,
+            begins_or_ends: (compensating.is_new && compensating.waiting.is_empty()) || side.is_none(),
+            words: path_move.words,
+            span: path_move.span,
+        };
+        self.observe(&[], Event::Compensated(own));
+        let id = compensating.waiting.last().map_or(0, |(id, _)| id.wrapping_add(1));
+        compensating.waiting.push((id, path_move));
+        compensating.idle_blocks = 0;
+        let element = Element {
+            id,
+            travel: if motion.kind == MotionKind::Rapid { Travel::Rapid } else { Travel::Feed },
+            from: motion.from,
+            to: motion.to,
+            shape: motion.arc().map_or(Shape::Line, |arc| Shape::Arc { center: arc.center, turn: arc.turn }),
+        };
+        let mut outcomes = Vec::new();
+        let mut keep = |outcome| outcomes.push(outcome);
+        match side {
+            Some(side) => {
+                if side != compensating.compensator.side() {
+                    compensating.compensator.change_side(side);
+                }
+                compensating.compensator.push(element, &mut keep);
+            }
+            None => compensating.compensator.clone().cancel(Some(element), &mut keep),
+        }
+        self.give_out(&mut compensating, outcomes);
+        if side.is_some() {
+            self.state.compensating = Some(compensating);
+        }
+    }
+
+    /// Makes motions of what compensation gives out.
+    fn give_out(&mut self, compensating: &mut Compensating, outcomes: Vec<Outcome>) {
+        let mut last = None;
+        for outcome in outcomes {
+            let id = outcome.map_or_else(|fault| fault.id, |moved| moved.id);
+            let Some(&(_, path_move)) = compensating.waiting.iter().find(|(waiting, _)| *waiting == id)
+            else {
+                continue;
+            };
+            match outcome {
+                Ok(moved) => {
+                    let (kind, center) = match (moved.shape, moved.travel) {
+                        (Shape::Line, Travel::Rapid) => (MotionKind::Rapid, None),
+                        (Shape::Line, Travel::Feed) => (MotionKind::Feed, None),
+                        (Shape::Arc { center, turn: Turn::Clockwise }, _) => {
+                            (MotionKind::ArcClockwise, Some(center))
+                        }
+                        (Shape::Arc { center, turn: Turn::Counterclockwise }, _) => {
+                            (MotionKind::ArcCounterclockwise, Some(center))
+                        }
+                    };
+                    let Motion { from, to, center: own, .. } = path_move.motion;
+                    let programmed = matches!(moved.made_by, MadeBy::Program).then_some(Programmed {
+                        from,
+                        to,
+                        center: own,
+                    });
+                    let motion = Motion {
+                        kind,
+                        center,
+                        from: moved.from,
+                        to: moved.to,
+                        programmed,
+                        ..path_move.motion
+                    };
+                    self.emit(PathMove { motion, ..path_move });
+                }
+                Err(fault) => {
+                    let radius = compensating.compensator.nose().radius;
+                    let code = if self.state.compensation == Compensation::Off { "G40" } else { "G41/G42" };
+                    let message: Message = match fault.reason {
+                        Reason::ArcAtSwitch => said::CompensationOnArc { code }.into(),
+                        Reason::NoIntersection { .. } => said::CompensationNoIntersection { radius }.into(),
+                        Reason::Overcut { .. } | Reason::CutsIn { .. } | Reason::ArcRadius { .. } => {
+                            said::CompensationOvercut { radius, alarm: "PS0041" }.into()
+                        }
+                        Reason::ArcCenter => said::CompensationOvercut { radius, alarm: "PS0038" }.into(),
+                    };
+                    self.report(Diagnostic::new(message, path_move.words));
+                    self.left_out();
+                    // The next move begins elsewhere.
+                    match compensating.waiting.iter_mut().find(|(later, _)| *later > id) {
+                        Some((_, later)) => later.motion.process.uncertain = true,
+                        None => self.lose_path(),
+                    }
+                }
+            }
+            if !matches!(outcome, Ok(moved) if moved.made_by == MadeBy::Compensation) {
+                let at = compensating.compensator.tip();
+                let at = outcome.map_or(at, |moved| moved.to);
+                let (now, later) = compensating.dwells.drain(..).partition(|(after, _)| *after == id);
+                compensating.dwells = later;
+                let now: Vec<(u32, PathMove)> = now;
+                for (_, dwell) in now {
+                    let motion = Motion { from: at, to: at, ..dwell.motion };
+                    self.emit(PathMove { motion, ..dwell });
+                }
+            }
+            last = Some(id);
+        }
+        if let Some(last) = last {
+            compensating.waiting.retain(|(id, _)| *id >= last);
+        }
+    }
+
+    /// The centre goes to the end of the last move; no next move is known.
+    pub(super) fn give_out_rest(&mut self) {
+        if let Some(mut compensating) = self.state.compensating.take() {
+            let mut outcomes = Vec::new();
+            compensating.compensator.flush(&mut |outcome| outcomes.push(outcome));
+            self.give_out(&mut compensating, outcomes);
+            self.state.compensating = Some(compensating);
+        }
+    }
+
+    /// The side of the path the nose is on: a negative radius changes it.
+    pub(super) fn side(&self) -> Option<Side> {
+        let side = match self.state.compensation {
+            Compensation::Off => return None,
+            Compensation::Left => Side::Left,
+            Compensation::Right => Side::Right,
+        };
+        Some(if tool_offset::nose_entry(&self.state, &self.setup).0 < 0.0 { side.opposite() } else { side })
+    }
+}
