@@ -97,9 +97,21 @@ impl Interpreter {
         self.sink.chunk.len() >= self.setup.limits.stride
     }
 
+    /// Motions until enough came together for a chunk.
+    #[inline]
+    pub fn room_in_chunk(&self) -> usize {
+        self.setup.limits.stride.saturating_sub(self.sink.chunk.len())
+    }
+
     /// Begins a chunk at the block to come. One without motions begins there anew.
     pub fn begin_chunk(&mut self, at: Resume) {
-        self.sink.begin_chunk(Chunk::new(at.byte, at.line, self.state.position));
+        let mut next = Chunk::new(at.byte, at.line, self.state.position);
+        // A program that has filled a chunk is likely to fill another one; a single block may make far more.
+        let stride = self.setup.limits.stride;
+        if (stride..2 * stride).contains(&self.sink.chunk.len()) {
+            next.reserve_as(&self.sink.chunk);
+        }
+        self.sink.begin_chunk(next);
     }
 
     /// Whether everything so far was carried out on the straight way through the text,
