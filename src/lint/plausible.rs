@@ -15,7 +15,7 @@ use crate::control::codes::{self, G, MotionMode, Multiple};
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, said};
-use crate::motion::{Motion, Motions};
+use crate::motion::Motions;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
@@ -390,9 +390,10 @@ impl<'a> Program<'a> {
         word.span.quote(self.text)
     }
 
-    fn made(&self, row: &Row) -> impl Iterator<Item = Motion> + '_ {
+    /// Whether a block cuts.
+    fn is_cut(&self, row: &Row) -> bool {
         let (from, to) = row.motions.unwrap_or_default();
-        (from..to).map(|index| self.motions.get(index))
+        (from..to).any(|index| self.motions.kind(index).cuts())
     }
 
     /// Words that place the tool, along either axis, with a number that is not zero.

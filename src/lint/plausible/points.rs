@@ -75,7 +75,7 @@ impl Program<'_> {
             Diagnostic { fixes: self.with_point(word), ..diagnostic }
         };
         // A place far away is often a round number.
-        let cuts = |word: &&Word| self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+        let cuts = |word: &&Word| self.is_cut(&self.rows[word.block]);
         bare.into_iter().filter(cuts).map(tell).collect()
     }
 
@@ -130,7 +130,7 @@ impl Program<'_> {
         {
             let mut places: Vec<(f64, &Word, bool)> = Vec::new();
             for word in self.places().filter(|word| letters.contains(&word.address)) {
-                let cuts = self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+                let cuts = self.is_cut(&self.rows[word.block]);
                 places.extend(self.leads_to(word).map(|place| (place, word, cuts)));
             }
             let top = places.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
