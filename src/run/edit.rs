@@ -177,6 +177,12 @@ impl Run {
         self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
     }
 
+    /// Blocks after which a snapshot may be due.
+    #[inline]
+    pub(super) fn until_due(&self) -> usize {
+        self.interpreter.room_in_chunk().min(self.due.saturating_sub(self.blocks))
+    }
+
     /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
     #[cold]
     pub(super) fn pause(&mut self, at: Resume) -> bool {
