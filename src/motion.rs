@@ -517,6 +517,10 @@ pub struct Chunk {
 }
 
 impl Chunk {
+    /// Bytes of a motion that is the only one of its block, and nothing but a line.
+    pub const BYTES_PER_MOTION: usize =
+        size_of::<u8>() + 2 * size_of::<f64>() + size_of::<Row>() + size_of::<BlockPlace>();
+
     /// A chunk without motions whose places count from byte `base` on line `first_line` (from 0).
     pub fn new(base: u32, first_line: u32, start: Point) -> Self {
         Self {

@@ -381,7 +381,7 @@ impl Run {
         let mut joined = false;
         while left > 0 {
             let at = parser.position();
-            if self.is_due(at) && self.pause(at) {
+            if self.is_due(at) && self.pause(at, text.len()) {
                 joined = true;
                 break;
             }

@@ -133,7 +133,7 @@ impl Reading {
     }
 
     /// The length that a number means, mm, as [`Reading::length`].
-    #[inline]
+    #[inline(never)]
     pub fn length_of(self, number: Number, negative: bool) -> f64 {
         let places = self.unit.decimals();
         let mut value = if self.decimal == DecimalRule::LeastIncrement && !number.has_point() {

@@ -17,6 +17,10 @@ use crate::units::Diameter;
 
 impl Interpreter {
     /// Reads and carries out plain lines, at most so many; how many it has taken.
+    ///
+    /// A function of its own, which returns now and then: a browser goes on in the quicker code that it has made of a
+    /// loop only when the loop is entered anew.
+    #[inline(never)]
     pub fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
         let begin = parser.position();
         if !self.goes_plainly() || !self.program.is_unread_from(begin.byte) {

@@ -103,6 +103,18 @@ impl Interpreter {
         self.setup.limits.stride.saturating_sub(self.sink.chunk.len())
     }
 
+    /// Bytes that the motions of a text of so many bytes are likely to take, if the rest of it is like what was read
+    /// up to a place; none for a short text.
+    pub fn expected_bytes(&self, at: Resume, text: usize) -> usize {
+        /// Bytes of text from which on memory is worth being looked after.
+        const LONG: usize = 1 << 20;
+        /// No text of a byte more makes more bytes of motions, unless it goes round in loops.
+        const MOST: usize = 4;
+        let so_far = self.sink.chunk.len() * Chunk::BYTES_PER_MOTION;
+        let whole = so_far as u64 * text as u64 / u64::from(at.byte.max(1));
+        if text < LONG { 0 } else { whole.min((MOST * text) as u64) as usize }
+    }
+
     /// Begins a chunk at the block to come. One without motions begins there anew.
     pub fn begin_chunk(&mut self, at: Resume) {
         let mut next = Chunk::new(at.byte, at.line, self.state.position);
