@@ -5,11 +5,15 @@
 //! most of its time on that.
 
 #[cfg(target_arch = "wasm32")]
-pub use wasm::reserve_ahead;
+pub use wasm::{reserve, reserve_ahead};
 
 /// Nothing: a system gives memory in small pieces at no cost.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn reserve_ahead() {}
+
+/// Nothing, as [`reserve_ahead`].
+#[cfg(not(target_arch = "wasm32"))]
+pub fn reserve(_bytes: usize) {}
 
 #[cfg(target_arch = "wasm32")]
 mod wasm {
@@ -30,11 +34,16 @@ mod wasm {
         if pages <= SEEN.load(Ordering::Relaxed) {
             return;
         }
+        reserve(pages / SHARE * PAGE);
+        SEEN.store(memory_size::<0>(), Ordering::Relaxed);
+    }
+
+    /// Grows the memory at once by so many bytes that are about to be needed, if they are not there.
+    pub fn reserve(bytes: usize) {
         let mut reserve: Vec<u8> = Vec::new();
         // What the allocator was given once, it keeps. Where there is no more, the
         // program itself may still fit.
-        let _ = reserve.try_reserve_exact(pages / SHARE * PAGE);
+        let _ = reserve.try_reserve_exact(bytes);
         drop(black_box(reserve));
-        SEEN.store(memory_size::<0>(), Ordering::Relaxed);
     }
 }

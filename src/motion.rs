@@ -469,6 +469,19 @@ struct BlockPlace {
     line: i32,
 }
 
+/// Where what a motion has beside its kind and end stands in the tables of its chunk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Row {
+    /// Index into `blocks`.
+    block: u32,
+    /// Packed [`CycleStep`], 0 for none.
+    cycle: u32,
+    /// Index into `processes`.
+    process: u32,
+    /// Index into `centers` (arcs) or `numbers` (lead, seconds), or [`NONE`].
+    detail: u32,
+}
+
 /// No entry in a side table.
 const NONE: u32 = u32::MAX;
 
@@ -496,14 +509,7 @@ pub struct Chunk {
     x: Vec<f64>,
     /// End point, mm.
     z: Vec<f64>,
-    /// Index into `blocks`.
-    block: Vec<u32>,
-    /// Packed [`CycleStep`], 0 for none.
-    cycle: Vec<u32>,
-    /// Index into `processes`.
-    process: Vec<u32>,
-    /// Index into `centers` (arcs) or `numbers` (lead, seconds), or [`NONE`].
-    detail: Vec<u32>,
+    rows: Vec<Row>,
     blocks: Vec<BlockPlace>,
     processes: Vec<Process>,
     centers: Vec<Point>,
@@ -511,6 +517,10 @@ pub struct Chunk {
 }
 
 impl Chunk {
+    /// Bytes of a motion that is the only one of its block, and nothing but a line.
+    pub const BYTES_PER_MOTION: usize =
+        size_of::<u8>() + 2 * size_of::<f64>() + size_of::<Row>() + size_of::<BlockPlace>();
+
     /// A chunk without motions whose places count from byte `base` on line `first_line` (from 0).
     pub fn new(base: u32, first_line: u32, start: Point) -> Self {
         Self {
@@ -525,10 +535,7 @@ impl Chunk {
             kind: Vec::new(),
             x: Vec::new(),
             z: Vec::new(),
-            block: Vec::new(),
-            cycle: Vec::new(),
-            process: Vec::new(),
-            detail: Vec::new(),
+            rows: Vec::new(),
             blocks: Vec::new(),
             processes: Vec::new(),
             centers: Vec::new(),
@@ -588,13 +595,13 @@ impl Chunk {
             self.rotary.push((index, rotary));
         }
         if let Some(step) = motion.cycle {
-            self.cycle[index as usize] = pack_cycle(step);
+            self.rows[index as usize].cycle = pack_cycle(step);
         }
         if let Some(number) = motion.lead.or(motion.seconds).filter(|_| motion.center.is_none()) {
             if self.numbers.last() != Some(&number) {
                 self.numbers.push(number);
             }
-            self.detail[index as usize] = self.numbers.len() as u32 - 1;
+            self.rows[index as usize].detail = self.numbers.len() as u32 - 1;
         }
     }
 
@@ -611,12 +618,29 @@ impl Chunk {
         span: Span,
         line: u32,
     ) {
+        self.begin_process(process);
+        self.push_on(kind, from, to, center, span, line);
+    }
+
+    /// Feed, spindle and tool of the motions that are [pushed on](Chunk::push_on).
+    pub fn begin_process(&mut self, process: &Process) {
+        if self.processes.last() != Some(process) {
+            self.processes.push(*process);
+        }
+    }
+
+    /// Adds a move of the process that was begun last.
+    pub fn push_on(
+        &mut self,
+        kind: MotionKind,
+        from: Point,
+        to: Point,
+        center: Option<Point>,
+        span: Span,
+        line: u32,
+    ) {
         let index = self.kind.len();
-        let previous = match index {
-            0 => self.start,
-            _ => Point::new(self.x[index - 1], self.z[index - 1]),
-        };
-        if from != previous {
+        if from != self.end_before(index) {
             self.starts.push((index as u32, from));
         }
         self.kind.push(kind as u8);
@@ -626,19 +650,26 @@ impl Chunk {
         if self.blocks.last() != Some(&place) {
             self.blocks.push(place);
         }
-        self.block.push(self.blocks.len() as u32 - 1);
-        self.cycle.push(0);
-        if self.processes.last() != Some(process) {
-            self.processes.push(*process);
-        }
-        self.process.push(self.processes.len() as u32 - 1);
-        self.detail.push(match center {
+        let detail = match center {
             Some(center) => {
                 self.centers.push(center);
                 self.centers.len() as u32 - 1
             }
             None => NONE,
-        });
+        };
+        let (block, process) = (self.blocks.len() as u32 - 1, self.processes.len() as u32 - 1);
+        self.rows.push(Row { block, cycle: 0, process, detail });
+    }
+
+    /// Makes room for as many motions as another chunk has.
+    pub fn reserve_as(&mut self, other: &Self) {
+        // A block more, which may make several.
+        let motions = other.len() + other.len() / 32;
+        self.kind.reserve_exact(motions);
+        self.x.reserve_exact(motions);
+        self.z.reserve_exact(motions);
+        self.rows.reserve_exact(motions);
+        self.blocks.reserve_exact(other.blocks.len());
     }
 
     /// The program stops before the motion that is pushed next.
@@ -657,7 +688,7 @@ impl Chunk {
     /// The motion at `index`.
     pub fn get(&self, index: usize) -> Motion {
         let kind = MotionKind::ALL[self.kind[index] as usize];
-        let detail = self.detail[index];
+        let Row { cycle, detail, .. } = self.rows[index];
         let is_arc = matches!(kind, MotionKind::ArcClockwise | MotionKind::ArcCounterclockwise);
         let number = (detail != NONE && !is_arc).then(|| self.numbers[detail as usize]);
         Motion {
@@ -669,7 +700,7 @@ impl Chunk {
             seconds: number.filter(|_| kind == MotionKind::Dwell),
             programmed: look_up(&self.programmed, index),
             rotary: look_up(&self.rotary, index),
-            cycle: unpack_cycle(self.cycle[index]),
+            cycle: unpack_cycle(cycle),
             process: self.process(index),
         }
     }
@@ -696,12 +727,12 @@ impl Chunk {
 
     /// Bytes of the block that made the motion at `index`.
     pub fn span(&self, index: usize) -> Span {
-        self.span_of(self.blocks[self.block[index] as usize])
+        self.span_of(self.blocks[self.rows[index].block as usize])
     }
 
     /// Line (from 0) of the block that made the motion at `index`.
     pub fn line(&self, index: usize) -> u32 {
-        self.line_of(self.blocks[self.block[index] as usize])
+        self.line_of(self.blocks[self.rows[index].block as usize])
     }
 
     fn place(&self, span: Span, line: u32) -> BlockPlace {
@@ -722,7 +753,7 @@ impl Chunk {
     }
 
     fn own_process(&self, index: usize) -> &Process {
-        &self.processes[self.process[index] as usize]
+        &self.processes[self.rows[index].process as usize]
     }
 
     fn process(&self, index: usize) -> Process {
@@ -731,9 +762,12 @@ impl Chunk {
     }
 
     fn from(&self, index: usize) -> Point {
-        if let Some(start) = look_up(&self.starts, index) {
-            return start;
-        }
+        look_up(&self.starts, index).unwrap_or_else(|| self.end_before(index))
+    }
+
+    /// Where the motion before the one at `index` ends; where the chunk starts, for the first.
+    #[inline]
+    fn end_before(&self, index: usize) -> Point {
         match index {
             0 => self.start,
             _ => Point::new(self.x[index - 1], self.z[index - 1]),
@@ -826,6 +860,12 @@ impl Motions {
     pub fn get(&self, index: usize) -> Motion {
         let (chunk, at) = self.locate(index);
         chunk.get(at)
+    }
+
+    /// What kind the motion at `index` is.
+    pub fn kind(&self, index: usize) -> MotionKind {
+        let (chunk, at) = self.locate(index);
+        chunk.kind(at)
     }
 
     /// Bytes of the block that made the motion at `index`.

@@ -381,9 +381,14 @@ impl Run {
         let mut joined = false;
         while left > 0 {
             let at = parser.position();
-            if self.is_due(at) && self.pause(at) {
+            if self.is_due(at) && self.pause(at, text.len()) {
                 joined = true;
                 break;
+            }
+            let plain = self.plain_lines(&mut parser, left);
+            if plain > 0 {
+                left -= plain;
+                continue;
             }
             more = parser.next_block(&mut self.block);
             left -= 1;
@@ -421,6 +426,17 @@ impl Run {
             self.finish_text();
         }
         self.finished
+    }
+
+    /// Carries out plain lines, at most so many and none where a snapshot is due; how many they were.
+    #[inline]
+    fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
+        if !self.begun || self.ended || self.previous.is_some() {
+            return 0;
+        }
+        let plain = self.interpreter.plain_lines(parser, most.min(self.until_due()));
+        self.blocks += plain;
+        plain
     }
 
     /// Ends the run early and says so.

@@ -6,12 +6,13 @@ use std::time::{Duration, Instant};
 
 use gcode_playground::analyze;
 use gcode_playground::api::Places;
+use gcode_playground::control::modal::State;
 use gcode_playground::expand::expand;
 use gcode_playground::findings;
 use gcode_playground::geometry::Point;
 use gcode_playground::limits::Limits;
 use gcode_playground::machine::SimulationResult;
-use gcode_playground::motion::{Motion, MotionKind};
+use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::run::{Analysis, Run, TextEdit};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::path_index::PathIndex;
@@ -254,6 +255,8 @@ fn line() -> impl Strategy<Value = String> {
         5 => steering.prop_map(String::from),
         1 => piece(),
     ];
+    let plain = "(G0?[01] ?)?(X-?[0-9]{1,2}(\\.[0-9]{0,4})? ?)?(Z-?[0-9]{1,2}(\\.[0-9]{0,4})? ?)?";
+    let line = prop_oneof![2 => line, 1 => plain];
     let head = prop_oneof![
         6 => Just(""),
         2 => prop::sample::select(vec!["N1 ", "N2 ", "N3 ", "N10 "]),
@@ -339,7 +342,14 @@ const SMALL: Limits = Limits {
 
 /// Runs a program within small bounds, `slice` blocks at a time, and checks that it ends.
 fn run_small(text: &str, setup: &Setup, slice: usize) -> Run {
-    let mut run = Run::new(text.as_bytes().to_vec(), Setup { limits: SMALL, ..setup.clone() });
+    to_its_end(begin_small(text, setup), text, slice)
+}
+
+fn begin_small(text: &str, setup: &Setup) -> Run {
+    Run::new(text.as_bytes().to_vec(), Setup { limits: SMALL, ..setup.clone() })
+}
+
+fn to_its_end(mut run: Run, text: &str, slice: usize) -> Run {
     // Each block is read straight through, and once more for the mistakes of what was jumped over; both again
     // when the program that was begun turns out to be a subprogram.
     let most = 2 * (SMALL.repeated_blocks + 2 * text.len() + 4);
@@ -359,10 +369,21 @@ proptest! {
         let whole = run_small(&text, &setup, usize::MAX);
         let state = whole.state();
         prop_assert!([state.position.x, state.position.z, state.c].iter().all(|place| place.is_finite()));
+        // Where each block is kept, lines are not carried out together.
+        let kept = to_its_end(begin_small(&text, &setup).traced(), &text, usize::MAX);
+        // Nor are snapshots made, from which on errors are counted anew.
+        let incomplete = kept.state().incomplete;
+        prop_assert_eq!(&State { incomplete, ..state.clone() }, kept.state());
+        prop_assert_eq!(whole.blocks(), kept.blocks());
         let (state, sliced) = (state.clone(), run_small(&text, &setup, slice));
         let rule = whole.decided_rule();
         prop_assert_eq!(&state, sliced.state());
-        let (whole, sliced) = (whole.into_analysis(), sliced.into_analysis());
+        let (whole, sliced, kept) = (whole.into_analysis(), sliced.into_analysis(), kept.into_analysis());
+        prop_assert!(whole.motions.iter().eq(kept.motions.iter()));
+        let place = |motions: &Motions, index| (motions.span(index), motions.line(index));
+        let places = |motions: &Motions| (0..motions.len()).map(|index| place(motions, index)).collect::<Vec<_>>();
+        prop_assert_eq!(places(&whole.motions), places(&kept.motions));
+        prop_assert_eq!(&whole.diagnostics, &kept.diagnostics);
         prop_assert_eq!(&whole.motions, &sliced.motions);
         prop_assert_eq!(&whole.diagnostics, &sliced.diagnostics);
         // Without its middle, and then with it again, it is the same program.

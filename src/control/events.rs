@@ -190,8 +190,10 @@ pub enum Event<'a> {
     FeedMode(FeedMode),
     /// G40, G41 or G42.
     Compensation,
-    /// A code of group 01 comes into force: another one than before, or that of a cycle.
-    MotionCode { mode: MotionMode, block: &'a Block, words: &'a Words<'a> },
+    /// Another code of group 01 than before comes into force, one of no cycle.
+    MotionCode { mode: MotionMode },
+    /// The code of a single cycle comes into force, perhaps once more.
+    CycleCode { cycle: Single, block: &'a Block, words: &'a Words<'a> },
     /// A one-shot code other than a dwell: single cycles forget what was given.
     OneShot,
     /// A move to a place of the machine: G27, G28, G30, G53.
@@ -286,6 +288,7 @@ impl Event<'_> {
             self,
             Self::SinglePass(_)
                 | Self::MotionCode { .. }
+                | Self::CycleCode { .. }
                 | Self::Rapid
                 | Self::CompensatedLine { .. }
                 | Self::FromAxis { .. }

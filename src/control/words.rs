@@ -7,6 +7,7 @@ use crate::message::{Diagnostic, Severity, said};
 use crate::setup::dialect::DecimalRule;
 use crate::source::Span;
 use crate::text::block::{Block, Value, Word};
+use crate::text::lexer::Number;
 use crate::units::{Diameter, Unit};
 
 /// What stands after the letter of a word as it is written.
@@ -128,6 +129,12 @@ impl Reading {
     #[inline]
     pub fn length(self, word: &Word) -> Option<f64> {
         let Value::Number { number, negative } = word.value else { return None };
+        Some(self.length_of(number, negative))
+    }
+
+    /// The length that a number means, mm, as [`Reading::length`].
+    #[inline(never)]
+    pub fn length_of(self, number: Number, negative: bool) -> f64 {
         let places = self.unit.decimals();
         let mut value = if self.decimal == DecimalRule::LeastIncrement && !number.has_point() {
             number.value() / 10f64.powi(i32::from(places))
@@ -137,7 +144,7 @@ impl Reading {
         if self.unit == Unit::Inch {
             value *= self.unit.millimetres();
         }
-        Some(if negative { 0.0 - value } else { value })
+        if negative { 0.0 - value } else { value }
     }
 
     /// A diameter as a radius, mm.

@@ -135,14 +135,15 @@ impl Lints {
             Event::MachinePlace { block } => self.compensations.machine_place(block, at, reports),
             Event::Compensation => self.compensations.switched(),
             Event::Compensated(own) => self.compensations.compensated(&own, at, reports),
-            Event::MotionCode { mode, block, words } => {
+            Event::MotionCode { .. } => self.single_cycles.ends(),
+            Event::CycleCode { cycle, block, words } => {
                 // In code system B a lone G94 sets feed per minute.
-                let is_lone = block.words.len() == 1 && at.state.motion != mode;
-                if is_lone && mode == MotionMode::Cycle(Single::Facing) {
+                let is_lone = block.words.len() == 1 && at.state.motion != MotionMode::Cycle(cycle);
+                if is_lone && cycle == Single::Facing {
                     self.feed.unit_is_chosen();
                     self.rotary.feed.leave_out();
                 }
-                self.single_cycles.motion_code(mode, block, words, at);
+                self.single_cycles.begins(cycle, block, words, at);
             }
             Event::OneShot => self.single_cycles.one_shot(),
             Event::OldTaperWord { words } => reports.extend(self.single_cycles.old_taper_word(words, at)),

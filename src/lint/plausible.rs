@@ -15,7 +15,7 @@ use crate::control::codes::{self, G, MotionMode, Multiple};
 use crate::control::words::Reading;
 use crate::cycles::single::Single;
 use crate::message::{Diagnostic, said};
-use crate::motion::{Motion, Motions};
+use crate::motion::Motions;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, DecimalRule};
 use crate::source::Span;
@@ -276,7 +276,7 @@ impl<'a> Program<'a> {
             }
             let first = words.len();
             state = BlockCodes { rapid: state.rapid, thread: state.thread, ..BlockCodes::START };
-            let has = |letters: &[u8]| block.words.iter().any(|word| letters.contains(&word.address));
+            let has = |letters: &[u8]| block.words.iter().any(|word| is_among(letters, word.address));
             for word in &block.words {
                 let Value::Number { number, negative } = word.value else { continue };
                 let written = word.span.of(text);
@@ -286,7 +286,7 @@ impl<'a> Program<'a> {
                 }
                 let fine = reading.decimal == DecimalRule::LeastIncrement
                     && !number.has_point()
-                    && LENGTHS.contains(&word.address);
+                    && is_among(LENGTHS, word.address);
                 let value = if fine { number.value() * reading.unit.increment() } else { number.value() };
                 let value = if negative { -value } else { value };
                 let decimals = number.has_point().then_some(number.decimals);
@@ -390,22 +390,23 @@ impl<'a> Program<'a> {
         word.span.quote(self.text)
     }
 
-    fn made(&self, row: &Row) -> impl Iterator<Item = Motion> + '_ {
+    /// Whether a block cuts.
+    fn is_cut(&self, row: &Row) -> bool {
         let (from, to) = row.motions.unwrap_or_default();
-        (from..to).map(|index| self.motions.get(index))
+        (from..to).any(|index| self.motions.kind(index).cuts())
     }
 
     /// Words that place the tool, along either axis, with a number that is not zero.
     fn places(&self) -> impl Iterator<Item = &Word> {
         self.words.iter().filter(|word| {
-            b"XZUW".contains(&word.address) && self.rows[word.block].role != Role::Other && word.value != 0.0
+            is_among(b"XZUW", word.address) && self.rows[word.block].role != Role::Other && word.value != 0.0
         })
     }
 
     /// The places along an axis in the order of the text, with what stands before and after
     /// each in the same stretch.
     fn neighbours(&self, letters: &'static [u8]) -> Vec<(Option<&Word>, &Word, Option<&Word>)> {
-        let own: Vec<&Word> = self.places_or_zero().filter(|word| letters.contains(&word.address)).collect();
+        let own: Vec<&Word> = self.places_or_zero().filter(|word| is_among(letters, word.address)).collect();
         let together = |a: &Word, b: &Word| {
             let between = &self.rows[a.block + 1..=b.block];
             b.block > a.block && !between.iter().any(|row| row.parts)
@@ -423,8 +424,14 @@ impl<'a> Program<'a> {
     fn places_or_zero(&self) -> impl Iterator<Item = &Word> {
         self.words
             .iter()
-            .filter(|word| b"XZUW".contains(&word.address) && self.rows[word.block].role != Role::Other)
+            .filter(|word| is_among(b"XZUW", word.address) && self.rows[word.block].role != Role::Other)
     }
+}
+
+/// Whether a letter is one of a few.
+#[allow(clippy::manual_contains, reason = "that is a search made for long texts, and slow in short ones")]
+fn is_among(letters: &[u8], letter: u8) -> bool {
+    letters.iter().any(|&own| own == letter)
 }
 
 /// To a thousandth of a millimetre.

@@ -62,23 +62,27 @@ struct Reported {
 }
 
 impl SingleCycles {
-    /// A code of group 01 comes into force.
-    pub fn motion_code(&mut self, mode: MotionMode, block: &Block, words: &Words, at: &Moment) {
-        let before = at.state.motion;
-        if mode != before {
-            self.reported.taper_not_extended.forget();
-        }
-        match (mode, before) {
-            (MotionMode::Cycle(new), MotionMode::Cycle(old)) if new == old => {}
-            (MotionMode::Cycle(_), MotionMode::Cycle(_)) => self.reported.pass_not_deeper.forget(),
-            _ => {
+    /// Another code of group 01 comes into force, one of no cycle.
+    pub fn ends(&mut self) {
+        self.reported.taper_not_extended.forget();
+        self.reported.pass_not_deeper.forget();
+        self.one_shot();
+        self.g90_alone = None;
+    }
+
+    /// The code of a cycle comes into force.
+    pub fn begins(&mut self, cycle: Single, block: &Block, words: &Words, at: &Moment) {
+        match at.state.motion {
+            MotionMode::Cycle(before) if before == cycle => {}
+            MotionMode::Cycle(_) => {
+                self.reported.taper_not_extended.forget();
                 self.reported.pass_not_deeper.forget();
-                self.one_shot();
             }
+            _ => self.ends(),
         }
         // With F it is a cycle on purpose: the ends of its passes follow.
         const NAMES: u32 = letters(b"XZUWFR");
-        let alone = mode == MotionMode::Cycle(Single::Turning) && !words.has_any(NAMES);
+        let alone = cycle == Single::Turning && !words.has_any(NAMES);
         self.g90_alone = alone.then(|| {
             let g90 = block.words.iter().find(|word| word.address == b'G' && plain(word) == Some(90.0));
             g90.map_or_else(|| block.words_span(), |word| word.span)

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use super::{Recognised, Run, RunId, TextEdit};
 use crate::control::interpreter::{Remainder, Snapshot};
+use crate::heap;
 use crate::parts::{Part, in_part};
 use crate::provenance;
 use crate::setup::notes::{self, Notes};
@@ -177,9 +178,19 @@ impl Run {
         self.interpreter.has_full_chunk() || self.blocks >= self.due || at.byte >= self.meeting
     }
 
-    /// Makes a snapshot before the next block. True: the rest of the run is that of the run before the edit.
+    /// Blocks after which a snapshot may be due.
+    #[inline]
+    pub(super) fn until_due(&self) -> usize {
+        self.interpreter.room_in_chunk().min(self.due.saturating_sub(self.blocks))
+    }
+
+    /// Makes a snapshot before the next block of a text of so many bytes. True: the rest of the run is that of the run
+    /// before the edit.
     #[cold]
-    pub(super) fn pause(&mut self, at: Resume) -> bool {
+    pub(super) fn pause(&mut self, at: Resume, text: usize) -> bool {
+        if self.interpreter.motions().is_empty() {
+            heap::reserve(self.interpreter.expected_bytes(at, text));
+        }
         if EDITS.is_loaded() {
             return pause(self, at);
         }

@@ -6,3 +6,4 @@ pub mod lexer;
 mod lost_letter;
 mod misread;
 pub mod parser;
+pub mod plain_line;

@@ -15,6 +15,7 @@ use super::block::{Block, BlockKind, Value, Word};
 use super::lexer::{Lexer, Number, TokenKind};
 use super::lost_letter;
 use super::misread::{self, Misread};
+use super::plain_line::PlainLine;
 use crate::limits::DIGITS;
 use crate::message::{Diagnostic, Fix, Message, Repair, Severity, said};
 use crate::parts::{Part, in_part};
@@ -109,6 +110,21 @@ impl<'a> Parser<'a> {
         }
         self.begun |= !block.is_empty() && block.kind != BlockKind::Percent;
         true
+    }
+
+    /// The next line, if it is a plain one; it is not taken.
+    #[inline]
+    pub fn plain_line(&self) -> Option<PlainLine> {
+        let is_inside = self.begun && !self.ended && !self.after_semicolon;
+        PlainLine::read(self.lexer.text(), self.lexer.position()).filter(|_| is_inside)
+    }
+
+    /// Takes a plain line; its number, from 0.
+    #[inline]
+    pub fn take(&mut self, line: &PlainLine) -> u32 {
+        self.lexer.seek(line.span.end as usize + 1);
+        self.line += 1;
+        self.line - 1
     }
 
     /// Looks again at a block with faults: whether it was meant as one at all.

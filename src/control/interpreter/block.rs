@@ -301,8 +301,10 @@ impl Interpreter {
 
     /// A code of group 01 comes into force.
     fn enter(&mut self, text: &[u8], mode: MotionMode, block: &Block, words: &Words) {
-        if mode != self.state.motion || matches!(mode, MotionMode::Cycle(_)) {
-            self.observe(text, Event::MotionCode { mode, block, words });
+        match mode {
+            MotionMode::Cycle(cycle) => self.observe(text, Event::CycleCode { cycle, block, words }),
+            mode if mode != self.state.motion => self.observe(text, Event::MotionCode { mode }),
+            _ => {}
         }
         let state = &mut self.state;
         state.hole = None;

@@ -22,6 +22,7 @@ mod multiples;
 mod output;
 mod path;
 mod pecks;
+mod plain_lines;
 mod read_words;
 mod reference;
 mod request;

@@ -97,9 +97,33 @@ impl Interpreter {
         self.sink.chunk.len() >= self.setup.limits.stride
     }
 
+    /// Motions until enough came together for a chunk.
+    #[inline]
+    pub fn room_in_chunk(&self) -> usize {
+        self.setup.limits.stride.saturating_sub(self.sink.chunk.len())
+    }
+
+    /// Bytes that the motions of a text of so many bytes are likely to take, if the rest of it is like what was read
+    /// up to a place; none for a short text.
+    pub fn expected_bytes(&self, at: Resume, text: usize) -> usize {
+        /// Bytes of text from which on memory is worth being looked after.
+        const LONG: usize = 1 << 20;
+        /// No text of a byte more makes more bytes of motions, unless it goes round in loops.
+        const MOST: usize = 4;
+        let so_far = self.sink.chunk.len() * Chunk::BYTES_PER_MOTION;
+        let whole = so_far as u64 * text as u64 / u64::from(at.byte.max(1));
+        if text < LONG { 0 } else { whole.min((MOST * text) as u64) as usize }
+    }
+
     /// Begins a chunk at the block to come. One without motions begins there anew.
     pub fn begin_chunk(&mut self, at: Resume) {
-        self.sink.begin_chunk(Chunk::new(at.byte, at.line, self.state.position));
+        let mut next = Chunk::new(at.byte, at.line, self.state.position);
+        // A program that has filled a chunk is likely to fill another one; a single block may make far more.
+        let stride = self.setup.limits.stride;
+        if (stride..2 * stride).contains(&self.sink.chunk.len()) {
+            next.reserve_as(&self.sink.chunk);
+        }
+        self.sink.begin_chunk(next);
     }
 
     /// Whether everything so far was carried out on the straight way through the text,

@@ -62,6 +62,11 @@ impl Program {
         is_first
     }
 
+    /// Whether nothing of the main program from byte `start` on has been read.
+    pub fn is_unread_from(&self, start: u32) -> bool {
+        start >= self.unread_from
+    }
+
     /// A jump, call or loop leads elsewhere. `by`: the words of its block.
     pub fn jump_by(&mut self, by: Span) {
         self.has_jumped = true;

@@ -1,6 +1,6 @@
 //! U where X was meant: increments among places.
 
-use super::{Program, round};
+use super::{Program, is_among, round};
 use crate::message::{Diagnostic, Fix, said};
 use crate::units::Diameter;
 
@@ -8,8 +8,8 @@ impl Program<'_> {
     /// `X16`, `U24`, `X36`: a U whose number is a place between its neighbours, but leads beyond them.
     pub(super) fn increments_in_row(&self) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let places = self.places().filter(|word| b"XZ".contains(&word.address)).count();
-        let increments = self.places().filter(|word| b"UW".contains(&word.address)).count();
+        let places = self.places().filter(|word| is_among(b"XZ", word.address)).count();
+        let increments = self.places().filter(|word| is_among(b"UW", word.address)).count();
         if increments > 2 || places < 3 * increments {
             return diagnostics;
         }
@@ -45,7 +45,7 @@ impl Program<'_> {
     /// A single U among places: where it leads, nothing else of the program is.
     pub(super) fn increments(&self) -> Vec<Diagnostic> {
         let moves =
-            |letters: &'static [u8]| self.places().filter(move |word| letters.contains(&word.address));
+            |letters: &'static [u8]| self.places().filter(move |word| is_among(letters, word.address));
         let (places, increments) = (moves(b"XZ").count(), moves(b"UW").count());
         // Who counts in increments now and then means it.
         if increments == 0 || increments > 2 || places < 3 * increments {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Program, Role, Word, round};
+use super::{Program, Role, Word, is_among, round};
 use crate::message::{Diagnostic, Fix, said};
 use crate::setup::dialect::DecimalRule;
 use crate::units::Diameter;
@@ -20,12 +20,12 @@ impl Program<'_> {
         // Where numbers without a point count increments, zeros in front of a length are a habit.
         let numbers: &[u8] = if self.decimal == DecimalRule::LeastIncrement { b"F" } else { numbers };
         let bare = |word: &&Word| {
-            numbers.contains(&word.address) && word.decimals.is_none() && !self.is_threads_per_inch(word)
+            is_among(numbers, word.address) && word.decimals.is_none() && !self.is_threads_per_inch(word)
         };
         let found: Vec<&Word> = self.words.iter().filter(bare).filter(padded).collect();
         // Who pads lengths more than once, `Z02` and `X00`, counts on it; nobody pads a feed.
         let zero = |word: &&Word| {
-            b"XZUW".contains(&word.address)
+            is_among(b"XZUW", word.address)
                 && word.value == 0.0
                 && word.span.of(self.text)[1..].starts_with(b"00")
         };
@@ -55,7 +55,7 @@ impl Program<'_> {
             return Vec::new();
         }
         let lengths = |word: &&Word| {
-            (b"XZUWRIK".contains(&word.address)
+            (is_among(b"XZUWRIK", word.address)
                 && self.rows[word.block].role == Role::Place
                 && !self.is_threads_per_inch(word)
                 && word.value != 0.0)
@@ -75,7 +75,7 @@ impl Program<'_> {
             Diagnostic { fixes: self.with_point(word), ..diagnostic }
         };
         // A place far away is often a round number.
-        let cuts = |word: &&Word| self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+        let cuts = |word: &&Word| self.is_cut(&self.rows[word.block]);
         bare.into_iter().filter(cuts).map(tell).collect()
     }
 
@@ -129,8 +129,8 @@ impl Program<'_> {
             [('X', b"XU", Diameter::from_radius(start.x.abs()).mm()), ('Z', b"ZW", start.z.abs())]
         {
             let mut places: Vec<(f64, &Word, bool)> = Vec::new();
-            for word in self.places().filter(|word| letters.contains(&word.address)) {
-                let cuts = self.made(&self.rows[word.block]).any(|motion| motion.kind.cuts());
+            for word in self.places().filter(|word| is_among(letters, word.address)) {
+                let cuts = self.is_cut(&self.rows[word.block]);
                 places.extend(self.leads_to(word).map(|place| (place, word, cuts)));
             }
             let top = places.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));

@@ -7,7 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::passes::{CENTRE, Pass};
-use super::{CORNER, Program, Role, Row, Word};
+use super::{CORNER, Program, Role, Row, Word, is_among};
 use crate::message::{Diagnostic, Fix, said};
 use crate::motion::{Motion, MotionKind, SpindleTurn, Step};
 
@@ -80,7 +80,7 @@ impl Program<'_> {
     /// Two moves along Z alone and then no further cut: the tool comes back the way it went.
     fn draws_back(&self, before: &Word, word: &Word) -> bool {
         let row = &self.rows[word.block];
-        let along_z = |row: &Row| !self.words_of(row).iter().any(|word| b"XU".contains(&word.address));
+        let along_z = |row: &Row| !self.words_of(row).iter().any(|word| is_among(b"XU", word.address));
         let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
         let mut moves = self.rows[before.block..=word.block].iter().filter(|row| row.role == Role::Place);
         let next = self.rows.get(word.block + 1);
@@ -140,8 +140,9 @@ impl Program<'_> {
         let mut cuts = Cuts::default();
         let mut last = MotionKind::Rapid;
         for index in 0..self.motions.len() {
-            let motion = self.motions.get(index);
-            if motion.kind.cuts() {
+            let kind = self.motions.kind(index);
+            if kind.cuts() {
+                let motion = self.motions.get(index);
                 if last == MotionKind::Rapid {
                     cuts.front = Some(cuts.front.map_or(motion.from.z, |front| front.max(motion.from.z)));
                 }
@@ -150,8 +151,8 @@ impl Program<'_> {
                     cuts.inward.insert(motion.process.tool.0);
                 }
             }
-            if motion.kind != MotionKind::Dwell {
-                last = motion.kind;
+            if kind != MotionKind::Dwell {
+                last = kind;
             }
         }
         cuts

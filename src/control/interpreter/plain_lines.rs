@@ -1,0 +1,117 @@
+//! A stretch of lines that say nothing but where to go next, as most of a long program do.
+//!
+//! In: the program, where such a stretch may begin. Out: its motions. All that decides what such lines do is looked
+//! at once, before the first of them, for none of them changes it. Each of them carried out as a block gives the
+//! same, only slower; a line that might not is left to [`Interpreter::run`].
+
+use super::Interpreter;
+use crate::control::codes::{Compensation, MotionMode};
+use crate::control::events::Event;
+use crate::control::modal::CycleMemory;
+use crate::control::words::Reading;
+use crate::geometry::Point;
+use crate::motion::MotionKind;
+use crate::text::parser::Parser;
+use crate::text::plain_line::PlainLine;
+use crate::units::Diameter;
+
+impl Interpreter {
+    /// Reads and carries out plain lines, at most so many; how many it has taken.
+    ///
+    /// A function of its own, which returns now and then: a browser goes on in the quicker code that it has made of a
+    /// loop only when the loop is entered anew.
+    #[inline(never)]
+    pub fn plain_lines(&mut self, parser: &mut Parser, most: usize) -> usize {
+        let begin = parser.position();
+        if !self.goes_plainly() || !self.program.is_unread_from(begin.byte) {
+            return 0;
+        }
+        let room = self.setup.limits.motions.saturating_sub(self.sink.kept());
+        let cuts_plainly = !self.cut_is_news && self.state.feed.is_some_and(|feed| feed > 0.0);
+        let (process, reading) = (self.state.process(), self.reading());
+        let (mut taken, mut moves) = (0, false);
+        // On the axis a drill may stand, of which something may have to be said.
+        while taken < most.min(room) && !self.is_on_axis() {
+            let Some(line) = parser.plain_line() else { break };
+            let Some((mode, kind)) = mode(&line, self.state.motion) else { break };
+            if kind.cuts() && !cuts_plainly {
+                break;
+            }
+            let number = parser.take(&line);
+            if mode != self.state.motion {
+                self.observe(&[], Event::MotionCode { mode });
+                self.state.motion = mode;
+            }
+            if kind == MotionKind::Rapid {
+                self.observe(&[], Event::Rapid);
+            }
+            let from = self.state.position;
+            let to = end(&line, from, reading);
+            if !from.is_same(to) {
+                if !std::mem::replace(&mut moves, true) {
+                    self.sink.chunk.begin_process(&process);
+                }
+                self.sink.chunk.push_on(kind, from, to, None, line.span, number);
+                if kind.cuts() {
+                    self.state.frames.cut();
+                }
+            }
+            self.state.position = to;
+            self.state.sequence = line.sequence.unwrap_or(self.state.sequence);
+            taken += 1;
+        }
+        if taken > 0 {
+            self.program.is_first_reading(parser.position().byte - 1);
+            self.sink.fault = None;
+        }
+        taken
+    }
+
+    /// Whether lines of X and Z alone move in straight lines from where the tip stands, of which nothing is to be said.
+    fn goes_plainly(&self) -> bool {
+        let state = &self.state;
+        state.compensation == Compensation::Off
+            && state.compensating.is_none()
+            && state.pending.is_none()
+            && state.virtual_plane.is_none()
+            && state.tip.is_none()
+            && state.stop.is_none()
+            && state.hole.is_none()
+            && state.doubts.is_empty()
+            && !state.incremental
+            && !state.data_input
+            && state.memory == CycleMemory::EMPTY
+            && state.call_stack.calls.is_empty()
+            && state.call_stack.modal.is_none()
+            && self.contours.recorded.is_none()
+            && self.contours.purpose.is_none()
+            && self.trace.is_none()
+            && !self.sink.muted
+            && !self.sink.is_full()
+    }
+}
+
+/// What of group 01 is in force in a line, where that is G00 or G01. `before`: what was in force.
+fn mode(line: &PlainLine, before: MotionMode) -> Option<(MotionMode, MotionKind)> {
+    let mode = match line.code.map(|code| code.tenths()) {
+        None => before,
+        Some(Some(0)) => MotionMode::Rapid,
+        Some(Some(10)) => MotionMode::Line,
+        Some(_) => return None,
+    };
+    match mode {
+        MotionMode::Rapid => Some((mode, MotionKind::Rapid)),
+        MotionMode::Line => Some((mode, MotionKind::Feed)),
+        MotionMode::Arc(_)
+        | MotionMode::Thread
+        | MotionMode::VariableThread
+        | MotionMode::Tapping
+        | MotionMode::Cycle(_) => None,
+    }
+}
+
+/// Where a line ends that begins at `from`.
+fn end(line: &PlainLine, from: Point, reading: Reading) -> Point {
+    let x = line.x.map_or(from.x, |(negative, x)| Diameter::new(reading.length_of(x, negative)).radius());
+    Point::new(x, line.z.map_or(from.z, |(negative, z)| reading.length_of(z, negative)))
+}
