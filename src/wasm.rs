@@ -27,6 +27,7 @@ use crate::current::Current;
 use crate::current::per_plane::PerPlane;
 use crate::findings;
 use crate::geometry::Point;
+use crate::limits;
 use crate::machine::region::Region;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
@@ -73,12 +74,13 @@ impl Playground {
     /// Room for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
     /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again
     /// with more bytes, it holds what it held. Each view dies when any call makes the memory grow:
-    /// fill it before the next one. Throws a `RangeError` where there is no memory of that size.
+    /// fill it before the next one. Throws a `RangeError` where there is no room, or more than 512 MB are asked for.
     #[wasm_bindgen(js_name = textBuffer)]
     pub fn text_buffer(&mut self, capacity: usize) -> Result<Uint8Array, JsValue> {
         let more = capacity.saturating_sub(self.incoming.len());
-        let too_large = |_| JsValue::from(RangeError::new("there is no memory for so long a text"));
-        self.incoming.try_reserve_exact(more).map_err(too_large)?;
+        if capacity > limits::TEXT_BUFFER || self.incoming.try_reserve_exact(more).is_err() {
+            return Err(RangeError::new("there is no room for so long a text").into());
+        }
         self.incoming.resize(capacity, 0);
         Ok(view_to_fill(&mut self.incoming))
     }
