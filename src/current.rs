@@ -292,12 +292,6 @@ impl Current {
         self.derived.clock.get_or_init(|| Clock::new(self.run.motions(), &self.run.setup().machine))
     }
 
-    /// Length of the whole path, mm.
-    pub fn path_length(&mut self) -> f64 {
-        self.measure();
-        self.path_index.length()
-    }
-
     fn machined_part(&self) -> Option<&Machined> {
         match &self.derived.material {
             Material::Off(machined) => Some(machined),

@@ -125,6 +125,9 @@ pub const LOOPS: usize = 30;
 /// Levels of local variables below the main program.
 pub const MACRO_LEVELS: usize = 5;
 
+/// Most bytes of the room a page can ask for to hand a text in: twice the longest text that a setup can allow.
+pub const TEXT_BUFFER: usize = 512 << 20;
+
 /// Longest text that is searched for programs, bytes.
 pub const PASTED_TEXT: usize = 16 << 20;
 

@@ -80,7 +80,7 @@ impl Part {
 #[cfg(parts)]
 #[cold]
 pub(crate) fn missing(part: Part) -> ! {
-    wasm_bindgen::throw_str(part.name())
+    wasm_bindgen::throw_val(js_sys::Error::new(part.name()).into())
 }
 
 /// Puts the code of functions into a part: `in_part! { Machine "0001" fn name(argument: Type) -> Type { … } }`.

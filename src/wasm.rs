@@ -18,7 +18,7 @@ pub use motions::{MotionChunk, MotionChunkView};
 pub use picture_name::PictureName;
 pub use pictures::Drawn;
 
-use js_sys::{Float64Array, Uint8Array};
+use js_sys::{Float64Array, RangeError, Uint8Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -27,6 +27,7 @@ use crate::current::Current;
 use crate::current::per_plane::PerPlane;
 use crate::findings;
 use crate::geometry::Point;
+use crate::limits;
 use crate::machine::region::Region;
 use crate::message::sort_by_place;
 use crate::motion::Chunk;
@@ -73,11 +74,15 @@ impl Playground {
     /// Room for a long text in the memory of the module: a view of `capacity` bytes, to be filled with
     /// `TextEncoder.encodeInto` and then taken by [`Self::set_text_from_buffer`]. Asked for again
     /// with more bytes, it holds what it held. Each view dies when any call makes the memory grow:
-    /// fill it before the next one.
+    /// fill it before the next one. Throws a `RangeError` where there is no room, or more than 512 MB are asked for.
     #[wasm_bindgen(js_name = textBuffer)]
-    pub fn text_buffer(&mut self, capacity: usize) -> Uint8Array {
+    pub fn text_buffer(&mut self, capacity: usize) -> Result<Uint8Array, JsValue> {
+        let more = capacity.saturating_sub(self.incoming.len());
+        if capacity > limits::TEXT_BUFFER || self.incoming.try_reserve_exact(more).is_err() {
+            return Err(RangeError::new("there is no room for so long a text").into());
+        }
         self.incoming.resize(capacity, 0);
-        view_to_fill(&mut self.incoming)
+        Ok(view_to_fill(&mut self.incoming))
     }
 
     /// Takes the first `written` bytes of the buffer as the program.
@@ -115,12 +120,12 @@ impl Playground {
         self.current.lines().line_of(self.current.lines().byte_at_utf16(self.current.run().text(), offset))
     }
 
-    /// Takes a setup as JSON and begins a run of the text under it. Throws a text that names what is
-    /// wrong, such as an unknown key. In a module that is cut into parts only `{}` is read without the part
+    /// Takes a setup as JSON and begins a run of the text under it. Throws an `Error` that names what is
+    /// wrong, such as an unknown key; the setup before it stays. In a module that is cut into parts only `{}` is read without the part
     /// `setup`.
     #[wasm_bindgen(js_name = setSetup)]
     pub fn set_setup(&mut self, json: &str) -> Result<(), JsValue> {
-        self.setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
+        self.setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
         self.current.set_setup(self.setup.clone());
         Ok(())
     }
@@ -213,12 +218,6 @@ impl Playground {
         self.current.set_hover(motion.map(|index| index as usize));
     }
 
-    /// Length of the whole path, mm.
-    #[wasm_bindgen(js_name = pathLength)]
-    pub fn path_length(&mut self) -> f64 {
-        self.current.path_length()
-    }
-
     /// What is left of the blank, when all motions are done; nothing where there is no blank.
     #[wasm_bindgen(unchecked_return_type = "Part | undefined")]
     pub fn part(&self) -> Result<JsValue, JsValue> {
@@ -296,6 +295,11 @@ impl Playground {
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
         to_js(&self.places().stroke(self.current.motions(), motion, at, self.language))
     }
+}
+
+/// What is thrown where an argument cannot be used.
+fn error(text: &str) -> JsValue {
+    js_sys::Error::new(text).into()
 }
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {

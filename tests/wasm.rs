@@ -10,8 +10,8 @@ use endless::{MOST_SECONDS, bounds, endless};
 use fixtures::{Program, check_messages, compare};
 use gcode_playground::wasm::{PictureName, Playground};
 use serde_json::Value;
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen(module = "fs")]
@@ -126,8 +126,8 @@ fn a_text_can_be_handed_in_through_the_buffer() {
     let text = "(外圆) G0 X50\nG1 Z-20 F0.2\nM30\n";
     let mut playground = Playground::new();
     // Too small at first, as for a text that was thought to be ASCII.
-    playground.text_buffer(4).copy_from(&text.as_bytes()[..4]);
-    let room = playground.text_buffer(100);
+    playground.text_buffer(4).expect("room").copy_from(&text.as_bytes()[..4]);
+    let room = playground.text_buffer(100).expect("room");
     room.subarray(4, text.len() as u32).copy_from(&text.as_bytes()[4..]);
     playground.set_text_from_buffer(text.len());
     while !playground.advance(1) {}
@@ -201,7 +201,8 @@ fn another_run_begins_without_the_tool() {
 fn an_unknown_key_of_a_setup_is_named() {
     let mut playground = Playground::new();
     let problem = playground.set_setup(r#"{"dialect": {"kontrol": "gsk"}}"#).expect_err("an error");
-    assert!(problem.as_string().expect("text").contains("kontrol"));
+    let problem = String::from(problem.unchecked_into::<js_sys::Error>().message());
+    assert!(problem.contains("kontrol"), "{problem}");
 }
 
 #[wasm_bindgen_test]

@@ -19,7 +19,7 @@ use crate::setup::fields::Unit;
 /// What can be written as a file. Its name on the command line and in JavaScript is
 /// the variant in lower case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(not(target_arch = "wasm32"), derive(clap::ValueEnum))]
+#[cfg_attr(all(feature = "cli", not(target_arch = "wasm32")), derive(clap::ValueEnum))]
 #[cfg_attr(target_arch = "wasm32", derive(serde::Deserialize, tsify::Tsify), serde(rename_all = "lowercase"))]
 pub enum FileFormat {
     /// The drawing, as SVG.

@@ -112,7 +112,7 @@ impl Clock {
         if pace >= self.whole().pace {
             return Playhead::end_of(self.motions.saturating_sub(1));
         }
-        if pace <= 0.0 {
+        if pace <= 0.0 || pace.is_nan() {
             return Playhead::START;
         }
         let index = self.kept.partition_point(|reading| reading.pace < pace) - 1;
@@ -210,6 +210,23 @@ mod tests {
         let whole = clock.whole();
         assert!((whole.time.known - 22.0).abs() < 1e-9, "{whole:?}");
         assert!(whole.time.unknown_rapids > 0 && whole.pace > 22.0);
+    }
+
+    #[test]
+    fn whatever_number_is_asked_for_there_is_a_place() {
+        for text in ["", "M30\n", "G0 X50 Z2\nG1 Z-20 F0.2\nG4 X1\nM30\n"] {
+            let (motions, clock) = run(text);
+            for seconds in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, 5e-324] {
+                let places = [
+                    clock.place(&motions, seconds),
+                    clock.play(&motions, Playhead::START, seconds, Stops::All),
+                ];
+                for place in places {
+                    assert!((0.0..=1.0).contains(&place.share), "{text:?} {seconds}: {place:?}");
+                    assert!(place.motion <= motions.len(), "{text:?} {seconds}: {place:?}");
+                }
+            }
+        }
     }
 
     #[test]

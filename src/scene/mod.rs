@@ -423,11 +423,6 @@ impl<'a> Scene<'a> {
         bounds
     }
 
-    /// Length of the whole path, mm, rapids included.
-    pub fn length(&self) -> f64 {
-        self.path_index.length()
-    }
-
     /// Where the tool is at a place of the program; `None` past its end.
     pub fn place(&self, playhead: Playhead) -> Option<Place> {
         let Playhead { motion, share } = playhead;

@@ -1,8 +1,7 @@
-//! An index over the path: boxes and lengths of short stretches of the motions.
+//! An index over the path: boxes around short stretches of the motions.
 //!
 //! In: the motion list, whole or as it grows and is edited. Out: [`PathIndex`], so that a picture of a
-//! million motions can skip what is out of view and find a place along the path without walking all of
-//! it. A stretch lies within one chunk and is measured once: an edit moves those of the chunks that
+//! million motions can skip what is out of view without walking all of it. A stretch lies within one chunk and is measured once: an edit moves those of the chunks that
 //! stayed. Knows nothing of pixels.
 
 use std::ops::Range;
@@ -30,10 +29,6 @@ pub struct Stretch {
     pub bounds: Bounds,
     /// Bytes from the first to the last of the blocks that made them.
     pub span: Span,
-    /// Length of the path before this stretch, mm.
-    pub length_before: f64,
-    /// Length of the path in this stretch, mm.
-    pub length: f64,
     /// Distinguishes it from every other stretch of this process; it keeps it as long as
     /// its motions are the same.
     pub key: StretchKey,
@@ -50,7 +45,7 @@ pub struct StretchKey {
     first: usize,
 }
 
-/// Boxes and lengths of all motions.
+/// Boxes around all motions.
 #[derive(Clone, Debug)]
 pub struct PathIndex {
     /// Changes with the motions, so that a cache can detect that it is stale.
@@ -92,7 +87,7 @@ impl PathIndex {
         known.append(&mut self.gone);
         let newest = known.iter().map(|stretch| stretch.key.chunk).max();
         let mut known: Vec<Option<Stretch>> = known.into_iter().map(Some).collect();
-        let (mut next, mut length) = (0, 0.0);
+        let mut next = 0;
         for (index, (chunk, &id)) in motions.chunks().iter().zip(ids).enumerate() {
             // Identifiers grow, so a newer one need not be looked for; chunks that stay keep their order.
             let is_of = |stretch: &Option<Stretch>| stretch.as_ref().is_some_and(|s| s.key.chunk == id);
@@ -112,8 +107,6 @@ impl PathIndex {
                     };
                 stretch.motions = before + own.start..before + own.end;
                 stretch.move_to(index, chunk.base);
-                stretch.length_before = length;
-                length += stretch.length;
                 self.stretches.push(stretch);
             }
         }
@@ -160,11 +153,6 @@ impl PathIndex {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.rapids))
     }
 
-    /// Length of the whole path, mm, rapids included.
-    pub fn length(&self) -> f64 {
-        self.stretches.last().map_or(0.0, |last| last.length_before + last.length)
-    }
-
     /// The chunk a motion lies in and its index there; past the end no chunk.
     pub(super) fn locate(&self, motion: usize) -> (usize, usize) {
         match self.stretch_of(motion) {
@@ -198,7 +186,6 @@ fn next_id() -> u64 {
 fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
     let (mut cuts, mut rapids, mut bounds) = (None, None, None);
     let mut span = chunk.span(motions.start);
-    let mut length = 0.0;
     for at in motions.clone() {
         let shape = StrokeShape::in_chunk(chunk, at);
         let own = shape.bounds();
@@ -208,7 +195,6 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
         }
         add(&mut bounds, own);
         span = span.to(chunk.span(at));
-        length += shape.length();
     }
     Stretch {
         motions,
@@ -216,8 +202,6 @@ fn measure(chunk: &Chunk, motions: Range<usize>, key: StretchKey) -> Stretch {
         rapids,
         bounds: bounds.unwrap_or(Bounds::of(Default::default())),
         span,
-        length_before: 0.0,
-        length,
         key,
         chunk: 0,
         base: chunk.base,

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::geometry::Point;
+use crate::geometry::{Point, within};
 use crate::playback::clock::Playhead;
 
 use super::Scene;
@@ -13,6 +13,9 @@ use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
 use super::ruler::MILLIMETRE;
 use super::steps::StepLabel;
+
+/// The longest side of a picture, CSS pixels and device pixels: no canvas is larger.
+const LONGEST_SIDE: f64 = 16_384.0;
 
 /// Whether the camera still shows the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +94,7 @@ impl View {
 
     /// Width and height of the picture, device pixels.
     pub fn device_size(&self) -> (u32, u32) {
-        let device = |length: f64| ((length * self.pixel_ratio).round() as u32).clamp(1, 16_384);
+        let device = |length: f64| ((length * self.pixel_ratio).round() as u32).clamp(1, LONGEST_SIDE as u32);
         let Size { width, height } = self.camera.size();
         (device(width), device(height))
     }
@@ -149,11 +152,11 @@ impl View {
         self.framing = Framing::Moved;
     }
 
-    /// Takes another size of picture, CSS pixels, and another ratio of device pixels to CSS pixels.
+    /// Takes another size of picture, CSS pixels, up to [`LONGEST_SIDE`], and another ratio of device pixels to CSS pixels.
     pub fn resize(&mut self, scene: &Scene, size: Size, pixel_ratio: f64) {
-        self.camera.resize(Size { width: size.width.max(0.0), height: size.height.max(0.0) });
-        self.pixel_ratio =
-            if pixel_ratio.is_finite() { crate::geometry::within(pixel_ratio, 0.25, 8.0) } else { 1.0 };
+        let possible = |length: f64| within(length.max(0.0), 0.0, LONGEST_SIDE);
+        self.camera.resize(Size { width: possible(size.width), height: possible(size.height) });
+        self.pixel_ratio = if pixel_ratio.is_finite() { within(pixel_ratio, 0.25, 8.0) } else { 1.0 };
         self.follow(scene);
     }
 }

@@ -8,7 +8,7 @@ use serde::de::value::Error as ValueError;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-use super::{Playground, to_js};
+use super::{Playground, error, to_js};
 use crate::api;
 use crate::current::Current;
 use crate::expand::expand;
@@ -82,7 +82,7 @@ in_part! {
     Machine "0032"
     fn file_format(name: &str) -> Result<FileFormat, JsValue> {
         FileFormat::deserialize(name.into_deserializer())
-            .map_err(|problem: ValueError| JsValue::from_str(&problem.to_string()))
+            .map_err(|problem: ValueError| error(&problem.to_string()))
     }
 }
 

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{ImageBitmap, OffscreenCanvas};
 
 use super::picture_name::PictureName;
-use super::{Playground, to_js};
+use super::{Playground, error, to_js};
 use crate::api;
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
@@ -206,7 +206,7 @@ fn palette(colours: &JsValue) -> Result<Palette, JsValue> {
     let mut palette = Palette::default();
     for (key, own) in palette.by_name() {
         let colour = js_sys::Reflect::get(colours, &JsValue::from_str(key))?.as_string();
-        let missing = || JsValue::from_str(&["the palette has no `", key, "`"].concat());
+        let missing = || error(&["the palette has no `", key, "`"].concat());
         *own = colour.ok_or_else(missing)?.into();
     }
     Ok(palette)

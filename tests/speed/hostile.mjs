@@ -91,7 +91,7 @@ async function answer(one) {
   const summary = playground.summary();
   const told = playground.diagnostics().some((row) => row.code === one.code && row.line === one.line);
   playground.tokens(0, Math.min(summary.lines, shownLines));
-  playground.pathLength();
+  playground.fit('section');
   // On a busy machine the processor time, which counts what V8 compiles beside the run as well.
   const { user, system } = process.cpuUsage(computed);
   const ms = Math.min(performance.now() - begun, (user + system) / 1000);

@@ -11,6 +11,7 @@ mod compare;
 mod debian;
 mod engines;
 mod hostile;
+mod library;
 mod package;
 mod parts;
 mod play;

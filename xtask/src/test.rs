@@ -1,12 +1,12 @@
 //! In: the whole working tree. Out: whether it is in order: format, lints, fuzz targets, native tests, wasm
-//! tests under Node, hostile programs in release builds, the page's types, and the page in three browser
+//! tests under Node, hostile programs in release builds, the packages for other projects, the page's types, and the page in three browser
 //! engines. It stops at the first step that fails.
 
 use std::time::Instant;
 
 use crate::run::{self, Result, command, pretty, step};
 use crate::setup::Setup;
-use crate::{browser, engines, hostile, package, spelling};
+use crate::{browser, engines, hostile, library, package, spelling};
 
 /// `cargo xtask test`.
 pub fn main() -> Result {
@@ -44,6 +44,8 @@ pub fn main() -> Result {
     done("wasm package", package::wasm(&setup)?);
     done("hostile programs", hostile::main(None)?);
     done("wasm size", package::size()?);
+    done("packages", library::packages(&setup)?);
+    done("crate", library::crate_file()?);
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
     done("page", package::page(&setup)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);

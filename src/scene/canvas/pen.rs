@@ -30,7 +30,8 @@ pub struct Pen {
 impl Pen {
     /// A pen for a canvas.
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
-        let context = canvas.get_context("2d")?.ok_or("this canvas has no 2d context")?;
+        let context =
+            canvas.get_context("2d")?.ok_or_else(|| js_sys::Error::new("this canvas has no 2d context"))?;
         Ok(Self { canvas, context: context.unchecked_into() })
     }
 

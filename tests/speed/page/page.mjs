@@ -36,7 +36,7 @@ function interpreted(text) {
 /** The whole picture until nothing is left to paint, and the longest time a page stands still for it. */
 function ownPainter(playground) {
   const canvas = new OffscreenCanvas(SIZE.width, SIZE.height);
-  const measured = time(() => playground.pathLength());
+  const measured = time(() => playground.fit('section'));
   playground.attachCanvas('section', canvas);
   playground.resize('section', SIZE.width, SIZE.height, 1);
   playground.fit('section');

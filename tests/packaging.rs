@@ -1,0 +1,84 @@
+//! The crate as others take it: what a library brings with it, and what is in the package.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::collections::BTreeSet;
+use std::process::Command;
+
+/// The lines that a command of cargo prints.
+fn cargo(arguments: &[&str]) -> Vec<String> {
+    let output = Command::new(env!("CARGO"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(arguments)
+        .output()
+        .expect("cargo starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("UTF-8").lines().map(str::to_owned).collect()
+}
+
+/// The crates that are compiled into a program that uses this one.
+fn dependencies(features: &[&str]) -> BTreeSet<String> {
+    let mut arguments =
+        vec!["tree", "--package", "gcode-playground", "--edges", "normal", "--prefix", "none"];
+    arguments.extend(["--format", "{p}", "--locked"]);
+    arguments.extend(features);
+    let name = |line: &String| line.split(' ').next().map(str::to_owned);
+    cargo(&arguments).iter().filter_map(name).collect()
+}
+
+/// What only the command line needs.
+const OF_THE_COMMAND_LINE: [&str; 3] = ["annotate-snippets", "clap", "encoding_rs"];
+
+#[test]
+fn a_library_brings_nothing_of_the_command_line() {
+    let (library, command_line) = (dependencies(&["--no-default-features"]), dependencies(&[]));
+    for name in OF_THE_COMMAND_LINE {
+        assert!(!library.contains(name), "{library:?}");
+        assert!(command_line.contains(name), "{command_line:?}");
+    }
+    assert!(library.len() < command_line.len() && library.contains("i_overlay"), "{library:?}");
+}
+
+/// What a user of the crate needs: sources, the rules that the build script reads, the reference, the licences.
+#[test]
+fn the_package_has_what_a_user_needs_and_no_more() {
+    let files = cargo(&["package", "--package", "gcode-playground", "--list", "--allow-dirty"]);
+    let has = |name: &str| files.iter().any(|file| file == name);
+    for name in [
+        "Cargo.toml",
+        "CHANGELOG.md",
+        "LICENSE-APACHE",
+        "LICENSE-MIT",
+        "README.md",
+        "src/cli/plausible.json",
+        "src/export/card.css",
+        "src/lib.rs",
+        "src/main.rs",
+        "src/rules/build.rs",
+        "src/rules/rapid-through-stock.md",
+        "src/wasm.rs",
+        "www/docs/library.md",
+        "www/docs/setup.md",
+    ] {
+        assert!(has(name), "{name} is missing");
+    }
+    let generated = [".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml.orig"];
+    let is_needed = |file: &str| match file.split_once('/') {
+        None => ["Cargo.toml", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md"].contains(&file),
+        Some(("src", rest)) => {
+            let is_test =
+                rest.ends_with("/tests.rs") || rest.contains("/tests/") || rest.ends_with("README.md");
+            !is_test && [".rs", ".css", ".json", ".md"].iter().any(|ending| rest.ends_with(ending))
+        }
+        Some(("www", rest)) => rest.starts_with("docs/") && rest.ends_with(".md"),
+        Some(_) => false,
+    };
+    let more: Vec<_> =
+        files.iter().filter(|file| !generated.contains(&file.as_str()) && !is_needed(file)).collect();
+    assert!(more.is_empty(), "{more:?}");
+    let rules = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/src/rules")).expect("src/rules");
+    let rules =
+        rules.flatten().filter(|entry| entry.path().extension().is_some_and(|kind| kind == "md")).count();
+    let packed = files.iter().filter(|file| file.starts_with("src/rules/") && file.ends_with(".md")).count();
+    // All but the description of their format.
+    assert_eq!(packed, rules - 1);
+}

@@ -1,0 +1,195 @@
+//! In: the sources and what `www/docs/library.md` says of the package for JavaScript. Out: whether it is true:
+//! the package of each target is built by the documented command, its example runs under Node and passes a
+//! strict `tsc`, no argument of any method makes it trap, and it is as small as it should be. And whether the
+//! crate that `cargo package` writes builds.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
+
+use crate::run::{self, Result, command, step};
+use crate::setup::Setup;
+
+const DOCUMENT: &str = "www/docs/library.md";
+
+/// The module of the package may be at most so many bytes, compressed as a server does it. It has all that the
+/// parts of the page have, and cargo leaves link-time optimisation out of it.
+const MOST_OF_THE_MODULE: usize = 690_000;
+
+/// What the examples print: how many motions, and a message about the feed rate that the program lacks.
+const PRINTED: [&str; 2] = ["1 [", "line 2: "];
+
+/// How strictly the types are checked, those of the package itself included.
+const TYPES: &str = r#"{
+  "compilerOptions": {
+    "target": "ES2022", "module": "ESNext", "moduleResolution": "bundler", "lib": ["ES2023", "DOM"],
+    "strict": true, "noUncheckedIndexedAccess": true, "exactOptionalPropertyTypes": true, "noImplicitReturns": true,
+    "noUnusedLocals": true, "noUnusedParameters": true, "verbatimModuleSyntax": true, "isolatedModules": true,
+    "skipLibCheck": false, "noEmit": true, "types": ["node"], "typeRoots": ["TYPES"]
+  },
+  "files": ["program.mts"]
+}
+"#;
+
+/// A target of wasm-pack, as the document describes it.
+#[derive(Debug, PartialEq, Eq)]
+struct Target {
+    name: String,
+    /// The arguments of wasm-pack.
+    build: Vec<String>,
+    /// The example.
+    script: String,
+}
+
+/// Checks the package of each target.
+pub fn packages(setup: &Setup) -> Result<Duration> {
+    let begun = Instant::now();
+    let text = |name: &str| {
+        fs::read_to_string(run::root().join(name)).map_err(|error| format!("cannot read {name}: {error}"))
+    };
+    let targets = targets(&text(DOCUMENT)?)?;
+    if !text("README.md")?.contains(&indented(&targets[0].script)) {
+        return Err(format!("README.md has another example than {DOCUMENT}"));
+    }
+    for target in &targets {
+        // wasm-opt takes longer than all else, and does the same for each of them.
+        let optimise = if target == &targets[0] { Optimise::Yes } else { Optimise::No };
+        target.check(setup, optimise)?;
+    }
+    let first = targets[0].folder().join("pkg");
+    weigh(&first.join("gcode_playground_bg.wasm"))?;
+    let mut hostile = command("node");
+    step("hostile arguments", hostile.arg("tests/package/hostile.mjs").arg(&first))?;
+    Ok(begun.elapsed())
+}
+
+/// Writes the crate that would be published, and builds it.
+pub fn crate_file() -> Result<Duration> {
+    let mut check = command("cargo");
+    check.args(["check", "--lib", "--no-default-features"]);
+    let library = step("checking the crate without the command line", &mut check)?;
+    let mut package = command("cargo");
+    package.args(["package", "--allow-dirty", "--quiet"]);
+    Ok(library + step("building the packaged crate", &mut package)?)
+}
+
+#[derive(Clone, Copy)]
+enum Optimise {
+    Yes,
+    No,
+}
+
+impl Target {
+    /// Builds the package, runs the example and checks its types.
+    fn check(&self, setup: &Setup, optimise: Optimise) -> Result {
+        let folder = self.folder();
+        fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
+        let mut wasm_pack = setup.command("wasm-pack");
+        wasm_pack.env("CARGO_TARGET_DIR", run::target());
+        wasm_pack.args(&self.build).args(["--mode", "no-install", "--out-dir"]).arg(folder.join("pkg"));
+        match optimise {
+            Optimise::Yes => {}
+            Optimise::No => {
+                wasm_pack.arg("--no-opt");
+            }
+        }
+        step(&format!("building the package for {}", self.name), &mut wasm_pack)?;
+        let types = run::www().join("node_modules/@types");
+        write(&folder.join("tsconfig.json"), &TYPES.replace("TYPES", &types.display().to_string()))?;
+        for kind in ["mjs", "mts"] {
+            write(&folder.join(format!("program.{kind}")), &self.script)?;
+        }
+        let mut node = command("node");
+        node.current_dir(&folder);
+        if self.name == "bundler" {
+            node.args(["--experimental-wasm-modules", "--no-warnings"]);
+        }
+        let printed = run::ask(node.arg("program.mjs"))
+            .ok_or_else(|| format!("the example for {} fails: {}", self.name, run::shown(&node)))?;
+        if let Some(missing) = PRINTED.iter().find(|part| !printed.contains(*part)) {
+            return Err(format!("the example for {} does not print `{missing}`: {printed}", self.name));
+        }
+        let mut tsc = setup.command("tsc");
+        step(&format!("checking the types for {}", self.name), tsc.arg("--project").arg(&folder)).map(drop)
+    }
+
+    fn folder(&self) -> std::path::PathBuf {
+        run::target().join("packages").join(&self.name)
+    }
+}
+
+/// The targets that the document describes: a command of wasm-pack and a section with an example each.
+fn targets(document: &str) -> Result<Vec<Target>> {
+    let mut found = Vec::new();
+    for line in document.lines().filter_map(|line| line.strip_prefix("    wasm-pack ")) {
+        let build: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        let name = build.last().ok_or_else(|| format!("{DOCUMENT}: `{line}`"))?.clone();
+        let section = document.split(&format!("\n### Target `{name}`\n")).nth(1);
+        let section = section.ok_or_else(|| format!("{DOCUMENT} has no section `{name}`"))?;
+        let section = section.split("\n#").next().unwrap_or_default();
+        let lines = section.lines().filter_map(|line| line.strip_prefix("    "));
+        let script: String = lines.flat_map(|line| [line, "\n"]).collect();
+        if !script.starts_with("import ") {
+            return Err(format!("{DOCUMENT}: the section `{name}` has no example"));
+        }
+        found.push(Target { name, build, script });
+    }
+    match found.len() {
+        3 => Ok(found),
+        other => Err(format!("{DOCUMENT} has {other} commands of wasm-pack")),
+    }
+}
+
+fn indented(script: &str) -> String {
+    script.lines().flat_map(|line| ["    ", line, "\n"]).collect()
+}
+
+fn weigh(module: &Path) -> Result {
+    let cannot = |error: std::io::Error| format!("cannot read {}: {error}", module.display());
+    let bytes = fs::read(module).map_err(cannot)?;
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    let size = encoder.write_all(&bytes).and_then(|()| encoder.finish()).map_err(cannot)?.len();
+    run::say(format_args!(
+        "the module of the package: {size} bytes compressed (at most {MOST_OF_THE_MODULE})"
+    ));
+    if size > MOST_OF_THE_MODULE {
+        return Err("the module of the package is too large".to_owned());
+    }
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result {
+    fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn library() -> String {
+        fs::read_to_string(run::root().join(DOCUMENT)).expect(DOCUMENT)
+    }
+
+    #[test]
+    fn the_document_describes_three_targets_with_an_example_each() {
+        let targets = targets(&library()).expect("targets");
+        let names: Vec<&str> = targets.iter().map(|target| target.name.as_str()).collect();
+        assert_eq!(names, ["nodejs", "web", "bundler"]);
+        // The shortest way is five lines.
+        assert_eq!(targets[0].script.lines().count(), 5);
+        for target in &targets {
+            assert_eq!(target.build[0], "build");
+            assert!(target.script.contains("playground.diagnostics()"), "{}", target.name);
+        }
+    }
+
+    #[test]
+    fn a_section_that_is_missing_is_named() {
+        let text = library().replace("### Target `web`", "### Target `www`");
+        assert_eq!(targets(&text), Err(format!("{DOCUMENT} has no section `web`")));
+    }
+}
