@@ -67,6 +67,7 @@ pub mod lint;
 pub mod machine;
 pub mod message;
 pub mod motion;
+mod order;
 pub mod parts;
 pub mod paste;
 pub mod playback;

@@ -308,6 +308,23 @@ pub struct Process {
     pub elsewhere: bool,
 }
 
+/// What most questions about a motion need of it; quicker than all of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Glance {
+    /// What kind of motion.
+    pub kind: MotionKind,
+    /// Where it begins.
+    pub from: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// A canned cycle makes it.
+    pub is_of_cycle: bool,
+    /// Turret station in force.
+    pub station: u16,
+    /// Spindle direction.
+    pub turn: SpindleTurn,
+}
+
 /// A move as it was programmed, before compensation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Programmed {
@@ -705,6 +722,20 @@ impl Chunk {
         }
     }
 
+    /// The gist of the motion at `index`.
+    #[inline]
+    pub fn glance(&self, index: usize) -> Glance {
+        let process = self.own_process(index);
+        Glance {
+            kind: self.kind(index),
+            from: self.from(index),
+            to: Point::new(self.x[index], self.z[index]),
+            is_of_cycle: unpack_cycle(self.rows[index].cycle).is_some(),
+            station: process.tool.0,
+            turn: process.turn,
+        }
+    }
+
     /// What kind the motion at `index` is.
     #[inline]
     pub fn kind(&self, index: usize) -> MotionKind {
@@ -860,6 +891,12 @@ impl Motions {
     pub fn get(&self, index: usize) -> Motion {
         let (chunk, at) = self.locate(index);
         chunk.get(at)
+    }
+
+    /// The gist of the motion at `index`.
+    pub fn glance(&self, index: usize) -> Glance {
+        let (chunk, at) = self.locate(index);
+        chunk.glance(at)
     }
 
     /// What kind the motion at `index` is.

@@ -4,6 +4,7 @@
 //! that have to be asked for are left to the reader.
 
 use crate::message::{Diagnostic, Edit, Fix, Repair};
+use crate::order;
 use crate::rewrite::{applied, before_edits};
 use crate::setup::Setup;
 use crate::source::Span;
@@ -48,7 +49,7 @@ pub fn repaired(text: &[u8], setup: &Setup) -> Repaired {
         text = applied(&text, &edits);
         earlier.push(edits);
     }
-    taken.sort_by_key(|taken| taken.span.start);
+    order::by_key(&mut taken, |taken| taken.span.start);
     Repaired { text, taken }
 }
 
@@ -62,7 +63,7 @@ pub fn safe(diagnostics: &[Diagnostic]) -> Vec<&Fix> {
             Some((Span { start: first.span.start, end: last.span.end }, fix))
         })
         .collect();
-    fixes.sort_by_key(|(whole, _)| whole.start);
+    order::by_key(&mut fixes, |(whole, _)| whole.start);
     let mut last: Option<Span> = None;
     fixes.retain(|(whole, _)| {
         // Two insertions at one place would stand in an order nobody has asked for.

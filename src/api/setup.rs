@@ -3,6 +3,7 @@
 //! In: a setup as it was given, the inferred one, the entries of a form. Out: rows for a page that knows
 //! nothing of tools and stock.
 
+use crate::order;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -203,7 +204,7 @@ impl Subject<'_> {
         // A tool that is given stands for its station.
         names.retain(|name| given.tools.keys().all(|own| own.get(..3) != name.get(..3)));
         names.extend(given.tools.keys());
-        names.sort_unstable();
+        order::by(&mut names, Ord::cmp);
         groups.extend(names.into_iter().map(|name| self.tool(name)));
         let start = given.initial.as_ref();
         groups.push(self.group("start", "initial.", fields::START, start, start.is_some()));

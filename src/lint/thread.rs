@@ -9,6 +9,7 @@ use crate::cycles::threading::MultiThread;
 use crate::geometry::{Point, SAME};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
 use crate::motion::SpindleTurn;
+use crate::order;
 use crate::source::Span;
 use crate::text::block::Block;
 use crate::units::Diameter;
@@ -181,7 +182,7 @@ fn swapped_amounts(text: &[u8], words: &Words, message: &Message) -> Vec<Fix> {
         (p.span, format!("Q{}", words::behind_letter(&p_text))),
         (q.span, format!("P{}", words::behind_letter(&q_text))),
     ];
-    edits.sort_by_key(|edit| edit.0.start);
+    order::by_key(&mut edits, |edit| edit.0.start);
     let title =
         Repair::Write { text: edits.iter().map(|edit| edit.1.as_str()).collect::<Vec<_>>().join(" ") };
     let edits = edits.map(|(span, text)| Edit { span, text });

@@ -10,6 +10,7 @@ use super::resolved_setup::{Basis, ResolvedSetup};
 use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::motion::Motions;
+use crate::order;
 use crate::setup::{Setup, Stock};
 use crate::units::Diameter;
 
@@ -77,7 +78,7 @@ impl Comparison {
         let sides = [(Side::First, first.without(second)), (Side::Second, second.without(first))];
         let pieces = sides.iter().flat_map(|(side, region)| region.pieces().map(|piece| (*side, piece)));
         let mut differences: Vec<_> = pieces.filter_map(|(side, piece)| measure(side, piece)).collect();
-        differences.sort_by(|a, b| b.area.total_cmp(&a.area));
+        order::by(&mut differences, |a, b| b.area.total_cmp(&a.area));
         Self { differences }
     }
 

@@ -8,6 +8,7 @@
 use super::sweep::Outline;
 use super::z_positions::{Profile, ZPositions, without_narrow_peaks};
 use crate::geometry::{Point, SAME};
+use crate::order;
 
 /// Most plunges of a track that are kept.
 const MOST_PLUNGES: usize = 800;
@@ -206,7 +207,7 @@ impl Surface {
         let led = self.positions.all().iter().copied().zip(track.along.iter().copied());
         let led: Vec<(f64, f64)> = led.filter(|(_, height)| height.is_finite()).collect();
         let mut plunges = track.plunges.clone();
-        plunges.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        order::by(&mut plunges, |a, b| a.0.total_cmp(&b.0));
         self.is_below(&edge, &led) || self.is_below(&edge, &plunges) || self.is_above(&edge, track)
     }
 
@@ -250,7 +251,9 @@ impl Edge {
     fn of(outline: &Outline, facing: Facing) -> Self {
         let points = outline.points().iter().map(|point| Point::new(facing.height(point.x), point.z));
         let mut points: Vec<Point> = points.collect();
-        points.sort_by(|a, b| (a.z, a.x).partial_cmp(&(b.z, b.x)).unwrap_or(std::cmp::Ordering::Equal));
+        order::by(&mut points, |a, b| {
+            (a.z, a.x).partial_cmp(&(b.z, b.x)).unwrap_or(std::cmp::Ordering::Equal)
+        });
         // The lower half of Andrew's chains: the outline is convex.
         let mut lower: Vec<Point> = Vec::with_capacity(points.len());
         for point in points {

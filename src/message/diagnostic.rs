@@ -5,6 +5,7 @@
 
 use super::rule::Severity;
 use super::variants::Message;
+use crate::order;
 use crate::source::Span;
 use crate::source::shift::Shift;
 use crate::units::Unit;
@@ -77,7 +78,7 @@ impl Diagnostic {
 
 /// Puts messages in the order of their places; those at one place stay in theirs.
 pub fn sort_by_place(diagnostics: &mut [Diagnostic]) {
-    diagnostics.sort_by_key(|told| told.span.start);
+    order::by_key(diagnostics, |told| told.span.start);
 }
 
 /// What a repair does, as its title says it.

@@ -9,6 +9,7 @@ use super::items::{Item, Kind, Word, is_blank, is_invisible, slice, spell};
 use super::programs::Stretch;
 use super::reason::Reason;
 use crate::control::codes;
+use crate::order;
 use crate::source::Span;
 
 /// Longest text after a block that becomes a remark, characters.
@@ -25,7 +26,7 @@ fn longer_codes(read: &str) -> Vec<String> {
     let all = CODES.into_iter().map(str::to_owned).chain(codes::turning_cycles());
     let mut longer: Vec<String> =
         all.filter(|code| code.len() > read.len() && code.starts_with(read)).collect();
-    longer.sort_unstable();
+    order::by(&mut longer, Ord::cmp);
     longer
 }
 

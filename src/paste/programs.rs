@@ -6,6 +6,7 @@
 use super::Name;
 use super::blocks::{Block, Blocks, NOBODY};
 use super::items::{Item, Kind, slice};
+use crate::order;
 
 /// Most bytes of text between two blocks of a program with a number, and most lines.
 const LONGEST_GAP: usize = 240;
@@ -95,7 +96,7 @@ pub(super) fn join(items: &[Item], blocks: &mut Blocks) -> Vec<Stretch> {
     }
     finish(now, blocks, &mut found);
     table.into_iter().for_each(|older| finish(older, blocks, &mut found));
-    found.sort_by_key(|stretch| stretch.blocks.first().copied());
+    order::by_key(&mut found, |stretch| stretch.blocks.first().copied());
     release(blocks, &found);
     found
 }

@@ -9,6 +9,7 @@ use super::blocks::Blocks;
 use super::items::{Item, Kind, Word};
 use super::programs::Stretch;
 use super::reason::Reason;
+use crate::order;
 use crate::source::Span;
 
 /// Fewest cuts away from the part.
@@ -138,7 +139,7 @@ fn ambiguous(items: &[Item], blocks: &Blocks, stretch: &Stretch) -> Option<Vec<S
     let mut asked: Vec<Span> =
         depth_words.into_iter().filter(|(z, _)| depths.contains(z)).map(|(_, span)| span).collect();
     asked.extend(tapers);
-    asked.sort_by_key(|span| span.start);
+    order::by_key(&mut asked, |span| span.start);
     Some(asked)
 }
 

@@ -9,6 +9,7 @@ mod places;
 mod shape;
 mod write;
 
+use crate::order;
 use std::collections::BTreeMap;
 
 use crate::cycles::single::Single;
@@ -73,7 +74,7 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
         span.start.saturating_sub(near.end).max(near.start.saturating_sub(span.end))
     };
     if let Some(near) = near {
-        candidates.sort_by_key(|candidate| distance(candidate, near));
+        order::by_key(&mut candidates, |candidate| distance(candidate, near));
     }
     let mut tries = Tries { text, setup, before: &before, left: MOST_WORK };
     let mut found = Vec::new();
@@ -88,7 +89,7 @@ pub fn offers(text: &[u8], setup: &Setup, near: Option<Span>) -> Vec<Offer> {
             found.push(first);
         }
     }
-    found.sort_by_key(|offer| offer.span.start);
+    order::by_key(&mut found, |offer| offer.span.start);
     found
 }
 
@@ -121,7 +122,7 @@ pub fn rewritten(text: &[u8], setup: &Setup) -> (Vec<u8>, Vec<Offer>) {
         }
         earlier.push(edits);
     }
-    taken.sort_by_key(|offer| offer.span.start);
+    order::by_key(&mut taken, |offer| offer.span.start);
     (text, taken)
 }
 

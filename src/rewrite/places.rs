@@ -4,6 +4,7 @@
 //! the question are subprograms, loops, contours between P and Q, what compensation leads, and whatever
 //! block holds more than a move.
 
+use crate::order;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -187,7 +188,7 @@ impl Places {
 
 /// Ranges in order, those that overlap made one.
 fn merged(mut ranges: Vec<Range<u32>>) -> Vec<Range<u32>> {
-    ranges.sort_by_key(|range| range.start);
+    order::by_key(&mut ranges, |range| range.start);
     let mut found: Vec<Range<u32>> = Vec::new();
     for range in ranges {
         match found.last_mut().filter(|last| range.start <= last.end) {

@@ -6,6 +6,7 @@
 use super::fields::{self, Field};
 use super::notes::Notes;
 use super::{Setup, Stock};
+use crate::order;
 use crate::source::Span;
 
 /// Text to put in place of a stretch of a program.
@@ -52,7 +53,7 @@ fn line<T>(head: &str, fields: &[Field<T>], own: &T) -> Option<String> {
 pub fn changes(text: &[u8], lines: &[String]) -> Vec<Change> {
     let notes = Notes::read(text);
     let mut going: Vec<Span> = notes.spans().map(|inside| whole(text, inside)).collect();
-    going.sort_unstable_by_key(|span| span.start);
+    order::by_key(&mut going, |span| span.start);
     let written: String = lines.iter().map(|line| format!("{line}\n")).collect();
     let side_by_side = going.windows(2).all(|two| two[0].end == two[1].start);
     if side_by_side && going.iter().flat_map(|span| span.of(text)).eq(written.as_bytes()) {

@@ -3,6 +3,7 @@
 //! In: the entries; what is assumed where nothing is entered. Out: the setup, and what is wrong with each
 //! entry; the setup as JSON, with all else that a JSON says kept. The rules of values are those of `invalid`.
 
+use crate::order;
 use serde_json::{Map, Value as Json};
 
 use super::fields::{self, Field, Name, ReadError, Value};
@@ -145,7 +146,7 @@ impl<'a> FormReader<'a> {
     fn tools(&self) -> Vec<String> {
         let mut names: Vec<String> =
             self.entered("tools.").filter_map(|(rest, _)| Some(rest.split_once('.')?.0.to_owned())).collect();
-        names.sort_unstable();
+        order::by(&mut names, Ord::cmp);
         names.dedup();
         names
     }

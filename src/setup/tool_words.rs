@@ -9,6 +9,7 @@
 mod numbers;
 mod terms;
 
+use crate::order;
 use std::collections::BTreeMap;
 
 use super::notes::HEAD;
@@ -72,7 +73,7 @@ pub fn read(text: &[u8]) -> BTreeMap<u16, Tool> {
     if found.iter().any(|(tie, ..)| *tie == Tie::Below) {
         found.retain(|(tie, ..)| *tie != Tie::Above);
     }
-    found.sort_by_key(|(tie, ..)| std::cmp::Reverse(*tie));
+    order::by_key(&mut found, |(tie, ..)| std::cmp::Reverse(*tie));
     let mut tools: BTreeMap<u16, Tool> = BTreeMap::new();
     for (_, station, tool) in found {
         tools.entry(station).and_modify(|known| fill(known, &tool)).or_insert(tool);

@@ -5,6 +5,7 @@
 
 use super::block::{Block, BlockKind, Value};
 use super::parser::{Parser, Resume};
+use crate::order;
 use crate::source::Span;
 
 /// What a piece of text is, for its colour.
@@ -75,7 +76,7 @@ pub fn highlight(text: &[u8], start: usize, end: usize) -> Vec<(Span, TokenClass
         found.extend(errors.map(|fault| (fault.span, TokenClass::Unknown)));
     }
     found.retain(|(span, _)| !span.is_empty());
-    found.sort_by_key(|(span, _)| span.start);
+    order::by_key(&mut found, |(span, _)| span.start);
     // Faults may lie over words: the first of two overlapping pieces wins, so that spans never cross.
     let mut last = 0;
     found.retain(|(span, _)| {

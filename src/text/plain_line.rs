@@ -38,7 +38,7 @@ impl PlainLine {
                 line.span = Span::new(start, at);
                 return has_place.then_some(line);
             }
-            // No letter may stand twice, or after one that follows it.
+            // No letter may appear twice, or after one that follows it.
             let may_stand = match byte {
                 b'Z' => line.z.is_none(),
                 b'X' => !has_place,

@@ -1,4 +1,4 @@
-//! Chamfers and roundings between two moves of the path, and moves known by their angle.
+//! Chamfers and rounded corners between two moves of the path, and moves known by their angle.
 //!
 //! In: a move that waits for the next one, and that one. Out: both shortened, and what comes between them.
 

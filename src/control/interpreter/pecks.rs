@@ -11,6 +11,7 @@ use crate::control::words::{Words, letters, plain, quote};
 use crate::cycles::grooving::{self, Pecking};
 use crate::cycles::units::{self, Amount, Written};
 use crate::message::{Diagnostic, Edit, Fix, Message, Repair, Severity, said};
+use crate::order;
 use crate::parts::{Part, in_part};
 use crate::setup::dialect::PqUnit;
 use crate::source::Span;
@@ -220,7 +221,7 @@ in_part! {
                 Some(Edit { span: word.span, text: format!("{letter}{thousandths}") })
             })
             .collect();
-        edits.sort_by_key(|edit| edit.span.start);
+        order::by_key(&mut edits, |edit| edit.span.start);
         let title: Vec<&str> = edits.iter().map(|edit| edit.text.as_str()).collect();
         let title = Repair::Write { text: title.join(" ") };
         if edits.is_empty() { Vec::new() } else { vec![Fix { title, safe: false, edits }] }

@@ -3,6 +3,7 @@
 //! In: the text. Out: places a parser can go on from. Made when first asked for, because most programs never
 //! ask. Knows nothing of what a block means, but for the numbers that calls name.
 
+use crate::order;
 use crate::text::block::{Block, Value, Word};
 use crate::text::parser::{Parser, Resume};
 
@@ -28,7 +29,7 @@ struct Sorted(Vec<Label>);
 
 impl Sorted {
     fn new(mut labels: Vec<Label>) -> Self {
-        labels.sort_unstable_by_key(Label::key);
+        order::by_key(&mut labels, Label::key);
         Self(labels)
     }
 

@@ -55,7 +55,7 @@ impl Program<'_> {
         for word in moves(b"U") {
             let row = &self.rows[word.block];
             let Some((from, to)) = row.motions else { continue };
-            let start = self.motions.get(from).from;
+            let start = self.motions.glance(from).from;
             let (now, value) = (Diameter::from_radius(start.x).mm(), word.value * self.unit);
             let leads = now + value;
             if word.negative || row.arc && value < 1.0 || to <= from {

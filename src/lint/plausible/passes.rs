@@ -3,7 +3,7 @@
 //! In: motions, in order. Out: the pass under way.
 
 use crate::geometry::Point;
-use crate::motion::{Motion, MotionKind, Motions};
+use crate::motion::{Glance, MotionKind, Motions};
 
 /// At or over the centre, mm: a facing cut ends here.
 pub(super) const CENTRE: f64 = 0.5;
@@ -16,7 +16,7 @@ pub(super) struct Pass {
     /// Where its first cut begins; nothing before a cut.
     pub begins: Option<Point>,
     /// Its last cut; nothing before the first.
-    pub before: Option<Motion>,
+    pub before: Option<Glance>,
     /// Z of the lowest face that was cut to the centre, mm.
     faced: Option<f64>,
     tool: u16,
@@ -33,16 +33,16 @@ impl Pass {
     /// Takes in the motions before `to`. They are asked for in order.
     pub fn advance(&mut self, motions: &Motions, to: usize) {
         for index in self.next..to {
-            self.take(motions.get(index));
+            self.take(motions.glance(index));
         }
         self.next = self.next.max(to);
     }
 
-    fn take(&mut self, motion: Motion) {
+    fn take(&mut self, motion: Glance) {
         if motion.kind == MotionKind::Dwell {
             return;
         }
-        let tool = motion.process.tool.0;
+        let tool = motion.station;
         if tool != self.tool {
             if let Some(own) = self.own.take() {
                 self.others = farther(self.others, own);
@@ -50,7 +50,7 @@ impl Pass {
             self.tool = tool;
             (self.begins, self.before) = (None, None);
         }
-        if !motion.kind.cuts() || motion.cycle.is_some() {
+        if !motion.kind.cuts() || motion.is_of_cycle {
             (self.begins, self.before) = (None, None);
         }
         if !motion.kind.cuts() {
@@ -60,7 +60,7 @@ impl Pass {
         if along_face && motion.to.x < motion.from.x && motion.to.x <= CENTRE {
             self.faced = Some(self.faced.map_or(motion.to.z, |face| face.min(motion.to.z)));
         }
-        if motion.cycle.is_some() {
+        if motion.is_of_cycle {
             self.own = farther(self.own, motion.from.z);
             return;
         }

@@ -111,7 +111,7 @@ impl Program<'_> {
     pub(super) fn leads_to(&self, word: &Word) -> Option<f64> {
         let value = word.value * self.unit;
         let (from, to) = self.rows[word.block].motions?;
-        let start = self.motions.get(from).from;
+        let start = self.motions.glance(from).from;
         let place = match word.address {
             b'X' | b'Z' => Some(value),
             b'U' => Some(Diameter::from_radius(start.x).mm() + value),
@@ -123,7 +123,7 @@ impl Program<'_> {
 
     /// A place far beyond all others.
     pub(super) fn far_off(&self) -> Vec<Diagnostic> {
-        let start = if self.motions.is_empty() { Default::default() } else { self.motions.get(0).from };
+        let start = if self.motions.is_empty() { Default::default() } else { self.motions.glance(0).from };
         let mut diagnostics = Vec::new();
         for (axis, letters, begins) in
             [('X', b"XU", Diameter::from_radius(start.x.abs()).mm()), ('Z', b"ZW", start.z.abs())]

@@ -4,6 +4,7 @@
 //! outward or in the sub-spindle. `passes` states how a tool came to a move; only where no such reading
 //! is left is a minus missed.
 
+use crate::order;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::passes::{CENTRE, Pass};
@@ -81,7 +82,7 @@ impl Program<'_> {
     fn draws_back(&self, before: &Word, word: &Word) -> bool {
         let row = &self.rows[word.block];
         let along_z = |row: &Row| !self.words_of(row).iter().any(|word| is_among(b"XU", word.address));
-        let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
+        let cycle = row.motions.is_some_and(|(from, _)| self.motions.glance(from).is_of_cycle);
         let mut moves = self.rows[before.block..=word.block].iter().filter(|row| row.role == Role::Place);
         let next = self.rows.get(word.block + 1);
         let goes_on =
@@ -142,13 +143,13 @@ impl Program<'_> {
         for index in 0..self.motions.len() {
             let kind = self.motions.kind(index);
             if kind.cuts() {
-                let motion = self.motions.get(index);
+                let motion = self.motions.glance(index);
                 if last == MotionKind::Rapid {
                     cuts.front = Some(cuts.front.map_or(motion.from.z, |front| front.max(motion.from.z)));
                 }
-                cuts.turns |= motion.process.turn != SpindleTurn::Stopped;
+                cuts.turns |= motion.turn != SpindleTurn::Stopped;
                 if motion.to.z < motion.from.z && motion.to.z < 0.0 {
-                    cuts.inward.insert(motion.process.tool.0);
+                    cuts.inward.insert(motion.station);
                 }
             }
             if kind != MotionKind::Dwell {
@@ -172,9 +173,9 @@ impl Program<'_> {
         for (row, word, (from, to)) in lengths {
             let place = word.value * self.unit;
             pass.advance(self.motions, from);
-            let first = self.motions.get(from);
+            let first = self.motions.glance(from);
             // A bar is pulled or stopped with the spindle stopped.
-            if turns && first.process.turn == SpindleTurn::Stopped {
+            if turns && first.turn == SpindleTurn::Stopped {
                 continue;
             }
             let lost = match row.moves_at_rapid {
@@ -182,7 +183,7 @@ impl Program<'_> {
                 false => !self.faces_in_steps(row) && self.leads_away(&pass, from, to, place, front),
             };
             if lost {
-                let tool = first.process.tool.0;
+                let tool = first.station;
                 *outward.entry(tool).or_default() += 1;
                 diagnostics.push((tool, self.minus(word)));
             }
@@ -204,7 +205,7 @@ impl Program<'_> {
                 (!word.negative && word.value > 0.0).then_some((row, word, row.motions?))
             })
             .collect();
-        found.sort_by_key(|found| found.2.0);
+        order::by_key(&mut found, |found| found.2.0);
         found
     }
 
@@ -213,7 +214,7 @@ impl Program<'_> {
         let length = |row: &Row| self.words_of(row).iter().find(|word| word.address == b'Z').copied();
         let Some(own) = length(row) else { return false };
         let behind = self.rows[own.block + 1..].iter().take_while(|row| !row.parts && !row.moves_at_rapid);
-        let cycle = row.motions.is_some_and(|(from, _)| self.motions.get(from).cycle.is_some());
+        let cycle = row.motions.is_some_and(|(from, _)| self.motions.glance(from).is_of_cycle);
         let next = behind.into_iter().find_map(length);
         cycle && next.is_some_and(|next| !next.negative && next.value < own.value)
     }
