@@ -7,11 +7,13 @@
 import '../shell/element';
 import './page.css';
 import { make } from '../dom/dom';
+import { acceptFiles } from '../dom/drop';
 import type { GcodePlayground } from '../shell/element';
 import type { ProgramFile } from '../editor/program-text';
 import { exampleOf, examples, type Example } from './gallery';
 import { linkedProgram, type LinkedProgram } from './linked';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
+import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
 
@@ -154,6 +156,11 @@ function listen(): void {
     keepChoices({ theme: themeSelect.value });
     showTheme(themeSelect.value);
   });
+  // The element takes what is dropped on it; beside it the browser would leave the page.
+  acceptFiles(document.documentElement, {
+    hint: () => COMMON[language].dropHere,
+    dropped: (file) => void playground.openFile(file),
+  }, 'left-over');
   openButton.addEventListener('click', () => fileInput.click());
   saveButton.addEventListener('click', () => playground.saveFile());
   fileInput.addEventListener('change', () => {

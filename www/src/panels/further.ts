@@ -14,12 +14,13 @@ import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
 import { switches } from './switches';
+import { totals } from './totals';
 import { views } from './views';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  fileBar, switches, problems, setup, views, playback, statusLine, paste, solid, exports, rewrite, writtenOut, help, codes,
+  fileBar, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help, codes,
 ];
 
 /** Of what stands beside them. */
