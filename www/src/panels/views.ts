@@ -9,7 +9,7 @@ import { words } from '../dom/words';
 import type { Comparison, ViewsState } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { shown } from './dimension';
-import type { Panel, PanelKind, Shell } from './panel';
+import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
 /** Narrower than this, CSS pixels, there is room for one picture only. */
@@ -34,6 +34,10 @@ class Views implements Panel {
   /** Of the row, CSS pixels. */
   #width = 0;
 
+  readonly services: Partial<Services> = {
+    keepPart: () => this.#shell.send({ kind: 'keep' }),
+    endComparison: () => this.#shell.send({ kind: 'end-comparison' }),
+  };
   readonly places = { views: [this.#choice, this.#turret, this.#keep, this.#end, this.#differences] };
 
   constructor(shell: Shell) {

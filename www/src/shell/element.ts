@@ -18,7 +18,8 @@
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
-// openFile(file), saveFile(), focus(), and for automation
+// openFile(file), saveFile(), focus(), keepPart() to lay the parts of later programs over this one's,
+// endComparison(), and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
 //                              with the number of the run. Numbers grow with every change of text or setup.
@@ -216,13 +217,22 @@ export class GcodePlayground extends HTMLElement {
     this.#with('saveFile', (save) => save());
   }
 
+  /** Keeps the part, to lay those of later programs over it. */
+  keepPart(): void {
+    this.#with('keepPart', (keep) => keep());
+  }
+
+  endComparison(): void {
+    this.#with('endComparison', (end) => end());
+  }
+
   get #shell(): PlaygroundShell {
     if (this.#made === undefined) throw new Error('the playground is not in a document');
     return this.#made;
   }
 
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
-  #with<S extends 'play' | 'pause' | 'saveFile'>(name: S, act: (service: Services[S]) => void): void {
+  #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(name: S, act: (service: Services[S]) => void): void {
     const shell = this.#shell;
     if (shell.view !== 'all') throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(() => act(shell.service(name)), () => undefined);
