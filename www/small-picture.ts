@@ -38,7 +38,8 @@ interface Stroke {
 
 export function smallPicture(jsonLines: string): SmallPicture | undefined {
   const rows = jsonLines.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line) as Row);
-  const moving = rows.filter((row) => row.kind !== undefined && row.kind !== 'dwell' && row.to !== undefined);
+  // Messages follow the motions: their `to` is a place in the text.
+  const moving = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
   const isFace = moving.some(({ mode }) => mode === 'polar');
   const strokes = (isFace ? onTheFace(moving) : inSection(moving)).slice(0, MOST_STROKES);
   const cut = strokes.filter(({ kind }) => kind === 'cut').flatMap(({ points }) => points);

@@ -25,6 +25,8 @@ const CONTROLS = [
   ['forum', 'Forum'],
 ] as const;
 const THEMES = ['auto', 'light', 'dark'] as const;
+/** For who is here for the first time. */
+const HINTS = 'edit play pick';
 /** How long the reader must pause before the program is kept. */
 const KEEP_AFTER_MS = 400;
 /** Browsers keep about five million units for a page; a longer program would only make it stand still. */
@@ -74,6 +76,7 @@ function start(): void {
   for (const value of THEMES) themeSelect.append(make('option', { value }));
   playground.id = 'playground';
   playground.append(intro);
+  playground.setAttribute('hints', choices().hints ?? HINTS);
   showTheme(theme);
   showLanguage();
   listen();
@@ -230,6 +233,9 @@ function listen(): void {
     showAbove(above);
     keepSoon();
   });
+  playground.addEventListener('gcode-hint', (event) => {
+    keepChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
+  });
   playground.addEventListener('gcode-switch', keepSoon);
   playground.addEventListener('gcode-setup', keepSoon);
   window.addEventListener('pagehide', keepNow);
@@ -288,7 +294,6 @@ function showAbove(what: Above): void {
     if (example.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(example.added)));
   }
   if (tooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
-  if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
     lines.push(offer(texts.restored, texts.startAfresh, () => {
       forgetProgram();

@@ -5,7 +5,6 @@ import { words } from '../dom/words';
 export const PAGE_WORDS = words({
   en: {
     languageName: 'English',
-    hint: 'Edit the program — the picture follows. Press ▶ to watch the tool.',
     title: 'G-code playground',
     example: 'Example',
     gallery: 'Gallery…',
@@ -27,7 +26,6 @@ export const PAGE_WORDS = words({
   },
   zh: {
     languageName: '中文',
-    hint: '修改程序，图形随之变化。按 ▶ 观看刀具运动。',
     title: 'G 代码演练场',
     example: '示例',
     gallery: '全部示例…',
@@ -49,7 +47,6 @@ export const PAGE_WORDS = words({
   },
   ru: {
     languageName: 'Русский',
-    hint: 'Меняйте программу — рисунок следует за ней. Нажмите ▶, чтобы увидеть движение резца.',
     title: 'Песочница G-кода',
     example: 'Пример',
     gallery: 'Все примеры…',

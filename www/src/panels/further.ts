@@ -5,6 +5,7 @@ import { codes } from './codes';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
 import { help } from './help';
+import { hints } from './hints';
 import type { PanelKind } from './panel';
 import { paste } from './paste';
 import { playback } from './playback';
@@ -20,7 +21,7 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  fileBar, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help, codes,
+  hints, fileBar, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help, codes,
 ];
 
 /** Of what stands beside them. */

@@ -105,6 +105,7 @@ export interface Services {
   choosePictures(pictures: 'section' | 'face' | 'both'): void;
   /** Keeps the part, to lay later ones over it. */
   keepPart(): void;
+  /** Ends the comparison that `keepPart` began, not one that the reader began. */
   endComparison(): void;
   openCodes(): void;
   /** `group`: the one the reader comes for. */

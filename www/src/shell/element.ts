@@ -14,7 +14,8 @@
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
-// `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
+//   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
+// `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
@@ -33,10 +34,11 @@
 //   gcode-settled  detail {run}: as `settled`, each time
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
+//   gcode-hint     detail {left}: the hints that are left
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice totals written-out
+// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice hint totals written-out
 // rewrite codes solid export-menu paste help.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
@@ -222,6 +224,7 @@ export class GcodePlayground extends HTMLElement {
     this.#with('keepPart', (keep) => keep());
   }
 
+  /** Ends the comparison that `keepPart` began; one that the reader began goes on. */
   endComparison(): void {
     this.#with('endComparison', (end) => end());
   }
