@@ -94,14 +94,14 @@ async function begin(): Promise<void> {
     if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
     return;
   }
-  const asked = await loadExample(location.hash.slice(1));
+  const named = await loadExample(location.hash.slice(1));
   const kept = keptProgram();
-  if (kept !== undefined && (asked === undefined || asked.id === kept.example)) {
+  if (kept !== undefined && (named === undefined || named.id === kept.example)) {
     restore(kept, await keptExample(kept));
     return;
   }
-  await layUnder(asked);
-  load(asked ?? FIRST_EXAMPLE);
+  if ((await layUnder(named, ++asked)) === 'late') return;
+  load(named ?? FIRST_EXAMPLE);
   if (kept !== undefined) showAbove({ kind: 'kept', program: kept });
 }
 
@@ -121,25 +121,28 @@ async function choose(id: string): Promise<void> {
     return;
   }
   keepNow();
-  await layUnder(chosen);
-  if (own !== asked) return;
+  if ((await layUnder(chosen, own)) === 'late') return;
   load(chosen);
   history.replaceState(null, '', `#${chosen.id}`);
 }
 
-/** Runs the program whose part an example is compared with, and keeps that part. */
-async function layUnder(chosen: Example | undefined): Promise<void> {
+/** Runs the program whose part an example is compared with, and keeps that part; something else may have been asked for since. */
+async function layUnder(chosen: Example | undefined, own: number): Promise<'in-time' | 'late'> {
   const other = chosen?.compareWith === undefined ? undefined : await loadExample(chosen.compareWith);
-  if (other === undefined) return;
+  if (own !== asked) return 'late';
+  if (other === undefined) return 'in-time';
   load(other);
   if (!playground.isConnected) find('main').append(playground);
   await playground.settled;
+  if (own !== asked) return 'late';
   playground.keepPart();
   isComparing = true;
+  return 'in-time';
 }
 
 /** A program of the reader's own choice is no example. */
 function loadLinked({ text, setup }: LinkedProgram): void {
+  asked++;
   load(undefined);
   playground.setup = setup;
   playground.blockSkip = playground.program = null;
@@ -169,6 +172,7 @@ function load(chosen: Example | undefined): void {
 }
 
 function restore(kept: KeptProgram, began: Example | undefined): void {
+  asked++;
   load(began);
   showExamples();
   // A file that was kept before setups were is no example.
