@@ -2,8 +2,12 @@
 //! anew; look at each that has changed before it is committed.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[allow(dead_code, reason = "only the names of the programs are needed here")]
+mod fixtures;
+
 use std::path::PathBuf;
 
+use fixtures::gallery;
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Analysis;
@@ -19,10 +23,6 @@ const LARGEST: usize = 40_000;
 
 fn read(path: &str) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}"))
-}
-
-fn programs() -> Vec<String> {
-    serde_json::from_str(&read("tests/programs/gallery.json")).expect("a list")
 }
 
 fn analysis(id: &str) -> Analysis {
@@ -48,7 +48,7 @@ fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {
 fn pictures_are_the_committed_ones() {
     let mut changed = Vec::new();
     let mut names = Vec::new();
-    for id in programs() {
+    for id in gallery() {
         let analysis = analysis(&id);
         let pictures = [(id.clone(), Some(section(&analysis))), (format!("{id}.face"), face(&analysis))];
         for (name, picture) in pictures {

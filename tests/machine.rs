@@ -36,10 +36,19 @@ fn check_diameters(part: &Region, z: f64, expected: &[(f64, f64)]) {
 #[test]
 fn o6003_has_the_diameters_of_its_drawing() {
     let (program, setup) = folder("s001-o6003");
-    let part = part(&program, &setup);
+    let mut sharp: serde_json::Value = serde_json::from_str(&setup).expect("a setup");
+    for tool in sharp["tools"].as_object_mut().expect("tools").values_mut() {
+        tool.as_object_mut().expect("a tool").remove("noseRadius");
+    }
+    let with_noses = part(&program, &setup);
+    let part = part(&program, &sharp.to_string());
     check_diameters(&part, -10.0, &[(26.667, 48.0)]);
     check_diameters(&part, -25.0, &[(31.0 - 11.0 * 28.0 / 33.0, 60.0)]);
     check_diameters(&part, -35.0, &[(20.0, 60.0)]);
+    // A nose of radius r leaves r · (1 + tan α − 1 / cos α) on a cone, on either side: for 0.2 mm and tan α = 0.1
+    // that is 0.019, for tan α = 5.5 / 33 it is 0.0306.
+    check_diameters(&with_noses, -10.0, &[(26.667 - 0.0612, 48.0 + 0.038)]);
+    check_diameters(&with_noses, -35.0, &[(20.0, 60.0)]);
 }
 
 const STOCK: &str = r#""stock": {"diameter": 60, "bore": 20, "length": 100, "grip": 20}"#;

@@ -4,7 +4,7 @@
 use gcode_playground::api::paste::{FoundPrograms, pieces, shortened};
 use gcode_playground::control::codes::{self, Section};
 use gcode_playground::limits::{FOUND_PROGRAMS, PASTED_TEXT};
-use gcode_playground::paste::{Found, Name, Program, Reason, find};
+use gcode_playground::paste::{Found, Name, Program, Reason, Review, find};
 use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 use proptest::prelude::*;
@@ -65,7 +65,7 @@ fn a_slide_with_bullets_becomes_one_block_a_line() {
     let found = find(text);
     assert_eq!(found.programs[0].name, Name::Number(8234));
     assert_eq!(found.programs[0].lines, (2, 2));
-    assert!(found.needs_review);
+    assert_eq!(found.review, Review::Programs);
 }
 
 #[test]
@@ -236,6 +236,21 @@ fn line_numbers_fences_quotes_and_tables() {
 }
 
 #[test]
+fn a_few_stray_characters_are_worth_a_line_not_a_dialog() {
+    let text = "O1\nG00 X32， Z2\nG01 X30 Z-30 F0.2\nM30\n";
+    let found = checked(text);
+    assert_eq!(found.review, Review::FewCharacters, "{found:#?}");
+    assert_eq!(found.programs[0].text(), text.replace('，', ""));
+    // Full-width letters, signs of no width.
+    assert_eq!(checked("O1\nG00 Ｘ32 Z2\nG01\u{200b} Z-5 F0.2\nM30\n").review, Review::FewCharacters);
+    let many = "O1\nG00 X32， Z2，\nG01 X30， Z-30， F0.2，\nM30\n";
+    assert_eq!(checked(many).review, Review::Programs);
+    // Prose around it, or a question in it, is more.
+    assert_eq!(checked("Example\nO1\nG00 X32， Z2\nM30\n").review, Review::Programs);
+    assert_eq!(checked("O1\nG00 X32， Z2\nG01 Z?30.0 F0.2\nM30\n").review, Review::Programs);
+}
+
+#[test]
 fn short_text_behind_a_block_becomes_a_remark() {
     assert_eq!(
         only("O1\nG00 X32 Z2 to the start\nG01 Z-30 F0.1; 粗车外圆\nM30 конец (программы)\n"),
@@ -250,12 +265,12 @@ fn a_program_as_a_control_takes_it_stays_as_it_is() {
     let text = "%\nO1000 (PART)\n(ROUGH)\nN10 G18 G20 G40 G80 G99\n/2 M98 P2000\n/\n#100=[#1+2.5]*3\nIF [#100 GT 4] GOTO 20\n\
 G01 X#100 Z[-#3/2] ,C2 ,R1. F.2\nX-21.75,A30\nN20 G65 P9010 A1. B2.\nWHILE [#1 LT 3] DO1\nEND1\nG28 U0. W0.\nM30\n%\n";
     let found = checked(text);
-    assert!(!found.needs_review, "{found:#?}");
+    assert_eq!(found.review, Review::Nothing, "{found:#?}");
     assert_eq!(found.programs.len(), 1);
     assert_eq!(found.programs[0].text(), text.replace("%\n", ""));
-    assert!(!checked("O1;\nG00U2W1;每刀切深2毫米\nM30;\n").needs_review);
+    assert_eq!(checked("O1;\nG00U2W1;每刀切深2毫米\nM30;\n").review, Review::Nothing);
     let with_subprogram = "O1\nG00 X5 Z5\nM98 P2\nM30\nO2\nG01 U-1 F.1\nM99\n";
-    assert!(!checked(with_subprogram).needs_review);
+    assert_eq!(checked(with_subprogram).review, Review::Nothing);
     assert_eq!(checked(with_subprogram).programs.len(), 2);
 }
 
@@ -265,7 +280,7 @@ fn every_fixture_stays_as_it_is() {
         let path = folder.expect("a folder").path().join("program.nc");
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let found = checked(&text);
-        assert!(!found.needs_review, "{}: {found:#?}", path.display());
+        assert_eq!(found.review, Review::Nothing, "{}: {found:#?}", path.display());
         for program in &found.programs {
             let motions =
                 |text: &str| gcode_playground::analyze(text.as_bytes(), &Setup::default()).motions.len();

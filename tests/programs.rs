@@ -4,7 +4,7 @@
 
 mod fixtures;
 
-use fixtures::{Program, all, check_messages, compare, folder, same};
+use fixtures::{Program, all, check_messages, compare, folder, gallery, same};
 use gcode_playground::api::{self, Places};
 use gcode_playground::expand::expand;
 use gcode_playground::run::Run;
@@ -48,7 +48,9 @@ fn motions_are_the_expected_ones() {
 #[test]
 fn messages_are_the_expected_ones() {
     for program in all() {
-        let found = message_rows(&program.text, &analysis(&program));
+        let mut analysis = analysis(&program);
+        analysis.check_at_machine();
+        let found = message_rows(&program.text, &analysis);
         check_messages(&program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
     }
 }
@@ -121,25 +123,54 @@ fn output_is_the_committed_one() {
 
 #[test]
 fn the_gallery_lists_each_of_its_programs_once() {
-    let gallery = std::fs::read_to_string(folder().join("gallery.json")).expect("gallery.json");
-    let gallery: Vec<String> = serde_json::from_str(&gallery).expect("gallery.json");
+    let listed = gallery();
     let mut shown: Vec<String> = Vec::new();
     for program in all() {
-        let about =
-            std::fs::read_to_string(folder().join(&program.id).join("about.json")).expect("about.json");
-        let about: Value = serde_json::from_str(&about).expect("about.json");
+        let about = about(&program.id);
         for tongue in ["en", "zh", "ru"] {
-            assert!(
-                about["title"][tongue].is_string() && about["shows"][tongue].is_string(),
-                "{}",
-                program.id
-            );
+            let said = |text: &Value| text[tongue].as_str().is_some_and(|text| !text.is_empty());
+            assert!(said(&about["title"]) && said(&about["shows"]), "{}", program.id);
         }
+        // What was added stands in the program.
+        for added in about["added"].as_str().unwrap_or_default().split([',', ' ']) {
+            assert!(program.text.contains(added), "{}: {added:?} is not there", program.id);
+        }
+        let other = about["compareWith"].as_str();
+        assert!(other.is_none_or(|other| listed.iter().any(|id| id == other)), "{}", program.id);
         if about["gallery"] == json!(true) {
             shown.push(program.id);
         }
     }
-    let mut listed = gallery.clone();
-    listed.sort();
-    assert_eq!(listed, shown);
+    let mut sorted = listed.clone();
+    sorted.sort();
+    assert_eq!(sorted, shown);
+}
+
+/// Who opens an example finds no warning but the one it is about: a program is complete where completeness is
+/// not the lesson.
+#[test]
+fn a_program_of_the_gallery_greets_with_the_messages_of_its_lesson_alone() {
+    let listed = gallery();
+    let mut greeted = Vec::new();
+    for program in all().iter().filter(|program| listed.contains(&program.id)) {
+        let mut analysis = analysis(program);
+        analysis.check_at_machine();
+        let lesson: Vec<&str> = ["warnings", "alarms"]
+            .iter()
+            .flat_map(|key| program.expect[*key].as_array().into_iter().flatten())
+            .filter_map(Value::as_str)
+            .collect();
+        for found in message_rows(&program.text, &analysis) {
+            let code = found["code"].as_str().unwrap_or_default();
+            if !lesson.contains(&code) {
+                greeted.push(format!("{} line {}: {code} {}", program.id, found["line"], found["message"]));
+            }
+        }
+    }
+    assert_eq!(greeted, Vec::<String>::new(), "\n{}", greeted.join("\n"));
+}
+
+fn about(id: &str) -> Value {
+    let text = std::fs::read_to_string(folder().join(id).join("about.json")).expect("about.json");
+    serde_json::from_str(&text).expect("about.json")
 }

@@ -22,7 +22,7 @@ use gcode_playground::source::LineIndex;
 
 use format::RuleFile;
 use format::page::{INDENT, Mark};
-use outcome::Outcome;
+use outcome::{Marked, Outcome};
 
 /// All rule files that can be read.
 fn rules() -> Vec<RuleFile> {
@@ -221,6 +221,23 @@ fn what_a_page_says_is_held_against_what_happens() {
     assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5", "").contains("`right` is not"));
     assert!(read("G00 X50 Z\n//      ^\nM30", "G00 X50 Z5\nM30", "fix: yes").contains("the repairs"));
     assert!(read("G00 X50 Z\nM30", "G00 X50 Z5\nM30", "placeless: yes").contains("at a place"));
+}
+
+/// Two pictures that hardly differ leave a reader with nothing to see.
+#[test]
+fn a_small_difference_from_the_corrected_part_is_marked() {
+    let rules = rules();
+    let page = &rules.iter().find(|rule| rule.slug == "taper-not-extended").expect("its page").page;
+    let setup = Setup::from_json(&page.setup).expect("its setup");
+    let [wrong, right] = [&page.wrong, &page.right].map(|text| Outcome::of(text, &setup, None));
+    let picture = wrong.picture(Some(&right)).expect("a picture");
+    assert_eq!(picture.marked, Marked::Difference);
+    let marks = |svg: &str| svg.matches(r#"class="only first""#).count();
+    assert!(marks(&picture.svg) > 0, "{}", picture.svg);
+    // The corrected part has nothing to mark, nor has a part beside itself.
+    assert_eq!(right.picture(None).expect("a picture").marked, Marked::Nothing);
+    let itself = wrong.picture(Some(&wrong)).expect("a picture");
+    assert_eq!((itself.marked, marks(&itself.svg)), (Marked::Nothing, 0));
 }
 
 #[test]

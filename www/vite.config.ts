@@ -1,5 +1,6 @@
 // Builds the static page into www/dist. Addresses are relative, so the folder works wherever it is put.
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from 'vite';
+import { examples } from './examples';
 
 /**
  * What the first picture needs is asked for by the page itself, at once, and not by one script after the
@@ -28,7 +29,7 @@ const preloads: Plugin = {
 
 export default defineConfig({
   base: './',
-  plugins: [preloads],
+  plugins: [preloads, examples],
   build: {
     target: 'es2022', outDir: 'dist', emptyOutDir: true, assetsInlineLimit: 0, cssTarget: 'chrome123',
     rollupOptions: {

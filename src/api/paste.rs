@@ -8,7 +8,7 @@ use serde::Serialize;
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
 
-use crate::paste::{Found, Name, Program};
+use crate::paste::{Found, Name, Program, Review};
 use crate::sentences::Language;
 
 /// Longest quotation of what was left out, characters.
@@ -27,8 +27,9 @@ pub struct FoundPrograms {
     pub more: u32,
     /// The text is longer than is looked through.
     pub too_long: bool,
-    /// The text is more than a program as a control takes it.
-    pub needs_review: bool,
+    /// How much the reader has to see: nothing, that there are a few stray characters, or the programs.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"nothing\" | \"few-characters\" | \"programs\""))]
+    pub review: &'static str,
 }
 
 /// A program found in a text.
@@ -70,7 +71,11 @@ impl FoundPrograms {
             programs: found.programs.iter().map(FoundProgram::new).collect(),
             more: found.more as u32,
             too_long: found.too_long,
-            needs_review: found.needs_review,
+            review: match found.review {
+                Review::Nothing => "nothing",
+                Review::FewCharacters => "few-characters",
+                Review::Programs => "programs",
+            },
         }
     }
 }

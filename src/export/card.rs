@@ -3,6 +3,7 @@
 //! In: a program, its motions and setup. Out: one HTML file that stands alone. Rows are blocks as they are
 //! written, not as they run: a block that runs often is described by its first time.
 
+mod here;
 mod words;
 
 use std::collections::{BTreeMap, HashMap};
@@ -20,6 +21,7 @@ use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
 use crate::units::number;
+use here::here;
 use words::{Words, one_of, tool_kind, words};
 
 /// Blocks on a card, at most: about a hundred pages.
@@ -261,7 +263,8 @@ impl<'a> Told<'a> {
                 continue;
             }
             told.push(
-                one_of(function, index, self.language)
+                here(function, block, own, self.language)
+                    .or_else(|| one_of(function, index, self.language))
                     .unwrap_or_else(|| function.describe(self.language).replace('`', "")),
             );
         }
@@ -493,6 +496,40 @@ mod tests {
             assert!(page.contains(wanted), "{wanted} in\n{page}");
         }
         assert_eq!(page.matches("<tr>").count(), page.matches("</tr>").count());
+    }
+
+    /// What the table says of a block that is written like this.
+    fn does(page: &str, block: &str) -> String {
+        let row = page.lines().find(|line| line.contains(&format!("<code>{block}</code>")));
+        row.and_then(|row| row.split("<td>").nth(3)).unwrap_or_default().replace("</td>", "")
+    }
+
+    /// A code that can mean several things says what it means in its block.
+    #[test]
+    fn a_code_is_described_by_what_it_does_here() {
+        let program = "G50 S2000\nG50 X100 Z100\nT0101 M3 S500\nG0 X42 Z2\nG90 X40 Z-20 F0.2\nG90 X40 Z-20 R-2\n\
+            G94 X20 Z0\nG94 X20 Z-1 R-3\nG92 X39 Z-10 F2\nG71 U2 R1\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G0 X20\n\
+            G1 Z-15\nN20 X42\nG74 R1\nG74 Z-12 Q5000 F0.1\nG28 U0 W0\nM24\nM30\n";
+        let page = html(program, Language::English);
+        for (block, wanted) in [
+            ("G50 S2000", "maximum spindle speed"),
+            ("G50 X100 Z100", "set coordinates"),
+            ("G90 X40 Z-20 F0.2", "turning cycle, straight;"),
+            ("G90 X40 Z-20 R-2", "turning cycle, taper;"),
+            ("G94 X20 Z0", "facing cycle, straight;"),
+            ("G94 X20 Z-1 R-3", "facing cycle, taper;"),
+            ("G92 X39 Z-10 F2", "threading cycle, straight;"),
+            ("G71 U2 R1", "values for rough turning"),
+            ("G71 P10 Q20 U0.4 W0.1 F0.25", "rough turning;"),
+            ("G74 R1", "values for pecking"),
+            ("G74 Z-12 Q5000 F0.1", "peck drilling;"),
+            ("M24", "thread pull-out off"),
+        ] {
+            let said = does(&page, block);
+            assert!(said.starts_with(wanted), "{block}: {said:?} in\n{page}");
+        }
+        assert!(does(&html(program, Language::Chinese), "G90 X40 Z-20 R-2").starts_with("锥面切削循环"));
+        assert!(does(&html(program, Language::Russian), "G50 S2000").starts_with("наибольшая частота"));
     }
 
     #[test]

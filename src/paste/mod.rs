@@ -31,9 +31,20 @@ pub struct Found {
     pub more: usize,
     /// The text is longer than is looked through.
     pub too_long: bool,
-    /// The text is more than a program as a control takes it: prose stands around it, or a program had to be
-    /// repaired by more than the parser does itself.
-    pub needs_review: bool,
+    /// How much the reader has to see of it.
+    pub review: Review,
+}
+
+/// How far a text is from a program as a control takes it, least first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Review {
+    /// It is one, or only has faults that the parser repairs itself.
+    #[default]
+    Nothing,
+    /// It is one but for a few stray characters.
+    FewCharacters,
+    /// Prose stands around it, or a program had to be repaired by more than that.
+    Programs,
 }
 
 /// A program found in a text.
@@ -138,34 +149,47 @@ pub fn find(text: &str) -> Found {
         let name = programs::name(text, &items, &blocks, stretch, lines.0);
         programs.push(Program { name, span, lines, pieces });
     }
-    let needs_review = more > 0 || needs_review(text, &items, &programs);
-    Found { programs, more, too_long: false, needs_review }
+    let review = if more > 0 { Review::Programs } else { review(text, &items, &programs) };
+    Found { programs, more, too_long: false, review }
 }
 
-/// Whether the text is more than programs as a control takes them.
-fn needs_review(text: &str, items: &[items::Item], programs: &[Program]) -> bool {
+/// Up to so many stray characters are few.
+const FEW: usize = 3;
+
+/// How far the text is from programs as a control takes them.
+fn review(text: &str, items: &[items::Item], programs: &[Program]) -> Review {
     if programs.is_empty() {
-        return false;
+        return Review::Nothing;
     }
     // Text after a `;` the parser takes for a remark too.
     let remark = |piece: &Piece| {
         piece.reason == Some(Reason::Remark) && text[..piece.span.start as usize].ends_with([';', '；'])
     };
-    let repaired = |piece: &Piece| {
+    let needs_more = |piece: &&Piece| {
         let more = piece.reason.is_some_and(|reason| !reason.is_parsers_own());
         piece.is_question() || (more && !remark(piece))
     };
-    if programs.iter().any(|program| program.pieces.iter().any(repaired)) {
-        return true;
+    let mut characters = 0;
+    for piece in programs.iter().flat_map(|program| &program.pieces).filter(needs_more) {
+        if piece.is_question() || !piece.reason.is_some_and(Reason::is_of_characters) {
+            return Review::Programs;
+        }
+        characters += 1;
     }
     let mut next = programs.iter().map(|program| program.span).peekable();
-    items.iter().any(|item| {
+    let around = items.iter().any(|item| {
         while next.peek().is_some_and(|span| span.end <= item.span.start) {
             next.next();
         }
         let inside = next.peek().is_some_and(|span| span.start <= item.span.start);
         !inside && item.kind.is_text(text, item.span)
-    })
+    });
+    match characters {
+        _ if around => Review::Programs,
+        0 => Review::Nothing,
+        1..=FEW => Review::FewCharacters,
+        _ => Review::Programs,
+    }
 }
 
 /// Counts lines from the start, for places that only grow.

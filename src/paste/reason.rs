@@ -74,6 +74,11 @@ impl Reason {
         matches!(self, Self::Minus | Self::LetterForDigit | Self::ZeroForO | Self::DecimalPoint)
     }
 
+    /// Whether it is about single characters that no control reads.
+    pub(super) fn is_of_characters(self) -> bool {
+        matches!(self, Self::FullWidth | Self::LookAlike | Self::Invisible | Self::Noise)
+    }
+
     /// What is said of it, in a language.
     pub fn phrase(self, language: Language) -> &'static str {
         match language {

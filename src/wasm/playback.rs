@@ -3,11 +3,12 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
-use crate::api::{Readout, Shown};
+use crate::api::{Readout, Shown, Totals};
 use crate::current::Current;
 use crate::parts::in_part;
 use crate::playback::clock::{Playhead, Stops};
 use crate::playback::steps::{Direction, Unit, step};
+use crate::playback::totals;
 use crate::scene::Plane;
 
 /// How far one step goes.
@@ -84,6 +85,12 @@ impl Playground {
         step_on(&mut self.current, unit, direction);
     }
 
+    /// Time, paths and extents of each tool in the order in which they are first used, then of the whole program.
+    #[wasm_bindgen(unchecked_return_type = "Totals[]")]
+    pub fn totals(&self) -> Result<JsValue, JsValue> {
+        totals_of(&self.current)
+    }
+
     /// What is read off where the tool is.
     #[wasm_bindgen(unchecked_return_type = "Readout | undefined")]
     pub fn readout(&mut self) -> Result<JsValue, JsValue> {
@@ -115,6 +122,12 @@ in_part! {
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
         current.put(Some(place));
+    }
+
+    Machine "0045"
+    fn totals_of(current: &Current) -> Result<JsValue, JsValue> {
+        let (tools, all) = totals::totals(current.motions(), &current.run().setup().machine);
+        to_js(&tools.iter().chain([&all]).map(Totals::new).collect::<Vec<_>>())
     }
 
     Machine "0040"

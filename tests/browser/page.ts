@@ -21,8 +21,8 @@ export function motionCount(id: string): number {
 
 /** The programs of the gallery, in its order. */
 export const examples: readonly { readonly id: string }[] = (
-  JSON.parse(read('.', 'gallery.json')) as string[]
-).map((id) => ({ id }));
+  JSON.parse(read('.', 'gallery.json')) as { readonly programs: readonly string[] }[]
+).flatMap(({ programs }) => programs.map((id) => ({ id })));
 
 export const editor = (page: BasicPage): Locator => page.getByRole('textbox', { name: /^(Program|程序|Программа)$/ });
 export const status = (page: BasicPage): Locator => page.getByRole('status');

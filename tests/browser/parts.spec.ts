@@ -2,7 +2,7 @@
 // what is right and says what is coming; one that does not come is reported, and can be tried again.
 import { expect, type Route } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
-import { type } from './page';
+import { examples, motionCount, open, type } from './page';
 
 const LATE_MS = 3_000;
 const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
@@ -215,4 +215,25 @@ test('a module that cannot be loaded is reported', async ({ page }) => {
   await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByRole('alert')).toContainText('The interpreter could not be loaded');
+});
+
+test('the list of examples is loaded after the first picture, a program when it is shown', async ({ page }) => {
+  const asked: string[] = [];
+  let shown = false;
+  page.on('request', (request) => {
+    const file = /examples\/.*/.exec(request.url())?.[0];
+    if (file !== undefined) asked.push(`${file} ${shown ? 'after' : 'before'} the picture`);
+  });
+  await page.exposeFunction('pictureShown', () => {
+    shown = true;
+  });
+  await page.addInitScript(() => {
+    addEventListener('gcode-report', () => void Reflect.get(window, 'pictureShown')(), { once: true });
+  });
+  await open(page);
+  await expect(page.getByLabel('Example').getByRole('option')).toHaveCount(examples.length);
+  expect(asked).toEqual(['examples/en.json after the picture']);
+  await page.getByLabel('Example').selectOption('s003-g71');
+  await expect(page.getByRole('status')).toContainText(`${motionCount('s003-g71')} motions`);
+  expect(asked.slice(1)).toEqual(['examples/s003-g71.json after the picture']);
 });

@@ -1,11 +1,13 @@
 // Who reaches the page how: by keyboard alone, in three languages. Phones and the dark are in phone.spec.ts.
 // The screenshots go to test-results to be looked at; they are no goldens.
 import { expect, test } from './engines';
-import { drawing, editor, open, status, type } from './page';
+import { drawing, editor, examples, open, status, type } from './page';
 
 test('by keyboard alone: gallery, editor, problems, playing, help, drawing', async ({ page }) => {
   await open(page);
   await page.getByLabel('Example').focus();
+  // The list comes after the first picture.
+  await expect(page.locator('#example option')).toHaveCount(examples.length);
   await page.keyboard.press('ArrowUp');
   await expect(page.getByLabel('Example')).not.toHaveValue('s000-o0002');
   await page.keyboard.press('ArrowDown');

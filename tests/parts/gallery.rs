@@ -7,7 +7,7 @@ use gcode_playground::motion::{Motion, MotionKind, Motions};
 use gcode_playground::setup::{Setup, Side, Stock, Tool, ToolKind};
 use gcode_playground::units::Diameter;
 
-use crate::fixtures::{Program, all, folder};
+use crate::fixtures::{Program, all};
 use crate::reach::{Interval, Reach, left, turns, without_dust};
 
 /// Largest difference, mm.
@@ -18,13 +18,13 @@ const CHORDS: f64 = 0.004;
 
 const STATIONS: u32 = 20;
 
-/// The programs of the gallery that turn.
+/// The programs of the gallery that turn; a tap follows no outline that is worked out here.
 fn gallery() -> Vec<Program> {
-    let list = std::fs::read_to_string(folder().join("gallery.json")).expect("gallery.json");
-    let list: Vec<String> = serde_json::from_str(&list).expect("gallery.json");
+    let list = crate::fixtures::gallery();
     all()
         .into_iter()
         .filter(|program| list.contains(&program.id) && !program.id.starts_with("s002"))
+        .filter(|program| program.id != "syn-g84-tap")
         .collect()
 }
 
@@ -117,9 +117,10 @@ pub fn compare(
 }
 
 /// Runs a program with `tool` at each station that it uses; none leaves the stations to what is concluded.
-/// The blank is that of the program, or the one concluded.
+/// The blank is that of the program, or the one concluded; tools that the setup gives are left out.
 fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
     let mut setup = Setup::from_json(&program.setup).expect(&program.id);
+    setup.tools.clear();
     let plain = analyze(program.text.as_bytes(), &setup);
     let resolved = ResolvedSetup::new(&plain.motions, &setup);
     let stock = resolved.stock().map_or(
@@ -158,7 +159,7 @@ fn check(program: &Program, tool: Option<fn(ToolKind) -> (Tool, Reach)>) {
 #[test]
 fn sharp_tools_as_concluded() {
     let programs = gallery();
-    assert_eq!(programs.len(), 23);
+    assert_eq!(programs.len(), 39);
     for program in &programs {
         check(program, None);
     }

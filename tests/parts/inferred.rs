@@ -69,7 +69,7 @@ s001-o0003a: ⌀50.0, 0 to -35.0: T01 turning C 95
 s001-o0003b: ⌀32.0, 0 to -45.0: T01 turning C 95
 s001-o0006: ⌀52.0, 0 to -40.0: T01 turning C 95
 s001-o0006b: ⌀52.0, 0 to -40.0: T01 turning C 95
-s001-o6003: ⌀65.0 bore 18.0, 1 to -60.0: T01 turning C 95, T02 boring C 95, T04 grooving outside
+s001-o6003: ⌀65.0 bore 18.0, 1 to -60.0: T01 turning 93, T02 boring, T04 grooving
 s001-o7234: ⌀83.0, 0 to -45.0: T00 turning C 95
 s001-o8234: ⌀83.0, 0 to -45.0: T00 turning C 95
 s002-g121-square: ⌀80.0, 0 to -40.0: T01 endmill
@@ -82,15 +82,22 @@ s003-g74: ⌀30.0, 0 to -20.0: T00 drill
 s003-g75: ⌀40.0, 30 to -10.0: T00 grooving outside
 s003-g76: ⌀38.8, 0 to -75.0: T00 threading outside
 s004-g94-right: ⌀50.0, 0 to -60.0: T00 turning C 95
+s004-g94-route-r: ⌀50.0, 0 to -60.0: T01 turning C 95
+s004-g94-route-z: ⌀50.0, 0 to -60.0: T01 turning C 95
 s004-g94-wrong: ⌀50.0, 0 to -60.0: T00 turning C 95
 s004-g94-x50: ⌀50.0, 0 to -60.0: T00 turning C 95
+syn-four-tools: ⌀42.0, 1 to -80.0: T01 turning C 95, T02 turning D 93, T03 grooving, T04 threading
 syn-g32: ⌀30.2, 0 to -30.0: T00 threading outside
 syn-g71-id: ⌀50.0 bore 17.6, 0 to -45.0: T00 boring C 95
 syn-g76-um: ⌀29.9, 0 to -40.0: T00 threading outside
+syn-g84-tap: ⌀40.0, 0 to -60.0: T05 drill ⌀8.5, T06 tap ⌀10.0
 syn-g90-q1: ⌀115.0 bore 60.0, 0 to -60.0: T00 boring C 95
+syn-g90-q2: ⌀60.0, 0 to -40.0: T00 turning C 95
 syn-g90-q3: ⌀80.0, 30 to -10.0: T00 turning D 93
+syn-g90-q4: ⌀60.0, 30 to -10.0: T00 turning C 95
 syn-g90-r-violation: nothing:
 syn-g92: ⌀30.0, 0 to -35.0: T00 threading outside
+syn-macro-ellipse: ⌀34.0, 0 to -40.0: T01 turning V 93
 syn-tnrc-tip3: ⌀38.4, 0 to -25.0: T01 unnamed tip 3
 syn-uw-mixed: ⌀50.0, 0 to -25.0: T00 turning 1 91
 ";

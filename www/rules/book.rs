@@ -12,7 +12,7 @@ use gcode_playground::setup::Setup;
 
 use crate::format::RuleFile;
 use crate::format::page::{Mark, Page, Text};
-use crate::outcome::Outcome;
+use crate::outcome::{Marked, Outcome, Picture};
 use crate::words::words;
 
 /// Colours first, so that the page and the playground have the same.
@@ -25,8 +25,8 @@ struct Shown<'a> {
     /// As the failing program has it, which may be milder than usual.
     severity: Severity,
     told: Diagnostic,
-    /// Names of the pictures, where something moves: failing, corrected.
-    pictures: [Option<String>; 2],
+    /// Names of the pictures, where something moves, and what is marked in them: failing, corrected.
+    pictures: [Option<(String, Marked)>; 2],
 }
 
 /// All files by name, or what is wrong with the pages.
@@ -61,11 +61,12 @@ impl<'a> Shown<'a> {
         let wrong = Outcome::of(&page.wrong, &setup, page.stop);
         let right = Outcome::of(&page.right, &setup, None);
         let told = wrong.told(slug).next().cloned().ok_or("`wrong` does not trigger it")?;
-        let pictures = [("wrong", wrong), ("right", right)].map(|(name, outcome)| {
-            let picture = outcome.picture()?;
+        let pictures = [("wrong", wrong.picture(Some(&right))), ("right", right.picture(None))];
+        let pictures = pictures.map(|(name, picture)| {
+            let Picture { svg, marked } = picture?;
             let name = format!("pictures/{slug}-{name}.svg");
-            files.insert(name.clone(), picture);
-            Some(name)
+            files.insert(name.clone(), svg);
+            Some((name, marked))
         });
         Ok(Self { page, rule, severity: told.severity, told, pictures })
     }
@@ -137,7 +138,7 @@ impl<'a> Shown<'a> {
         &self,
         out: &mut String,
         language: Language,
-        (heading, program, marks, picture): (&str, &str, &[Mark], &Option<String>),
+        (heading, program, marks, picture): (&str, &str, &[Mark], &Option<(String, Marked)>),
         title: &str,
     ) {
         let words = words(language);
@@ -147,9 +148,12 @@ impl<'a> Shown<'a> {
         let address = address(program, &self.page.setup, language);
         put(out, format_args!("<p><a href=\"../../index.html#{address}\">{}</a></p>", words.open));
         match picture {
-            Some(name) => {
+            Some((name, marked)) => {
                 let alt = escaped(&format!("{heading}: {}", title.replace('`', "")));
                 put(out, format_args!("<img src=\"../{name}\" alt=\"{alt}\">"));
+                if *marked == Marked::Difference {
+                    put(out, format_args!("<p class=\"marked\">{}</p>", words.difference));
+                }
             }
             None => put(out, format_args!("<p class=\"nothing\">{}</p>", words.nothing_drawn)),
         }

@@ -3,11 +3,15 @@
 //! In: a program and its setup. Out: its messages, as `gcode-playground check` reports them, and its picture.
 
 use gcode_playground::findings;
+use gcode_playground::machine::compare::{self, Comparison, Side};
 use gcode_playground::machine::{Simulation, SimulationResult};
 use gcode_playground::message::{Diagnostic, sort_by_place};
 use gcode_playground::run::{Analysis, Run};
+use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::svg::{SvgOptions, section, svg};
+use gcode_playground::scene::path_index::PathIndex;
+use gcode_playground::scene::svg::{SvgOptions, svg};
+use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
 
 use crate::format::page::Stop;
@@ -20,6 +24,26 @@ const STOPPED_AFTER: f64 = 10.0;
 
 /// Blocks it has carried out by then.
 const STOPPED_AFTER_BLOCKS: usize = 20;
+
+/// A difference of less than this share of the part is marked: a larger one is seen.
+const HARDLY_SEEN: f64 = 0.2;
+
+/// A picture, and what of it needs a word.
+pub struct Picture {
+    /// The picture.
+    pub svg: String,
+    /// What is marked in it.
+    pub marked: Marked,
+}
+
+/// What is marked in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marked {
+    /// Nothing.
+    Nothing,
+    /// Where the part differs from the corrected one.
+    Difference,
+}
 
 /// A program that was run.
 pub struct Outcome {
@@ -54,8 +78,9 @@ impl Outcome {
         self.analysis.diagnostics.iter().filter(move |found| found.message.slug() == slug)
     }
 
-    /// The half-section, or the end face where polar interpolation mills there; nothing where nothing moves.
-    pub fn picture(&self) -> Option<String> {
+    /// The half-section, or the end face where polar interpolation mills there; nothing where nothing moves. Where
+    /// the part is hardly another one than that of `corrected`, the difference is marked.
+    pub fn picture(&self, corrected: Option<&Self>) -> Option<Picture> {
         let Analysis { motions, setup, .. } = &self.analysis;
         if motions.is_empty() {
             return None;
@@ -66,8 +91,28 @@ impl Outcome {
         if let Some(face) = Face::of(motions, &simulation) {
             let work = face.work(&simulation, None);
             let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };
-            return Some(svg(&face.scene(work.as_ref()), &options));
+            return Some(Picture { svg: svg(&face.scene(work.as_ref()), &options), marked: Marked::Nothing });
         }
-        Some(section(motions, Some(&simulation), &options))
+        let comparison = corrected.and_then(|corrected| self.small_difference(corrected));
+        let marked = if comparison.is_some() { Marked::Difference } else { Marked::Nothing };
+        let work = Work::of(&simulation, motions, None).map(|work| match &comparison {
+            Some(comparison) => work.compared_with(comparison),
+            None => work,
+        });
+        let path_index = PathIndex::of(motions);
+        Some(Picture { svg: svg(&Scene::new(motions, &path_index, work.as_ref()), &options), marked })
+    }
+
+    /// Where the part differs from another of the same blank, if that is little beside the part.
+    fn small_difference(&self, other: &Self) -> Option<Comparison> {
+        let programs = [self, other].map(|outcome| (&outcome.analysis.motions, &outcome.analysis.setup));
+        if programs[0].1.stock.is_none() || programs[0].1.stock != programs[1].1.stock {
+            return None;
+        }
+        let [own, others] = compare::parts(programs);
+        let (own, others) = own.zip(others)?;
+        let comparison = Comparison::of(&own, &others);
+        let area = comparison.area(Side::First) + comparison.area(Side::Second);
+        (!comparison.is_empty() && area < HARDLY_SEEN * others.area()).then_some(comparison)
     }
 }

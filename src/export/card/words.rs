@@ -1,5 +1,6 @@
 //! The words of the setup sheet in every language. A card without a translation does not compile.
 
+use super::here::in_language;
 use crate::control::codes::Function;
 use crate::sentences::{Language, labels};
 use crate::setup::{Side, ToolKind};
@@ -69,6 +70,70 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
         (Function::Plane, 0) => ["plane XY", "XY 平面", "плоскость XY"],
         (Function::Plane, 1) => ["plane ZX", "ZX 平面", "плоскость ZX"],
         (Function::Plane, 2) => ["plane YZ", "YZ 平面", "плоскость YZ"],
+        (Function::HoleReturn, 0) => {
+            ["return to the initial level", "返回初始平面", "возврат к исходной плоскости"]
+        }
+        (Function::HoleReturn, 1) => ["return to the R point", "返回 R 点", "возврат к точке R"],
+        (Function::Data, 0) => ["write offsets", "输入补偿数据", "запись коррекций"],
+        (Function::Data, 1) => ["end of data", "补偿数据输入结束", "конец данных"],
+        (Function::ModalMacro, 0) => [
+            "macro call after every move",
+            "宏程序模态调用",
+            "вызов макропрограммы после каждого перемещения",
+        ],
+        (Function::ModalMacro, 1) => ["macro call off", "宏程序模态调用取消", "отмена вызова макропрограммы"],
+        (Function::StrokeCheck, 0) => {
+            ["stored stroke check on", "存储行程检测开", "проверка пределов хода вкл."]
+        }
+        (Function::StrokeCheck, 1) => {
+            ["stored stroke check off", "存储行程检测关", "проверка пределов хода выкл."]
+        }
+        (Function::ExactStop, 0) => ["exact stop", "准确停止", "точный останов"],
+        (Function::ExactStop, 1) => ["exact stop mode", "准确停止方式", "режим точного останова"],
+        (Function::ExactStop, 2) => ["tapping mode", "攻丝方式", "режим метчика"],
+        (Function::ExactStop, 3) => ["cutting mode", "切削方式", "режим резания"],
+        (Function::SpindleCheck, 0) => {
+            ["spindle speed check off", "主轴速度波动检测关", "контроль частоты вращения выкл."]
+        }
+        (Function::SpindleCheck, 1) => {
+            ["spindle speed check on", "主轴速度波动检测开", "контроль частоты вращения вкл."]
+        }
+        (Function::Chuck, 0 | 2) => ["chuck clamp", "卡盘夹紧", "зажим патрона"],
+        (Function::Chuck, 1 | 3) => ["chuck unclamp", "卡盘松开", "разжим патрона"],
+        (Function::LiveTool, 0) => {
+            ["live tool forward", "动力刀具正转", "прямое вращение приводного инструмента"]
+        }
+        (Function::LiveTool, 1) => {
+            ["live tool reverse", "动力刀具反转", "обратное вращение приводного инструмента"]
+        }
+        (Function::ThreadPullOut, 0) => ["thread pull-out on", "螺纹倒角（退尾）打开", "сбег резьбы вкл."],
+        (Function::ThreadPullOut, 1) => ["thread pull-out off", "螺纹倒角（退尾）关闭", "сбег резьбы выкл."],
+        (Function::Tailstock, 0) => ["tailstock forward", "尾座前进", "задняя бабка вперёд"],
+        (Function::Tailstock, 1) => ["tailstock back", "尾座后退", "задняя бабка назад"],
+        (Function::CAxis, 0) => ["C axis connect", "C 轴连接", "ось C включить"],
+        (Function::CAxis, 1) => ["C axis release", "C 轴释放", "ось C отключить"],
+        (Function::Synchronous, 0) => [
+            "spindle and live tool synchronous",
+            "主轴与动力刀具同步",
+            "синхронность шпинделя и приводного инструмента",
+        ],
+        (Function::Synchronous, 1) => {
+            ["spindle and live tool synchronous off", "主轴与动力刀具同步取消", "отмена синхронности"]
+        }
+        (Function::Conveyor, 0) => ["chip conveyor forward", "排屑器前进", "конвейер стружки вперёд"],
+        (Function::Conveyor, 1) => ["chip conveyor stop", "排屑器停止", "конвейер стружки стоп"],
+        (Function::Interlock, 0) => {
+            ["tailstock interlock off", "尾座联锁关闭", "блокировка задней бабки снята"]
+        }
+        (Function::Interlock, 1) => {
+            ["tailstock interlock on", "尾座联锁恢复", "блокировка задней бабки включена"]
+        }
+        (Function::Off, 0) => ["look-ahead off", "取消预读", "предварительный просмотр выкл."],
+        (Function::Off, 1) => {
+            ["tool length offset off", "取消刀具长度补偿", "отмена коррекции на длину инструмента"]
+        }
+        (Function::Off, 2) => ["polygon turning off", "取消多边形车削", "отмена точения многогранника"],
+        (Function::Off, 3) => ["mirror image off", "取消镜像", "отмена зеркальной обработки"],
         (Function::Frame, _) => {
             let number = index + 1;
             return Some(match language {
@@ -79,12 +144,7 @@ pub(super) fn one_of(function: Function, index: usize, language: Language) -> Op
         }
         _ => return None,
     };
-    let text = match language {
-        Language::English => en,
-        Language::Chinese => zh,
-        Language::Russian => ru,
-    };
-    Some(text.to_owned())
+    Some(in_language([en, zh, ru], language))
 }
 
 /// The name of a kind of tool, with the side it works on where that is not the outside.

@@ -44,6 +44,7 @@ const ICONS = {
   fit: '<path d="M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4" fill="none" stroke="currentColor" stroke-width="1.7" stroke-linecap="round" stroke-linejoin="round"/>',
   plus: '<path d="M10 4v12M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
   minus: '<path d="M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
+  gallery: '<path d="M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z" fill="none" stroke="currentColor" stroke-width="1.6" stroke-linejoin="round"/>',
   chevron: '<path d="M5 7.5l5 5 5-5" fill="none" stroke="currentColor" stroke-width="1.8" stroke-linecap="round" stroke-linejoin="round"/>',
   error: '<circle cx="10" cy="10" r="7.2" fill="currentColor"/><path d="M10 6v5M10 13.6v.4" stroke="var(--playground-surface)" stroke-width="1.9" stroke-linecap="round"/>',
   warning: '<path d="M10 2.8l7.6 13.6H2.4z" fill="currentColor" stroke="currentColor" stroke-width="1.2" stroke-linejoin="round"/><path d="M10 8v3.6M10 14v.3" stroke="var(--playground-surface)" stroke-width="1.8" stroke-linecap="round"/>',

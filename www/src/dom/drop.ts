@@ -9,15 +9,20 @@ export interface DropEvents {
   dropped(file: File): void;
 }
 
-export function acceptFiles(target: HTMLElement, events: DropEvents): void {
-  const carriesFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+/** Files of all that is inside, before anything inside takes them; or those that nothing inside has taken. */
+export type DropsTaken = 'all' | 'left-over';
+
+export function acceptFiles(target: HTMLElement, events: DropEvents, taken: DropsTaken = 'all'): void {
+  const isMine = (event: DragEvent): boolean =>
+    (event.dataTransfer?.types.includes('Files') ?? false) && (taken === 'all' || !event.defaultPrevented);
   const mark = (on: boolean): void => {
-    target.dataset['drop'] = on ? events.hint() : '';
+    if (on) target.dataset['drop'] = events.hint();
+    else delete target.dataset['drop'];
   };
   target.addEventListener('dragover', (event) => {
-    if (!carriesFile(event)) return;
-    event.preventDefault();
-    mark(true);
+    const mine = isMine(event);
+    mark(mine);
+    if (mine) event.preventDefault();
   });
   target.addEventListener('dragleave', (event) => {
     if (!target.contains(event.relatedTarget as Node | null)) mark(false);
@@ -26,12 +31,12 @@ export function acceptFiles(target: HTMLElement, events: DropEvents): void {
     'drop',
     (event) => {
       mark(false);
-      const file = event.dataTransfer?.files[0];
+      const file = isMine(event) ? event.dataTransfer?.files[0] : undefined;
       if (file === undefined) return;
       event.preventDefault();
       event.stopPropagation();
       events.dropped(file);
     },
-    { capture: true },
+    { capture: taken === 'all' },
   );
 }

@@ -17,18 +17,21 @@ export const COMMON = words({
   en: {
     close: 'Close',
     line: (n: number) => `line ${n}`,
+    dropHere: 'Drop the program here',
     program: 'Program',
     rapid: 'rapid',
   },
   zh: {
     close: '关闭',
     line: (n) => `第 ${n} 行`,
+    dropHere: '将程序文件拖放到此处',
     program: '程序',
     rapid: '快速移动',
   },
   ru: {
     close: 'Закрыть',
     line: (n) => `строка ${n}`,
+    dropHere: 'Отпустите файл с программой здесь',
     program: 'Программа',
     rapid: 'ускоренный ход',
   },

@@ -1,9 +1,12 @@
-// The example programs, taken from tests/programs when the page is built.
+// The example programs: the first one is part of the page, the others are files beside it.
 //
-// In: nothing. Out: the examples in the gallery's order, each with its setup and what it shows.
-// Must not know: what is in a program or a setup; both are passed on as they are.
+// In: the name of an example, a language. Out: the example with its setup and what it shows; the list of all, by
+// subject, with small pictures. Must not know: what is in a program or a setup; both are passed on as they are.
 
-import { LANGUAGES, type Language } from '../dom/language';
+import type { Language } from '../dom/language';
+import about from '../../../tests/programs/s000-o0002/about.json';
+import program from '../../../tests/programs/s000-o0002/program.nc?raw';
+import setup from '../../../tests/programs/s000-o0002/setup.json?raw';
 
 type Translated = Readonly<Record<Language, string>>;
 
@@ -15,39 +18,58 @@ export interface Example {
   readonly title: Translated;
   /** One sentence: what this program is here for. */
   readonly shows: Translated;
+  /** Words that the document it comes from does not have. */
+  readonly added?: string;
+  /** The example whose part is laid under its own. */
+  readonly compareWith?: string;
 }
 
-interface About {
-  readonly title?: Partial<Translated>;
-  readonly shows?: Partial<Translated>;
+/** An example as the gallery shows it, in one language. */
+export interface Listed {
+  readonly id: string;
+  readonly title: string;
+  readonly shows: string;
+  /** Its G, M and T words. */
+  readonly codes: string;
+  /** Its strokes as paths of SVG; none where nothing is cut. */
+  readonly picture?: { readonly rapid: string; readonly cut: string; readonly axis?: number };
 }
 
-const FOLDER = '../../../tests/programs';
-const programs = import.meta.glob<string>('../../../tests/programs/*/program.nc', { query: '?raw', import: 'default', eager: true });
-const setups = import.meta.glob<string>('../../../tests/programs/*/setup.json', { query: '?raw', import: 'default', eager: true });
-const abouts = import.meta.glob<About>('../../../tests/programs/*/about.json', { import: 'default', eager: true });
-const order = import.meta.glob<readonly string[]>('../../../tests/programs/gallery.json', { import: 'default', eager: true });
-
-export const examples: readonly Example[] = (order[`${FOLDER}/gallery.json`] ?? []).flatMap((id) => {
-  const program = programs[`${FOLDER}/${id}/program.nc`];
-  if (program === undefined) return [];
-  const about = abouts[`${FOLDER}/${id}/about.json`];
-  return [
-    {
-      id,
-      program,
-      setup: setups[`${FOLDER}/${id}/setup.json`] ?? '{}',
-      title: translated(about?.title, id),
-      shows: translated(about?.shows, ''),
-    },
-  ];
-});
-
-export function exampleOf(id: string | undefined): Example | undefined {
-  return examples.find((example) => example.id === id);
+export interface Subject {
+  readonly subject: string;
+  readonly examples: readonly Listed[];
 }
 
-function translated(texts: Partial<Translated> | undefined, otherwise: string): Translated {
-  const pairs = LANGUAGES.map((language) => [language, texts?.[language] ?? texts?.en ?? otherwise]);
-  return Object.fromEntries(pairs) as Translated;
+/** What a page without an address of its own begins with. */
+export const FIRST_EXAMPLE: Example = { id: 's000-o0002', program, setup, title: about.title, shows: about.shows };
+
+const examples = new Map<string, Promise<Example | undefined>>([[FIRST_EXAMPLE.id, Promise.resolve(FIRST_EXAMPLE)]]);
+const lists = new Map<Language, Promise<readonly Subject[]>>();
+
+/** The example of this name; undefined where there is none, or it could not be loaded. */
+export function loadExample(id: string): Promise<Example | undefined> {
+  // Any text can stand in an address.
+  if (!/^[a-z]\w*-[\w-]+$/.test(id)) return Promise.resolve(undefined);
+  return kept(examples, id, async () => ({ ...(await file<Omit<Example, 'id'>>(id)), id })).catch(() => undefined);
+}
+
+/** All examples in their order; rejected where they could not be loaded. */
+export function loadSubjects(language: Language): Promise<readonly Subject[]> {
+  return kept(lists, language, () => file<readonly Subject[]>(language));
+}
+
+async function file<Content>(name: string): Promise<Content> {
+  const response = await fetch(new URL(`examples/${name}.json`, document.baseURI));
+  if (!response.ok) throw new Error(`examples/${name}.json: ${response.status}`);
+  return (await response.json()) as Content;
+}
+
+/** What could not be loaded is asked for again the next time. */
+function kept<Key, Value>(all: Map<Key, Promise<Value>>, key: Key, load: () => Promise<Value>): Promise<Value> {
+  const before = all.get(key);
+  if (before !== undefined) return before;
+  const loading = load();
+  all.set(key, loading);
+  loading.catch(() => all.delete(key));
+  return loading;
 }

@@ -1,37 +1,46 @@
 // The page around the element: header, gallery, the reader's choices, and what is kept between visits.
 //
-// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls.
+// In: the address (`#example`, or a program, see `linked.ts`), the browser's store, the header's controls, the
+// examples (`gallery.ts`), of which only the one that is shown is loaded before the first picture.
 // Out: attributes and the value of the element; the sentence above the program. Must not know: how the
 // element works inside, or what a setup holds beyond the name of its control.
 
 import '../shell/element';
 import './page.css';
-import { make } from '../dom/dom';
+import { icon, make, name } from '../dom/dom';
+import { acceptFiles } from '../dom/drop';
 import type { GcodePlayground } from '../shell/element';
 import type { ProgramFile } from '../editor/program-text';
-import { exampleOf, examples, type Example } from './gallery';
+import { FIRST_EXAMPLE, loadExample, loadSubjects, type Example, type Subject } from './gallery';
+import type { GalleryDialog } from './gallery-dialog';
 import { linkedProgram, type LinkedProgram } from './linked';
 import { LANGUAGES, languageOf, type Language } from '../dom/language';
+import { COMMON } from '../dom/words';
 import { PAGE_WORDS } from './words';
 import { choices, forgetProgram, keepChoices, keepProgram, keptProgram, type KeptProgram } from './storage';
 
-const FIRST_EXAMPLE = 's000-o0002';
 const CONTROLS = [
   ['fanuc', 'FANUC'],
   ['gsk', 'GSK'],
   ['forum', 'Forum'],
 ] as const;
 const THEMES = ['auto', 'light', 'dark'] as const;
+/** For who is here for the first time. */
+const HINTS = 'edit play pick';
 /** How long the reader must pause before the program is kept. */
 const KEEP_AFTER_MS = 400;
 /** Browsers keep about five million units for a page; a longer program would only make it stand still. */
 const KEPT_LENGTH = 2_000_000;
 
-type Above = { readonly kind: 'example' } | { readonly kind: 'restored' } | { readonly kind: 'kept'; readonly program: KeptProgram };
+type Above =
+  | { readonly kind: 'example' | 'restored' | 'not-loaded' }
+  | { readonly kind: 'kept'; readonly program: KeptProgram };
 
-const playground = find<GcodePlayground>('playground');
+/** It comes into the page with its first program, so that nothing else is run before. */
+const playground = document.createElement('gcode-playground') as GcodePlayground;
 const intro = find('intro');
 const exampleSelect = find<HTMLSelectElement>('example');
+const galleryButton = find<HTMLButtonElement>('gallery');
 const controlSelect = find<HTMLSelectElement>('control');
 const languageSelect = find<HTMLSelectElement>('language');
 const themeSelect = find<HTMLSelectElement>('theme');
@@ -43,6 +52,13 @@ const settings = find('settings');
 
 let language: Language = languageOf(linkedProgram(location.hash)?.language ?? choices().language ?? navigator.language);
 let example: Example | undefined;
+/** The list of examples in the language of the page, once it is there. */
+let subjects: readonly Subject[] = [];
+/** A part was kept for an example that is compared with it. */
+let isComparing = false;
+let gallery: GalleryDialog | undefined;
+/** Counts what was asked to be shown, so that what is loaded can come too late. */
+let asked = 0;
 let above: Above = { kind: 'example' };
 /** What the lines above the program were made of. */
 let aboveShown: readonly unknown[] = [];
@@ -54,17 +70,23 @@ start();
 
 function start(): void {
   const theme = THEMES.find((known) => known === choices().theme) ?? 'auto';
+  galleryButton.append(icon('gallery'));
   for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
   for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   for (const value of THEMES) themeSelect.append(make('option', { value }));
+  playground.id = 'playground';
+  playground.append(intro);
+  playground.setAttribute('hints', choices().hints ?? HINTS);
   showTheme(theme);
   showLanguage();
   listen();
-  begin();
+  void begin().then(() => {
+    if (!playground.isConnected) find('main').append(playground);
+  });
 }
 
 /** The program of the address, the kept one, the example of the address, or the first one. */
-function begin(): void {
+async function begin(): Promise<void> {
   const linked = linkedProgram(location.hash);
   if (linked !== undefined) {
     const kept = keptProgram();
@@ -72,18 +94,55 @@ function begin(): void {
     if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
     return;
   }
-  const asked = exampleOf(location.hash.slice(1));
+  const named = await loadExample(location.hash.slice(1));
   const kept = keptProgram();
-  if (kept !== undefined && (asked === undefined || asked.id === kept.example)) {
-    restore(kept);
+  if (kept !== undefined && (named === undefined || named.id === kept.example)) {
+    restore(kept, await keptExample(kept));
     return;
   }
-  load(asked ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  if ((await layUnder(named, ++asked)) === 'late') return;
+  load(named ?? FIRST_EXAMPLE);
   if (kept !== undefined) showAbove({ kind: 'kept', program: kept });
+}
+
+/** The example a kept program began as. */
+async function keptExample(kept: KeptProgram): Promise<Example | undefined> {
+  return kept.example === '' ? undefined : ((await loadExample(kept.example)) ?? FIRST_EXAMPLE);
+}
+
+/** Loads the example the reader has asked for, unless another one has been asked for since. */
+async function choose(id: string): Promise<void> {
+  const own = ++asked;
+  const chosen = await loadExample(id);
+  if (own !== asked) return;
+  if (chosen === undefined) {
+    showExamples();
+    showAbove({ kind: 'not-loaded' });
+    return;
+  }
+  keepNow();
+  if ((await layUnder(chosen, own)) === 'late') return;
+  load(chosen);
+  history.replaceState(null, '', `#${chosen.id}`);
+}
+
+/** Runs the program whose part an example is compared with, and keeps that part; something else may have been asked for since. */
+async function layUnder(chosen: Example | undefined, own: number): Promise<'in-time' | 'late'> {
+  const other = chosen?.compareWith === undefined ? undefined : await loadExample(chosen.compareWith);
+  if (own !== asked) return 'late';
+  if (other === undefined) return 'in-time';
+  load(other);
+  if (!playground.isConnected) find('main').append(playground);
+  await playground.settled;
+  if (own !== asked) return 'late';
+  playground.keepPart();
+  isComparing = true;
+  return 'in-time';
 }
 
 /** A program of the reader's own choice is no example. */
 function loadLinked({ text, setup }: LinkedProgram): void {
+  asked++;
   load(undefined);
   playground.setup = setup;
   playground.blockSkip = playground.program = null;
@@ -97,19 +156,24 @@ function loadLinked({ text, setup }: LinkedProgram): void {
 function load(chosen: Example | undefined): void {
   clearTimeout(keeping);
   keeping = undefined;
+  if (isComparing && chosen?.compareWith === undefined) {
+    isComparing = false;
+    playground.endComparison();
+  }
   example = chosen;
   if (chosen !== undefined) {
     playground.setup = chosen.setup;
     playground.blockSkip = playground.program = null;
     playground.control = controlSelect.value = controlOf(chosen.setup);
     playground.value = known = chosen.program;
-    exampleSelect.value = chosen.id;
+    showExamples();
   }
   showAbove({ kind: 'example' });
 }
 
-function restore(kept: KeptProgram): void {
-  load(kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]));
+function restore(kept: KeptProgram, began: Example | undefined): void {
+  asked++;
+  load(began);
   showExamples();
   // A file that was kept before setups were is no example.
   if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
@@ -123,12 +187,12 @@ function restore(kept: KeptProgram): void {
 }
 
 function listen(): void {
-  exampleSelect.addEventListener('change', () => {
-    const chosen = exampleOf(exampleSelect.value);
-    keepNow();
-    load(chosen);
-    if (chosen !== undefined) history.replaceState(null, '', `#${chosen.id}`);
-  });
+  exampleSelect.addEventListener('change', () => void choose(exampleSelect.value));
+  galleryButton.addEventListener('click', () => void openGallery());
+  // The list of examples comes after the first picture, or when somebody looks for it.
+  for (const [target, event] of [[playground, 'gcode-settled'], [exampleSelect, 'pointerdown'], [exampleSelect, 'focus']] as const) {
+    target.addEventListener(event, listExamples, { once: true });
+  }
   window.addEventListener('hashchange', () => {
     const linked = linkedProgram(location.hash);
     if (linked !== undefined) {
@@ -136,10 +200,8 @@ function listen(): void {
       loadLinked(linked);
       return;
     }
-    const asked = exampleOf(location.hash.slice(1));
-    if (asked === undefined || asked === example) return;
-    keepNow();
-    load(asked);
+    const id = location.hash.slice(1);
+    if (id !== '' && id !== example?.id) void choose(id);
   });
   controlSelect.addEventListener('change', () => {
     playground.control = controlSelect.value;
@@ -154,6 +216,11 @@ function listen(): void {
     keepChoices({ theme: themeSelect.value });
     showTheme(themeSelect.value);
   });
+  // The element takes what is dropped on it; beside it the browser would leave the page.
+  acceptFiles(document.documentElement, {
+    hint: () => COMMON[language].dropHere,
+    dropped: (file) => void playground.openFile(file),
+  }, 'left-over');
   openButton.addEventListener('click', () => fileInput.click());
   saveButton.addEventListener('click', () => playground.saveFile());
   fileInput.addEventListener('change', () => {
@@ -169,6 +236,9 @@ function listen(): void {
     // What is said of the example is not said of the reader's own file.
     showAbove(above);
     keepSoon();
+  });
+  playground.addEventListener('gcode-hint', (event) => {
+    keepChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
   });
   playground.addEventListener('gcode-switch', keepSoon);
   playground.addEventListener('gcode-setup', keepSoon);
@@ -225,16 +295,19 @@ function showAbove(what: Above): void {
   aboveShown = shown;
   if (example !== undefined && !own) {
     lines.push(make('h2', {}, example.title[language]), make('p', {}, example.shows[language]));
+    if (example.added !== undefined) lines.push(make('p', { className: 'added' }, texts.added(example.added)));
   }
   if (tooLong) lines.push(make('p', { className: 'kept' }, texts.tooLongToKeep));
-  if (what.kind === 'example' && !own) lines.push(make('p', { className: 'hint' }, texts.hint));
   if (what.kind === 'restored') {
     lines.push(offer(texts.restored, texts.startAfresh, () => {
       forgetProgram();
-      load(example ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+      load(example ?? FIRST_EXAMPLE);
     }));
   }
-  if (what.kind === 'kept') lines.push(offer(texts.kept, texts.bringBack, () => restore(what.program)));
+  if (what.kind === 'kept') {
+    lines.push(offer(texts.kept, texts.bringBack, () => void keptExample(what.program).then((began) => restore(what.program, began))));
+  }
+  if (what.kind === 'not-loaded') lines.push(make('p', { className: 'kept' }, texts.exampleNotLoaded));
   intro.replaceChildren(...lines);
   intro.hidden = lines.length === 0;
 }
@@ -253,6 +326,7 @@ function showLanguage(): void {
   playground.language = language;
   languageSelect.value = language;
   label(exampleSelect, texts.example);
+  name(galleryButton, texts.gallery);
   label(controlSelect, texts.control);
   label(languageSelect, texts.language);
   label(themeSelect, texts.theme);
@@ -260,17 +334,52 @@ function showLanguage(): void {
   openButton.textContent = texts.openFile;
   saveButton.textContent = texts.saveFile;
   settingsToggle.textContent = texts.settings;
+  if (subjects.length > 0) void listExamples();
   showExamples();
   showAbove(above);
 }
 
+/** The list, once it is there; until then the one that is shown. */
 function showExamples(): void {
-  const own = make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram);
-  exampleSelect.replaceChildren(
-    ...(example === undefined ? [own] : []),
-    ...examples.map(({ id, title: titles }) => make('option', { value: id }, titles[language])),
-  );
+  const options = subjects.map(({ subject, examples }) => {
+    const group = make('optgroup', { label: subject });
+    group.append(...examples.map(({ id, title }) => make('option', { value: id }, title)));
+    return group;
+  });
+  const listed = subjects.some(({ examples }) => examples.some(({ id }) => id === example?.id));
+  const alone = example === undefined
+    ? make('option', { value: '', hidden: true }, PAGE_WORDS[language].ownProgram)
+    : make('option', { value: example.id, hidden: subjects.length > 0 }, example.title[language]);
+  exampleSelect.replaceChildren(...(listed ? [] : [alone]), ...options);
   exampleSelect.value = example?.id ?? '';
+}
+
+/** Loads the list in the language of the page; the reader can go on without it. */
+async function listExamples(): Promise<readonly Subject[]> {
+  const tag = language;
+  try {
+    const list = await loadSubjects(tag);
+    if (tag === language && subjects !== list) {
+      subjects = list;
+      showExamples();
+    }
+    return list;
+  } catch {
+    return [];
+  }
+}
+
+async function openGallery(): Promise<void> {
+  const [list, dialog] = await Promise.all([listExamples(), import('./gallery-dialog').catch(() => undefined)]);
+  if (list.length === 0 || dialog === undefined) {
+    showAbove({ kind: 'not-loaded' });
+    return;
+  }
+  if (gallery === undefined) {
+    gallery = new dialog.GalleryDialog((id) => void choose(id));
+    document.body.append(gallery.element);
+  }
+  gallery.open(list, language, example?.id ?? '');
 }
 
 function showTheme(theme: string): void {

@@ -20,6 +20,8 @@ export interface KeptProgram {
 export interface Choices {
   readonly language?: string;
   readonly theme?: string;
+  /** The hints that are still to be shown. */
+  readonly hints?: string;
 }
 
 const PROGRAM = `gcode-playground:program:${location.pathname}`;

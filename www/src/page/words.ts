@@ -5,9 +5,11 @@ import { words } from '../dom/words';
 export const PAGE_WORDS = words({
   en: {
     languageName: 'English',
-    hint: 'Edit the program — the picture follows. Press ▶ to watch the tool.',
     title: 'G-code playground',
     example: 'Example',
+    gallery: 'Gallery…',
+    exampleNotLoaded: 'The example could not be loaded.',
+    added: (words: string) => `Added to the printed program: ${words}`,
     ownProgram: 'My own program',
     control: 'Control',
     language: 'Language',
@@ -24,9 +26,11 @@ export const PAGE_WORDS = words({
   },
   zh: {
     languageName: '中文',
-    hint: '修改程序，图形随之变化。按 ▶ 观看刀具运动。',
     title: 'G 代码演练场',
     example: '示例',
+    gallery: '全部示例…',
+    exampleNotLoaded: '示例加载失败。',
+    added: (words) => `原文程序之外补充：${words}`,
     ownProgram: '我的程序',
     control: '数控系统',
     language: '语言',
@@ -43,9 +47,11 @@ export const PAGE_WORDS = words({
   },
   ru: {
     languageName: 'Русский',
-    hint: 'Меняйте программу — рисунок следует за ней. Нажмите ▶, чтобы увидеть движение резца.',
     title: 'Песочница G-кода',
     example: 'Пример',
+    gallery: 'Все примеры…',
+    exampleNotLoaded: 'Пример не загружен.',
+    added: (words) => `Добавлено к напечатанной программе: ${words}`,
     ownProgram: 'Моя программа',
     control: 'Система ЧПУ',
     language: 'Язык',

@@ -1,12 +1,12 @@
 // The open file: its name and encoding, opening and saving.
 //
-// In: files that are chosen or dropped on the editor, the encoding the reader names. Out: the program, the
+// In: files that are chosen or dropped on the element, the encoding the reader names. Out: the program, the
 // bytes to save. Must not know: how bytes become text.
 
 import { make } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
 import type { Language } from '../dom/language';
-import { words } from '../dom/words';
+import { COMMON, words } from '../dom/words';
 import { bytesToSave, download, reread } from '../editor/program-files';
 import { programText, type ProgramFile } from '../editor/program-text';
 import type { Opened } from '../editor/read-program';
@@ -37,7 +37,8 @@ class FileBar implements Panel {
       this.#choose(chosen);
     });
     this.#element.append(this.#name, this.#encoding);
-    acceptFiles(shell.editor.element, { hint: () => this.#words.dropHere, dropped: (file) => void this.#open(file) });
+    // Over the drawing, too, where the browser would leave the page for the file.
+    acceptFiles(shell.root.host as HTMLElement, { hint: () => COMMON[shell.language].dropHere, dropped: (file) => void this.#open(file) });
   }
 
   set language(language: Language) {
@@ -46,6 +47,8 @@ class FileBar implements Panel {
   }
 
   fileChanged(file: ProgramFile | undefined): void {
+    // What was said of a file goes with it.
+    if (file?.name !== this.#file?.name) this.#shell.service('hideNotice')('file');
     this.#file = file;
     this.#element.hidden = file === undefined;
     if (file === undefined) return;
@@ -138,7 +141,6 @@ const WORDS = words({
     openedBinary: (name: string) => `Opened ${name}. It does not look like a text; saved unchanged, its bytes stay the same.`,
     fileTooLarge: (name: string) => `${name} is larger than 64 MB and was not opened.`,
     fileUnreadable: (name: string) => `${name} could not be read.`,
-    dropHere: 'Drop the program here',
     encoding: 'Encoding',
     encodingHint: 'The encoding the file is read in and saved in',
     rereadAs: (encoding: string) => `Read again as ${encoding}.`,
@@ -153,7 +155,6 @@ const WORDS = words({
     openedBinary: (name) => `已打开 ${name}。它不像文本文件；不作修改保存时，字节保持不变。`,
     fileTooLarge: (name) => `${name} 超过 64 MB，未打开。`,
     fileUnreadable: (name) => `无法读取 ${name}。`,
-    dropHere: '将程序文件拖放到此处',
     encoding: '编码',
     encodingHint: '读取和保存此文件所用的编码',
     rereadAs: (encoding) => `已按 ${encoding} 重新读取。`,
@@ -168,7 +169,6 @@ const WORDS = words({
     openedBinary: (name) => `Открыт файл ${name}. Он не похож на текст; без правок его байты сохранятся без изменений.`,
     fileTooLarge: (name) => `Файл ${name} больше 64 МБ и не открыт.`,
     fileUnreadable: (name) => `Файл ${name} не читается.`,
-    dropHere: 'Отпустите файл с программой здесь',
     encoding: 'Кодировка',
     encodingHint: 'Кодировка, в которой файл читается и сохраняется',
     rereadAs: (encoding) => `Прочитано заново в кодировке ${encoding}.`,

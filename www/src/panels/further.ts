@@ -5,6 +5,7 @@ import { codes } from './codes';
 import { exports } from './exports';
 import { fileBar } from './file-bar';
 import { help } from './help';
+import { hints } from './hints';
 import type { PanelKind } from './panel';
 import { paste } from './paste';
 import { playback } from './playback';
@@ -14,12 +15,13 @@ import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
 import { switches } from './switches';
+import { totals } from './totals';
 import { views } from './views';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  fileBar, switches, problems, setup, views, playback, statusLine, paste, solid, exports, rewrite, writtenOut, help, codes,
+  hints, fileBar, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help, codes,
 ];
 
 /** Of what stands beside them. */

@@ -103,6 +103,10 @@ export interface Services {
   locate(x: number, z: number): Promise<ClientPlace>;
   locateOnFace(x: number, c: number): Promise<ClientPlace>;
   choosePictures(pictures: 'section' | 'face' | 'both'): void;
+  /** Keeps the part, to lay later ones over it. */
+  keepPart(): void;
+  /** Ends the comparison that `keepPart` began, not one that the reader began. */
+  endComparison(): void;
   openCodes(): void;
   /** `group`: the one the reader comes for. */
   openSetup(group?: SetupGroup['group']): void;

@@ -1,5 +1,5 @@
 // What becomes of a text that may hold more than a program: it is searched, and where it does, a
-// dialog offers its programs.
+// dialog offers its programs. A few stray characters are worth a line, which leads to the dialog.
 //
 // In: a text that was pasted, dropped or opened. Out: questions to the interpreter; an edit when the
 // reader takes a program. The text itself is in the editor before, so nothing is lost. Must not
@@ -60,7 +60,13 @@ class Paste implements Panel {
     // Something else has been typed since.
     if (found === undefined || editor.revision !== revision || this.takesKeys) return;
     const texts = WORDS[this.#shell.language];
-    if (how === 'arrived' && (!found.needsReview || found.programs.length === 0)) return;
+    if (how === 'arrived' && found.review === 'nothing') return;
+    if (how === 'arrived' && found.review === 'few-characters') {
+      // The run that begins with the text would take the line away.
+      this.#shell.flush();
+      const remedy = { title: texts.look, act: () => void this.#search(from, to, 'asked') };
+      return this.#shell.service('notice')(texts.fewCharacters, 'program', remedy);
+    }
     if (found.programs.length === 0) return this.#say(found.tooLong ? texts.tooLong : texts.none);
     const { PasteDialog } = await import('./paste-dialog');
     // The text has been changed, or searched once more, while the dialog was loaded.
@@ -104,6 +110,8 @@ const WORDS = words({
     buttonHint: 'Finds the programs in the text of the editor, such as a page of a book or a forum, and cleans them',
     none: 'No program was found in this text.',
     tooLong: 'The text is too long to be searched for programs.',
+    fewCharacters: 'There are characters in this text that do not belong in a program.',
+    look: 'Clean it…',
     taken: 'The program took the place of the text. Undo brings it back.',
   },
   zh: {
@@ -112,6 +120,8 @@ const WORDS = words({
     buttonHint: '在编辑器的文本（如书页、论坛帖子）中查找程序并清理',
     none: '文本中没有找到程序。',
     tooLong: '文本过长，无法查找程序。',
+    fewCharacters: '文本中有不属于程序的字符。',
+    look: '清理…',
     taken: '程序已替换文本。可用撤销恢复。',
   },
   ru: {
@@ -120,6 +130,8 @@ const WORDS = words({
     buttonHint: 'Находит программы в тексте редактора (страница учебника, форум) и очищает их',
     none: 'Программ в этом тексте не найдено.',
     tooLong: 'Текст слишком длинный для поиска программ.',
+    fewCharacters: 'В этом тексте есть знаки, которым не место в программе.',
+    look: 'Очистить…',
     taken: 'Программа заменила текст. Отмена вернёт его.',
   },
 });

@@ -5,9 +5,9 @@
 
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
-import { counter } from '../dom/plural';
 import { COMMON, words } from '../dom/words';
 import type { Readout } from '../protocol/protocol';
+import { clock, countsOfUnknown } from './duration';
 
 const NOTHING = '–';
 
@@ -106,11 +106,7 @@ export class ReadoutBoard {
     const { elapsed, total } = readout;
     const texts = WORDS[this.#language];
     if (total.seconds === 0 && total.unknownRapids + total.unknownCuts > 0) return texts.notKnown;
-    const unknown = [
-      total.unknownRapids > 0 ? ` + ${texts.rapids(total.unknownRapids)}` : '',
-      total.unknownCuts > 0 ? ` + ${texts.cuts(total.unknownCuts)}` : '',
-    ];
-    return `${clock(elapsed.seconds)} / ${clock(total.seconds)}${unknown.join('')}`;
+    return `${clock(elapsed.seconds)} / ${clock(total.seconds)}${countsOfUnknown(total, this.#language)}`;
   }
 
   #toolText(readout: Readout | undefined): string {
@@ -120,14 +116,6 @@ export class ReadoutBoard {
     if (said === '') return NOTHING;
     return toolInferred === true ? texts.assumed(said) : said;
   }
-}
-
-/** "1:38" or "1:02:09". */
-function clock(seconds: number): string {
-  const whole = Math.floor(seconds + 1e-6);
-  const two = (value: number): string => String(value).padStart(2, '0');
-  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
-  return hours > 0 ? `${hours}:${two(minutes)}:${two(whole % 60)}` : `${minutes}:${two(whole % 60)}`;
 }
 
 function trimmed(value: number, digits: number): string {
@@ -155,8 +143,6 @@ const WORDS = words({
     perTurn: 'mm/rev',
     turns: 'rpm',
     metres: 'm/min',
-    rapids: counter('en', { one: 'rapid', other: 'rapids' }),
-    cuts: counter('en', { one: 'cut', other: 'cuts' }),
     notKnown: 'not known',
     unknownTime: (rapids: number, cuts: number) =>
       [
@@ -176,8 +162,6 @@ const WORDS = words({
     perTurn: 'mm/r',
     turns: 'r/min',
     metres: 'm/min',
-    rapids: (n) => `${n} 段快移`,
-    cuts: (n) => `${n} 段切削`,
     notKnown: '未知',
     unknownTime: (rapids, cuts) =>
       [
@@ -197,8 +181,6 @@ const WORDS = words({
     perTurn: 'мм/об',
     turns: 'об/мин',
     metres: 'м/мин',
-    rapids: counter('ru', { one: 'ускоренный ход', few: 'ускоренных хода', many: 'ускоренных ходов', other: 'ускоренного хода' }),
-    cuts: counter('ru', { one: 'рабочий ход', few: 'рабочих хода', many: 'рабочих ходов', other: 'рабочего хода' }),
     notKnown: 'неизвестно',
     unknownTime: (rapids, cuts) =>
       [

@@ -9,7 +9,7 @@ import { words } from '../dom/words';
 import type { Comparison, ViewsState } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { shown } from './dimension';
-import type { Panel, PanelKind, Shell } from './panel';
+import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
 /** Narrower than this, CSS pixels, there is room for one picture only. */
@@ -29,11 +29,19 @@ class Views implements Panel {
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
   #state: ViewsState = { face: false, turret: 'rear', comparison: undefined };
+  /** The page ends a comparison of its own, not the reader's. */
+  #keptBy: 'reader' | 'page' = 'reader';
   #wanted: Pictures = 'both';
   #told: Pictures = 'section';
   /** Of the row, CSS pixels. */
   #width = 0;
 
+  readonly services: Partial<Services> = {
+    keepPart: () => this.#keepPart('page'),
+    endComparison: () => {
+      if (this.#keptBy === 'page') this.#shell.send({ kind: 'end-comparison' });
+    },
+  };
   readonly places = { views: [this.#choice, this.#turret, this.#keep, this.#end, this.#differences] };
 
   constructor(shell: Shell) {
@@ -49,8 +57,9 @@ class Views implements Panel {
     this.#choice.append(...Object.values(this.#buttons));
     this.#turret.addEventListener('click', () =>
       shell.send({ kind: 'turret', side: this.#state.turret === 'front' ? 'rear' : 'front' }));
-    this.#keep.addEventListener('click', () => shell.send({ kind: 'keep' }));
+    this.#keep.addEventListener('click', () => this.#keepPart('reader'));
     this.#end.addEventListener('click', () => {
+      this.#keptBy = 'reader';
       shell.send({ kind: 'end-comparison' });
       this.#keep.focus();
     });
@@ -80,6 +89,11 @@ class Views implements Panel {
     if (state === undefined) return;
     this.#state = state;
     this.#show();
+  }
+
+  #keepPart(by: 'reader' | 'page'): void {
+    this.#keptBy = by;
+    this.#shell.send({ kind: 'keep' });
   }
 
   #choose(pictures: Pictures): void {

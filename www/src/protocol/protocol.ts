@@ -9,10 +9,10 @@
 import type { PartName } from '../../pkg/parts.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  StepUnit, StopSwitch, Stroke, Summary,
+  StepUnit, StopSwitch, Stroke, Summary, Totals,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary };
+export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
@@ -131,6 +131,8 @@ export interface Questions {
    */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  /** One row for each tool in the order in which they are first used, then one for the whole program. */
+  totals: { ask: undefined; answer: readonly Totals[] };
   /** Where the tool is, in the language of now. */
   readout: { ask: undefined; answer: Readout | undefined };
   /**
@@ -171,7 +173,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, expand: true, rewritings: true, section: true,
+  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true,
   ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false,

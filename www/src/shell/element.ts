@@ -14,11 +14,13 @@
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
-// `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
+//   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
+// `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
-// openFile(file), saveFile(), focus(), and for automation
+// openFile(file), saveFile(), focus(), keepPart() to lay the parts of later programs over this one's,
+// endComparison(), and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
 //                              with the number of the run. Numbers grow with every change of text or setup.
@@ -32,10 +34,11 @@
 //   gcode-settled  detail {run}: as `settled`, each time
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
+//   gcode-hint     detail {left}: the hints that are left
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice written-out
+// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice hint totals written-out
 // rewrite codes solid export-menu paste help.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
@@ -216,13 +219,23 @@ export class GcodePlayground extends HTMLElement {
     this.#with('saveFile', (save) => save());
   }
 
+  /** Keeps the part, to lay those of later programs over it. */
+  keepPart(): void {
+    this.#with('keepPart', (keep) => keep());
+  }
+
+  /** Ends the comparison that `keepPart` began; one that the reader began goes on. */
+  endComparison(): void {
+    this.#with('endComparison', (end) => end());
+  }
+
   get #shell(): PlaygroundShell {
     if (this.#made === undefined) throw new Error('the playground is not in a document');
     return this.#made;
   }
 
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
-  #with<S extends 'play' | 'pause' | 'saveFile'>(name: S, act: (service: Services[S]) => void): void {
+  #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(name: S, act: (service: Services[S]) => void): void {
     const shell = this.#shell;
     if (shell.view !== 'all') throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(() => act(shell.service(name)), () => undefined);

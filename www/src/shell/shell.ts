@@ -167,6 +167,8 @@ export class PlaygroundShell implements Shell {
   put(program: ProgramText, file: ProgramFile | undefined): void {
     this.editor.setText(program, file, this.editor.length > 0 ? 'undoable' : 'final');
     this.#programSetup.know(this.editor.length);
+    // What was said of a file is not said of this program.
+    this.service('hideNotice')('file');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
   }

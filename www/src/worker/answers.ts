@@ -35,6 +35,7 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
   step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
+  totals: { needs: ['machine'], answer: (core) => core.totals() },
   locate: {
     answer(core, { picture, x, other }) {
       const [px = 0, py = 0] = core.screenOf(picture, x, other);

@@ -1,0 +1,97 @@
+// Files and pasted texts on the page: dropped anywhere, what is said of them, and how long the program takes.
+import { expect, test, type Page } from './engines';
+import { copy, drawing, editor, motionCount, open, openFile, status, value } from './page';
+
+const notice = (page: Page) => page.getByRole('alert');
+
+/** Drops a file on an element that a selector finds, through shadow roots; says whether the page took it. */
+async function drop(page: Page, where: 'the drawing' | 'the header', name: string, text: string): Promise<boolean> {
+  return page.evaluate(({ where, name, text }) => {
+    const root = document.querySelector('gcode-playground')?.shadowRoot;
+    const target = where === 'the header' ? document.querySelector('header') : root?.querySelector('canvas');
+    const data = new DataTransfer();
+    data.items.add(new File([text], name, { type: 'text/plain' }));
+    const event = (type: string): DragEvent => new DragEvent(type, { bubbles: true, composed: true, cancelable: true, dataTransfer: data });
+    target?.dispatchEvent(event('dragover'));
+    const dropped = event('drop');
+    target?.dispatchEvent(dropped);
+    return dropped.defaultPrevented;
+  }, { where, name, text });
+}
+
+for (const where of ['the drawing', 'the header'] as const) {
+  test(`a file dropped on ${where} opens`, async ({ page }) => {
+    await open(page);
+    const text = 'G00 X40 Z2\nG01 Z-10 F0.2\n';
+    expect(await drop(page, where, 'dropped.nc', text)).toBe(true);
+    await expect(notice(page)).toContainText('Opened dropped.nc');
+    await expect(status(page)).toContainText('2 motions');
+    expect(await value(page)).toBe(text);
+    // Nothing says any more that a file is held over the page.
+    await expect(page.locator('gcode-playground')).not.toHaveAttribute('data-drop', /./);
+  });
+}
+
+test('what was said of a file goes with its program', async ({ page }) => {
+  await open(page);
+  const opened = (name: string) => openFile(page, name, new TextEncoder().encode('G00 X40 Z2\nG01 Z-10 F0.2\n'));
+  await opened('mine.nc');
+  await expect(notice(page)).toContainText('Opened mine.nc');
+
+  await test.step('an edit leaves it', async () => {
+    await editor(page).focus();
+    await page.keyboard.press('Control+End');
+    await page.keyboard.type('X50');
+    await expect(status(page)).toContainText('3 motions');
+    await expect(notice(page)).toContainText('Opened mine.nc');
+  });
+  await test.step('another program does not', async () => {
+    await page.getByLabel('Example').selectOption('s003-g71');
+    await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+    await expect(notice(page)).toBeHidden();
+  });
+  await test.step('nor does undo, which brings the program before it back', async () => {
+    await opened('again.nc');
+    await expect(notice(page)).toContainText('Opened again.nc');
+    await editor(page).focus();
+    await page.keyboard.press('Control+Z');
+    await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+    await expect(notice(page)).toBeHidden();
+  });
+});
+
+test('a stray character in a pasted program is worth a line, which leads to the dialog', async ({ page }) => {
+  await open(page);
+  const text = 'O1\nG00 X32， Z2\nG01 X30 Z-30 F0.2\nM30\n';
+  await copy(page, text);
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Control+V');
+  await expect(notice(page)).toContainText('characters in this text that do not belong in a program');
+  const dialog = page.getByRole('dialog', { name: 'Programs in this text' });
+  await expect(dialog).toBeHidden();
+  expect(await value(page)).toBe(text);
+
+  await page.getByRole('button', { name: 'Clean it…' }).click();
+  await expect(dialog).toBeVisible();
+  await dialog.getByRole('button', { name: 'Take this program' }).click();
+  expect(await value(page)).toBe(text.replace('，', ''));
+});
+
+test('the time is there without playing, and what each tool does in a table', async ({ page }) => {
+  await open(page);
+  const text = 'T0101 M3 S1000\nG98\nG00 X40 Z2\nG01 Z-10 F60\nT0202\nG00 X30 Z2\nG01 Z-4 F60\nM30\n';
+  await openFile(page, 'two-tools.nc', new TextEncoder().encode(text));
+  // 12 mm and 6 mm at 60 mm/min; the setup gives no rapid traverse rate.
+  const button = page.getByRole('button', { name: /^Time / });
+  await expect(button).toHaveText('Time 0:18 + 2 rapids');
+  await button.click();
+  const totals = page.getByRole('dialog', { name: 'Time and totals' });
+  await expect(totals.getByRole('row', { name: /^T0101/ })).toContainText('0:12');
+  await expect(totals.getByRole('row', { name: /^T0202/ })).toContainText('0:06');
+  await expect(totals.getByRole('row', { name: /^All/ })).toContainText('18.0');
+  await expect(totals).toContainText('the setup gives no rapid traverse rate');
+  await page.keyboard.press('Escape');
+  await expect(totals).toBeHidden();
+  await expect(drawing(page)).toBeVisible();
+});

@@ -1,0 +1,70 @@
+// The gallery: what is loaded when, searching it, and an example that is compared with another.
+import { expect, test, type Page } from './engines';
+import { examples, motionCount, open, program, status, value } from './page';
+
+const button = (page: Page) => page.getByRole('button', { name: 'Gallery…' });
+const gallery = (page: Page) => page.getByRole('dialog', { name: 'Gallery' });
+
+test('an example is found by what it is about, and opened', async ({ page }) => {
+  await open(page);
+  await button(page).click();
+  await expect(gallery(page).getByRole('status')).toHaveText(`${examples.length} examples`);
+  await expect(gallery(page).getByRole('heading', { name: 'Threads' })).toBeVisible();
+  await test.step('with a picture of each program that cuts', async () => {
+    const drawn = await gallery(page).getByRole('listitem').evaluateAll((cards: readonly Element[]) =>
+      cards.map((card) => card.querySelector('path.cut')?.getAttribute('d') ?? ''));
+    // G50 and G96 set speeds, and move nothing.
+    expect(drawn.filter((path) => path === '')).toHaveLength(1);
+    expect(drawn.join(' ')).not.toContain('NaN');
+  });
+  await page.keyboard.type('g76 pull');
+  await expect(gallery(page).getByRole('status')).toHaveText('No example matches.');
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('tapping');
+  const card = gallery(page).getByRole('button', { name: /Tapping M10/ });
+  await expect(card).toBeVisible();
+  await card.click();
+  await expect(gallery(page)).toBeHidden();
+  await expect(status(page)).toContainText(`${motionCount('syn-g84-tap')} motions`);
+  await expect(page.getByLabel('Example')).toHaveValue('syn-g84-tap');
+  expect(await value(page)).toBe(program('syn-g84-tap'));
+});
+
+test('an address names an example, and going elsewhere opens another', async ({ page }) => {
+  await open(page, '#s003-g71');
+  await expect(status(page)).toContainText(`${motionCount('s003-g71')} motions`);
+  await expect(page.getByText('Added to the printed program: M03 S600, M30')).toBeVisible();
+  await page.evaluate(() => {
+    location.hash = '#s003-g74';
+  });
+  await expect(status(page)).toContainText(`${motionCount('s003-g74')} motions`);
+  await expect(page.getByLabel('Example')).toHaveValue('s003-g74');
+});
+
+test('an address that names nothing leads to the first example', async ({ page }) => {
+  await open(page, '#no-such-example');
+  await expect(status(page)).toContainText(`${motionCount('s000-o0002')} motions`);
+});
+
+test('the wrong part is laid over the right one, and the next example stands alone', async ({ page }) => {
+  await open(page, '#s004-g94-wrong');
+  const differences = page.getByRole('button', { name: 'End comparison' });
+  await expect(differences).toBeVisible();
+  expect(await value(page)).toBe(program('s004-g94-wrong'));
+  await page.getByLabel('Example').selectOption('s001-frag-g94');
+  await expect(status(page)).toContainText(`${motionCount('s001-frag-g94')} motions`);
+  await expect(differences).toBeHidden();
+  // From the list as from the address.
+  await page.getByLabel('Example').selectOption('s004-g94-wrong');
+  await expect(differences).toBeVisible();
+  expect(await value(page)).toBe(program('s004-g94-wrong'));
+});
+
+test('no example greets with a warning but the one it is about', async ({ page }) => {
+  await open(page);
+  for (const id of ['s003-g71', 's003-g76', 's004-g94-right', 's001-o6003', 'syn-four-tools', 'syn-macro-ellipse']) {
+    await page.getByLabel('Example').selectOption(id);
+    await expect(status(page)).toContainText(`${motionCount(id)} motions`);
+    await expect(status(page)).toContainText('no problems');
+  }
+});

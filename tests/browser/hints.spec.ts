@@ -1,0 +1,32 @@
+// The first minute: three hints, each where there is something to do, then silence.
+import { expect, test, type Page } from './engines';
+import { editor, open, play, status } from './page';
+
+const hint = (page: Page) => page.getByRole('note');
+const GOT_IT = 'Got it';
+
+test('what the reader does is not hinted at again, and nothing is hinted at in the end', async ({ page }) => {
+  await open(page);
+  await expect(hint(page)).toHaveText(/^Change a number in the program/);
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('(MY OWN)');
+  await expect(hint(page)).toHaveText(/^Play below shows the tool/);
+  await play(page).click();
+  await expect(hint(page)).toHaveText(/^Click a stroke/);
+  await page.getByRole('button', { name: GOT_IT }).click();
+  await expect(hint(page)).toBeHidden();
+
+  await page.reload();
+  await expect(status(page)).toContainText(/motions/);
+  await expect(play(page)).toBeEnabled();
+  await expect(hint(page)).toBeHidden();
+});
+
+test('a hint that is waved away leaves the next one, also after a reload', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: GOT_IT }).click();
+  await expect(hint(page)).toHaveText(/^Play below/);
+  await page.reload();
+  await expect(hint(page)).toHaveText(/^Play below/);
+});

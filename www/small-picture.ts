@@ -1,0 +1,119 @@
+// The picture of a program in the gallery: its strokes, small.
+//
+// In: motions as the command line prints them, one JSON object a line, X a diameter. Out: the strokes as paths of SVG,
+// in a box of `WIDTH` by `HEIGHT` whole units, X+ up. Must not know: how the page draws it.
+
+export const WIDTH = 240;
+export const HEIGHT = 144;
+const MARGIN = 8;
+/** More strokes say nothing at this size. */
+const MOST_STROKES = 160;
+
+interface Place {
+  readonly x: number;
+  readonly z: number;
+  readonly c?: number;
+}
+
+interface Row {
+  readonly kind?: 'rapid' | 'feed' | 'thread' | 'arc' | 'dwell';
+  readonly to?: Place;
+  readonly center?: Place;
+  readonly dir?: 'cw' | 'ccw';
+  readonly mode?: string;
+}
+
+/** `d` of paths; `axis`: where the spindle axis lies, if it is in sight. */
+export interface SmallPicture {
+  readonly rapid: string;
+  readonly cut: string;
+  readonly axis?: number;
+}
+
+interface Stroke {
+  readonly kind: 'rapid' | 'cut';
+  /** Right and up, mm. */
+  readonly points: readonly (readonly [right: number, up: number])[];
+}
+
+export function smallPicture(jsonLines: string): SmallPicture | undefined {
+  const rows = jsonLines.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line) as Row);
+  // Messages follow the motions: their `to` is a place in the text.
+  const moving = rows.filter((row) => row.kind !== 'dwell' && typeof row.to === 'object');
+  const isFace = moving.some(({ mode }) => mode === 'polar');
+  const strokes = (isFace ? onTheFace(moving) : inSection(moving)).slice(0, MOST_STROKES);
+  const cut = strokes.filter(({ kind }) => kind === 'cut').flatMap(({ points }) => points);
+  if (cut.length === 0) return undefined;
+  const [rights, ups] = [cut.map(([right]) => right), cut.map(([, up]) => up)];
+  const [left, right, low, high] = [Math.min(...rights), Math.max(...rights), Math.min(...ups), Math.max(...ups)];
+  const scale = Math.min((WIDTH - 2 * MARGIN) / Math.max(right - left, 1), (HEIGHT - 2 * MARGIN) / Math.max(high - low, 1));
+  const px = (value: number): number => Math.round(WIDTH / 2 + (value - (left + right) / 2) * scale);
+  const py = (value: number): number => Math.round(HEIGHT / 2 - (value - (low + high) / 2) * scale);
+  const axis = py(0);
+  return {
+    rapid: path(strokes, 'rapid', px, py),
+    cut: path(strokes, 'cut', px, py),
+    ...(axis >= 0 && axis <= HEIGHT && !isFace ? { axis } : {}),
+  };
+}
+
+function inSection(rows: readonly Row[]): Stroke[] {
+  return rows.slice(1).flatMap((row, before): Stroke[] => {
+    const from = rows[before]?.to;
+    if (from === undefined || row.to === undefined) return [];
+    return [{ kind: row.kind === 'rapid' ? 'rapid' : 'cut', points: row.kind === 'arc' ? arc(from, row) : [inMm(from), inMm(row.to)] }];
+  });
+}
+
+/** X to the right, C up, of what is milled there. */
+function onTheFace(rows: readonly Row[]): Stroke[] {
+  const place = ({ x, c }: Place): readonly [number, number] => [x / 2, c ?? 0];
+  return rows.slice(1).flatMap((row, before): Stroke[] => {
+    const from = rows[before]?.to;
+    return row.mode !== 'polar' || from === undefined || row.to === undefined ? [] : [{ kind: 'cut', points: [place(from), place(row.to)] }];
+  });
+}
+
+function inMm({ x, z }: Place): readonly [number, number] {
+  return [z, x / 2];
+}
+
+/** An arc in chords of about ten degrees. */
+function arc(from: Place, { to, center, dir }: Row): readonly (readonly [number, number])[] {
+  if (to === undefined || center === undefined) return [];
+  const [[ax, ay], [bx, by], [mx, my]] = [inMm(from), inMm(to), inMm(center)];
+  const radius = Math.hypot(ax - mx, ay - my);
+  const start = Math.atan2(ay - my, ax - mx);
+  const turn = 2 * Math.PI;
+  let sweep = Math.atan2(by - my, bx - mx) - start;
+  // Z+ to the right and X+ up, G02 runs clockwise.
+  sweep = dir === 'cw' ? -((((-sweep) % turn) + turn) % turn) : ((sweep % turn) + turn) % turn;
+  const chords = Math.max(Math.ceil(Math.abs(sweep) / 0.18), 1);
+  return Array.from({ length: chords + 1 }, (_, i) => {
+    const angle = start + (sweep * i) / chords;
+    return [mx + radius * Math.cos(angle), my + radius * Math.sin(angle)] as const;
+  });
+}
+
+/** What lies on a stroke before it is left out, and so is what lies far outside. */
+function path(strokes: readonly Stroke[], kind: Stroke['kind'], px: (value: number) => number, py: (value: number) => number): string {
+  const drawn = new Set<string>();
+  let text = '';
+  let pen = '';
+  for (const stroke of strokes) {
+    if (stroke.kind !== kind) continue;
+    const points = stroke.points.map(([right, up]) => [px(right), py(up)] as const);
+    for (const [i, to] of points.entries()) {
+      const from = points[i - 1];
+      if (from === undefined || (from[0] === to[0] && from[1] === to[1])) continue;
+      if ([from, to].some(([x, y]) => Math.abs(x) > 10 * WIDTH || Math.abs(y) > 10 * HEIGHT)) continue;
+      const ends = [from.join(' '), to.join(' ')];
+      const key = ends.toSorted().join(' ');
+      if (drawn.has(key)) continue;
+      drawn.add(key);
+      text += `${pen === ends[0] ? 'L' : `M${ends[0]}L`}${ends[1]}`;
+      pen = ends[1] ?? '';
+    }
+  }
+  return text;
+}

@@ -1,0 +1,120 @@
+// The gallery: all example programs by subject, each with a small picture, and a field to search them.
+//
+// In: the list in a language. Out: `chosen` with the name of an example. Loaded when it is first opened. Must not
+// know: how an example is loaded or shown.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { counter } from '../dom/plural';
+import { COMMON, words } from '../dom/words';
+import type { Listed, Subject } from './gallery';
+import './gallery.css';
+
+/** As the small pictures are drawn (`small-picture.ts`). */
+const [WIDTH, HEIGHT] = [240, 144];
+const SVG = 'http://www.w3.org/2000/svg';
+
+export class GalleryDialog {
+  readonly #search = make('input', { type: 'search', autocomplete: 'off', spellcheck: false });
+  readonly #caption = make('span');
+  readonly #found = make('p', { className: 'found', role: 'status' });
+  readonly #list = make('div', { className: 'subjects' });
+  readonly #dialog = new Dialog('gallery', [make('label', { className: 'search' }, this.#caption, this.#search), this.#found, this.#list]);
+  readonly #chosen: (id: string) => void;
+  #subjects: readonly Subject[] = [];
+  #language: Language = 'en';
+  #current = '';
+
+  constructor(chosen: (id: string) => void) {
+    this.#chosen = chosen;
+    this.#search.addEventListener('input', () => this.#show());
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
+  /** Opens it; `current` is the example that is shown. */
+  open(subjects: readonly Subject[], language: Language, current: string): void {
+    this.#subjects = subjects;
+    this.#language = language;
+    this.#current = current;
+    const texts = WORDS[language];
+    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.about = texts.about;
+    this.#caption.textContent = texts.search;
+    this.#search.value = '';
+    this.#show();
+    this.#dialog.show();
+    this.#search.focus();
+    this.#list.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
+  }
+
+  #show(): void {
+    const terms = this.#search.value.toLowerCase().split(/\s+/).filter((term) => term !== '');
+    const matches = ({ subject, of }: { subject: string; of: Listed }): boolean => {
+      const text = [subject, of.title, of.shows, of.codes, of.id].join(' ').toLowerCase();
+      return terms.every((term) => text.includes(term));
+    };
+    let count = 0;
+    const sections = this.#subjects.flatMap(({ subject, examples }) => {
+      const found = examples.filter((of) => matches({ subject, of }));
+      count += found.length;
+      return found.length === 0 ? [] : [make('section', {}, make('h3', {}, subject), make('ul', {}, ...found.map((of) => make('li', {}, this.#card(of)))))];
+    });
+    const texts = WORDS[this.#language];
+    this.#found.textContent = count === 0 ? texts.none : texts.count(count);
+    this.#list.replaceChildren(...sections);
+  }
+
+  #card({ id, title, shows, picture }: Listed): HTMLElement {
+    const card = make('button', { type: 'button', className: 'card' });
+    card.append(drawn(picture), make('span', { className: 'title' }, title), make('span', { className: 'shows' }, shows));
+    if (id === this.#current) card.setAttribute('aria-current', 'true');
+    card.addEventListener('click', () => {
+      this.#dialog.close();
+      this.#chosen(id);
+    });
+    return card;
+  }
+}
+
+function drawn(picture: Listed['picture']): Element {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
+  svg.setAttribute('aria-hidden', 'true');
+  const path = (className: string, d: string): void => {
+    const drawn = svg.appendChild(document.createElementNS(SVG, 'path'));
+    drawn.setAttribute('class', className);
+    drawn.setAttribute('d', d);
+  };
+  if (picture?.axis !== undefined) path('axis', `M0 ${picture.axis}H${WIDTH}`);
+  path('rapid', picture?.rapid ?? '');
+  path('cut', picture?.cut ?? '');
+  return svg;
+}
+
+const WORDS = words({
+  en: {
+    title: 'Gallery',
+    about: 'Programs to read, run and change. A card opens its program with its blank and tools.',
+    search: 'Search',
+    count: counter('en', { one: 'example', other: 'examples' }),
+    none: 'No example matches.',
+  },
+  zh: {
+    title: '示例',
+    about: '可阅读、运行和修改的程序。点击卡片，打开程序及其毛坯和刀具。',
+    search: '查找',
+    count: counter('zh', { other: '个示例' }),
+    none: '没有匹配的示例。',
+  },
+  ru: {
+    title: 'Примеры',
+    about: 'Программы, которые можно читать, запускать и менять. Карточка открывает программу с её заготовкой и инструментами.',
+    search: 'Поиск',
+    count: counter('ru', { one: 'пример', few: 'примера', many: 'примеров', other: 'примера' }),
+    none: 'Подходящих примеров нет.',
+  },
+});

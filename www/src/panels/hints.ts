@@ -1,0 +1,104 @@
+// The hints of the first minute, one after the other, each where there is something to do: in the program, at the
+// play button, over the picture. What the reader does, or waves away, is not hinted at again; then there is silence.
+//
+// In: the hints that are left, as the element's attribute `hints` (none without it). Out: the attribute as it is to be,
+// and the event `gcode-hint`, so that the page can remember it. Must not know: where that is remembered.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Readout } from '../protocol/protocol';
+import type { Panel, PanelKind, Shell } from './panel';
+import hintsStyles from './hints.css?inline';
+
+const NAMES = ['edit', 'play', 'pick'] as const;
+type Name = (typeof NAMES)[number];
+
+export const hints: PanelKind = { styles: hintsStyles, make: (shell) => new Hints(shell) };
+
+class Hints implements Panel {
+  readonly #host: Element;
+  readonly #shown: Readonly<Record<Name, Hint>>;
+  readonly places: Panel['places'];
+
+  constructor(shell: Shell) {
+    this.#host = shell.root.host;
+    this.#shown = { edit: this.#hint('edit'), play: this.#hint('play'), pick: this.#hint('pick') };
+    const { edit, play, pick } = this.#shown;
+    // It takes no room from the pictures.
+    const overPictures = make('div', { className: 'over-pictures' }, pick.element, play.element);
+    this.places = { notices: [edit.element], pictures: [overPictures] };
+    this.#host.addEventListener('gcode-change', () => this.#done('edit'));
+    this.#host.addEventListener('gcode-select', () => this.#done('pick'));
+    this.#show();
+  }
+
+  set language(language: Language) {
+    for (const name of NAMES) this.#shown[name].say(WORDS[language][name], WORDS[language].dismiss);
+  }
+
+  toolMoved(place: Readout | undefined): void {
+    if (place !== undefined) this.#done('play');
+  }
+
+  #hint(name: Name): Hint {
+    return new Hint(name, () => this.#done(name));
+  }
+
+  get #left(): readonly Name[] {
+    const left = (this.#host.getAttribute('hints') ?? '').split(' ');
+    return NAMES.filter((name) => left.includes(name));
+  }
+
+  #done(name: Name): void {
+    const before = this.#left;
+    if (!before.includes(name)) return;
+    const left = before.filter((other) => other !== name).join(' ');
+    this.#host.setAttribute('hints', left);
+    this.#host.dispatchEvent(new CustomEvent('gcode-hint', { detail: { left }, bubbles: true, composed: true }));
+    this.#show();
+  }
+
+  /** The next one. */
+  #show(): void {
+    const [next] = this.#left;
+    for (const name of NAMES) this.#shown[name].element.hidden = name !== next;
+  }
+}
+
+class Hint {
+  readonly element: HTMLElement;
+  readonly #text = make('p');
+  readonly #dismiss = make('button', { type: 'button' });
+
+  constructor(name: Name, dismissed: () => void) {
+    this.element = make('div', { className: `hint at-${name}`, part: 'hint', role: 'note' }, this.#text, this.#dismiss);
+    this.#dismiss.addEventListener('click', dismissed);
+  }
+
+  say(text: string, dismiss: string): void {
+    this.#text.textContent = text;
+    this.#dismiss.textContent = dismiss;
+  }
+}
+
+const WORDS = words({
+  en: {
+    edit: 'Change a number in the program: the picture follows.',
+    play: 'Play below shows the tool at work; its block is marked in the program.',
+    pick: 'Click a stroke to find the block that made it.',
+    dismiss: 'Got it',
+  },
+  zh: {
+    edit: '修改程序中的一个数，图形随之变化。',
+    play: '按下方的“播放”观看刀具运动，程序中会标出正在执行的程序段。',
+    pick: '单击线条，找到生成它的程序段。',
+    dismiss: '知道了',
+  },
+  ru: {
+    edit: 'Измените число в программе — рисунок последует за ним.',
+    play: '«Пуск» внизу показывает работу инструмента; его кадр отмечен в программе.',
+    pick: 'Щёлкните по линии, чтобы найти её кадр.',
+    dismiss: 'Понятно',
+  },
+});

@@ -1,0 +1,137 @@
+// The time of the program in the line at the foot, and the table of what each tool does: time, paths, extents.
+//
+// In: the totals of the newest run, asked for once its path is there. Must not know: how they come about.
+
+import { make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Totals } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import { clock, countsOfUnknown } from './duration';
+import type { Panel, PanelKind, Shell } from './panel';
+import totalsStyles from './totals.css?inline';
+
+/** Motions of a program that is added up with each change; a longer one when its table is opened. */
+const ADDED_UP_AT_ONCE = 50_000;
+
+export const totals: PanelKind = { styles: totalsStyles, make: (shell) => new TotalsPanel(shell) };
+
+class TotalsPanel implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'totals-button quiet', 'aria-haspopup': 'dialog', hidden: true });
+  readonly #title = make('h2');
+  readonly #close = make('button', { type: 'button', className: 'quiet close' }, '×');
+  readonly #body = make('div', { className: 'scroller', tabIndex: 0, role: 'region' });
+  readonly #notes = make('p', { hidden: true });
+  readonly #element = make('div', { className: 'totals', part: 'totals', role: 'dialog', popover: 'auto' }, this.#title, this.#close, this.#body, this.#notes);
+  /** One row for each tool, and the last for the whole program. */
+  #rows: readonly Totals[] = [];
+  readonly places = { foot: [this.#button], dialogs: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.popoverTargetElement = this.#element;
+    this.#close.addEventListener('click', () => this.#element.hidePopover());
+    this.#element.addEventListener('beforetoggle', (event) => {
+      if ((event as ToggleEvent).newState === 'open' && this.#rows.length === 0) void this.#ask();
+    });
+  }
+
+  set language(language: Language) {
+    this.#title.textContent = WORDS[language].title;
+    this.#element.setAttribute('aria-label', WORDS[language].title);
+    name(this.#close, COMMON[language].close);
+    this.#show();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    const { stage, summary } = event.report;
+    if (stage !== 'whole' && stage !== 'path') return;
+    this.#button.hidden = summary.motions === 0;
+    if (summary.motions > 0 && (summary.motions <= ADDED_UP_AT_ONCE || this.#element.matches(':popover-open'))) void this.#ask();
+    else this.#set([]);
+  }
+
+  lost(): void {
+    this.#button.hidden = true;
+  }
+
+  async #ask(): Promise<void> {
+    const rows = await this.#shell.ask('totals', undefined);
+    // Another run has begun since, and asks for its own.
+    if (rows !== undefined) this.#set(rows);
+  }
+
+  #set(rows: readonly Totals[]): void {
+    this.#rows = rows;
+    this.#show();
+  }
+
+  #show(): void {
+    const { language } = this.#shell;
+    const texts = WORDS[language];
+    const all = this.#rows.at(-1);
+    this.#button.textContent = texts.time(all === undefined ? '…' : time(all, language));
+    this.#button.title = texts.title;
+    this.#body.setAttribute('aria-label', texts.title);
+    if (all === undefined) {
+      this.#body.replaceChildren();
+      this.#notes.hidden = true;
+      return;
+    }
+    const head = texts.columns.map((text) => make('th', { scope: 'col' }, text));
+    const rows = this.#rows.map((row) => this.#row(row, row === all ? texts.whole : (row.tool ?? texts.noTool)));
+    this.#body.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)));
+    const notes = [all.unknownRapids > 0 ? texts.rapidsUnknown : '', all.unknownCuts > 0 ? texts.cutsUnknown : ''].filter((note) => note !== '');
+    this.#notes.hidden = notes.length === 0;
+    this.#notes.textContent = notes.join(' ');
+  }
+
+  #row(row: Totals, first: string): HTMLElement {
+    const { low, high, cut, rapid } = row;
+    const range = (from: number | undefined, to: number | undefined): string => (from === undefined || to === undefined ? '–' : `${shown(from)} … ${shown(to)}`);
+    const cells = [time(row, this.#shell.language), cut.toFixed(1), rapid.toFixed(1), range(low?.x, high?.x), range(low?.z, high?.z)];
+    return make('tr', {}, make('th', { scope: 'row' }, first), ...cells.map((cell) => make('td', {}, cell)));
+  }
+}
+
+/** "1:38 + 12 rapids": what is not known is counted, never guessed. */
+function time({ seconds, unknownCuts, unknownRapids }: Totals, language: Language): string {
+  const unknown = countsOfUnknown({ seconds, unknownCuts, unknownRapids }, language);
+  return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${clock(seconds)}${unknown}`;
+}
+
+function shown(value: number): string {
+  return String(Number(value.toFixed(3))).replace('-', '−');
+}
+
+const WORDS = words({
+  en: {
+    time: (time: string) => `Time ${time}`,
+    title: 'Time and totals',
+    columns: ['Tool', 'Time', 'Cut, mm', 'Rapid, mm', 'X of the cuts, ⌀', 'Z of the cuts'],
+    whole: 'All',
+    noTool: '–',
+    rapidsUnknown: 'How long rapids take is not known: the setup gives no rapid traverse rate.',
+    cutsUnknown: 'How long some cuts take is not known: they have no feed rate, or the spindle is stopped.',
+  },
+  zh: {
+    time: (time) => `时间 ${time}`,
+    title: '时间与合计',
+    columns: ['刀具', '时间', '切削，mm', '快移，mm', '切削 X 范围，⌀', '切削 Z 范围'],
+    whole: '合计',
+    noTool: '–',
+    rapidsUnknown: '快速移动所需时间未知：设置中没有给出快移速度。',
+    cutsUnknown: '部分切削所需时间未知：没有进给量，或主轴未转动。',
+  },
+  ru: {
+    time: (time) => `Время ${time}`,
+    title: 'Время и итоги',
+    columns: ['Инструмент', 'Время', 'Резание, мм', 'Ускоренно, мм', 'X резания, ⌀', 'Z резания'],
+    whole: 'Всего',
+    noTool: '–',
+    rapidsUnknown: 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.',
+    cutsUnknown: 'Время некоторых рабочих ходов неизвестно: нет подачи или шпиндель не вращается.',
+  },
+});
