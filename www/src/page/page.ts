@@ -7,7 +7,8 @@
 import '../shell/element';
 import './page.css';
 import { make } from '../dom/dom';
-import type { GcodePlayground } from '../shell/element';
+import type { GcodePlayground, OpenedProgram } from '../shell/element';
+import type { ProgramContext } from '../editor/holder';
 import type { ProgramFile } from '../editor/program-text';
 import { exampleOf, examples, type Example } from './gallery';
 import { linkedProgram, type LinkedProgram } from './linked';
@@ -21,13 +22,20 @@ const CONTROLS = [
   ['gsk', 'GSK'],
   ['forum', 'Forum'],
 ] as const;
+/** Whose the program of a link is; no example is called so. */
+const OF_A_LINK = '#program';
 const THEMES = ['auto', 'light', 'dark'] as const;
 /** How long the reader must pause before the program is kept. */
 const KEEP_AFTER_MS = 400;
 /** Browsers keep about five million units for a page; a longer program would only make it stand still. */
 const KEPT_LENGTH = 2_000_000;
 
-type Above = { readonly kind: 'example' } | { readonly kind: 'restored' } | { readonly kind: 'kept'; readonly program: KeptProgram };
+type Above =
+  | { readonly kind: 'example' }
+  | { readonly kind: 'restored' }
+  | { readonly kind: 'kept'; readonly program: KeptProgram }
+  /** The reader has changed the program that the address held. */
+  | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram };
 
 const playground = find<GcodePlayground>('playground');
 const intro = find('intro');
@@ -68,6 +76,12 @@ function begin(): void {
   const linked = linkedProgram(location.hash);
   if (linked !== undefined) {
     const kept = keptProgram();
+    // The program of the link, perhaps under another setup.
+    if (kept !== undefined && kept.example === '' && inUnits(kept.text) === inUnits(linked.text)) {
+      restore(kept);
+      playground.origin = OF_A_LINK;
+      return;
+    }
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
     return;
@@ -85,13 +99,24 @@ function begin(): void {
 /** A program of the reader's own choice is no example. */
 function loadLinked({ text, setup }: LinkedProgram): void {
   load(undefined);
-  playground.setup = setup;
-  playground.blockSkip = playground.program = null;
-  playground.control = controlSelect.value = controlOf(setup ?? '{}');
-  playground.value = text;
-  known = playground.value;
+  put({ control: controlOf(setup ?? '{}'), setup, origin: OF_A_LINK }, { text, file: undefined });
   showExamples();
   showAbove({ kind: 'example' });
+}
+
+/** A program with its context; the switches are as the setup has them. */
+function put(
+  { control, setup, origin, blockSkip = null, program = null }: Partial<ProgramContext> & Pick<ProgramContext, 'control' | 'setup' | 'origin'>,
+  opened: OpenedProgram,
+): void {
+  playground.origin = origin;
+  playground.setup = setup;
+  playground.blockSkip = blockSkip;
+  playground.program = program;
+  playground.control = control;
+  playground.opened = opened;
+  known = playground.value;
+  showControl();
 }
 
 function load(chosen: Example | undefined): void {
@@ -99,26 +124,38 @@ function load(chosen: Example | undefined): void {
   keeping = undefined;
   example = chosen;
   if (chosen !== undefined) {
-    playground.setup = chosen.setup;
-    playground.blockSkip = playground.program = null;
-    playground.control = controlSelect.value = controlOf(chosen.setup);
-    playground.value = known = chosen.program;
-    exampleSelect.value = chosen.id;
+    const { id, setup, program: text } = chosen;
+    put({ control: controlOf(setup), setup, origin: id }, { text, file: undefined });
+    showExamples();
   }
   showAbove({ kind: 'example' });
 }
 
-function restore(kept: KeptProgram): void {
-  load(kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]));
+/** Another program has taken the place of the one before, or undo has brought it back. */
+function followOrigin(): void {
+  showControl();
+  const now = exampleOf(playground.origin ?? undefined);
+  if (now === example) return;
+  example = now;
+  // The address names the example as long as it is one.
+  history.replaceState(null, '', now === undefined ? location.pathname + location.search : `#${now.id}`);
   showExamples();
+  showAbove({ kind: 'example' });
+}
+
+function restore(kept: KeptProgram): void {
+  clearTimeout(keeping);
+  keeping = undefined;
+  example = kept.example === '' ? undefined : (exampleOf(kept.example) ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+  const { text, file, setup, blockSkip = null, program = null } = kept;
   // A file that was kept before setups were is no example.
-  if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
-  else if (kept.file !== undefined) playground.setup = null;
-  playground.control = controlSelect.value = kept.control;
-  playground.blockSkip = kept.blockSkip ?? null;
-  playground.program = kept.program ?? null;
-  playground.opened = { text: kept.text, file: kept.file as ProgramFile | undefined };
-  known = playground.value;
+  const unsaid = file === undefined ? (example?.setup ?? null) : null;
+  put({
+    control: kept.control === '' ? null : kept.control,
+    setup: setup === undefined ? unsaid : setup === '' ? null : setup,
+    origin: example?.id ?? null, blockSkip, program,
+  }, { text, file: file as ProgramFile | undefined });
+  showExamples();
   showAbove({ kind: 'restored' });
 }
 
@@ -170,6 +207,9 @@ function listen(): void {
     showAbove(above);
     keepSoon();
   });
+  playground.addEventListener('gcode-context', followOrigin);
+  // A program that something else has put in has its own context, too.
+  playground.addEventListener('gcode-report', followOrigin);
   playground.addEventListener('gcode-switch', keepSoon);
   playground.addEventListener('gcode-setup', keepSoon);
   window.addEventListener('pagehide', keepNow);
@@ -200,15 +240,32 @@ function keepNow(): void {
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
   else {
-    // Who comes back finds what was kept, not what the address held.
-    if (linkedProgram(location.hash) !== undefined) history.replaceState(null, '', location.pathname + location.search);
+    leaveLink(text);
     keepProgram({
-      text: playground.opened.text, example: id, control: controlSelect.value, setup: setup ?? '',
+      text: playground.opened.text, example: id, control: playground.control ?? '', setup: setup ?? '',
       ...(file === undefined ? {} : { file }),
       ...(blockSkip === null ? {} : { blockSkip }),
       ...(program === null ? {} : { program }),
     });
   }
+}
+
+/** The address holds the program of a link until the text is another one: who comes back then finds what was kept. */
+function leaveLink(text: string): void {
+  if (above.kind === 'linked' && inUnits(above.linked.text) === text) {
+    history.replaceState(null, '', above.address);
+    showAbove({ kind: 'example' });
+  }
+  const linked = linkedProgram(location.hash);
+  if (linked === undefined || inUnits(linked.text) === text) return;
+  const address = location.hash;
+  history.replaceState(null, '', location.pathname + location.search);
+  if (playground.origin === OF_A_LINK) showAbove({ kind: 'linked', address, linked });
+}
+
+/** As the editor has it: each line end counts one. */
+function inUnits(text: string): string {
+  return text.replace(/\r\n?/g, '\n');
 }
 
 // ---- showing --------------------------------------------------------------------------------------
@@ -232,6 +289,12 @@ function showAbove(what: Above): void {
     lines.push(offer(texts.restored, texts.startAfresh, () => {
       forgetProgram();
       load(example ?? exampleOf(FIRST_EXAMPLE) ?? examples[0]);
+    }));
+  }
+  if (what.kind === 'linked') {
+    lines.push(offer(texts.linked, texts.asLinked, () => {
+      history.replaceState(null, '', what.address);
+      loadLinked(what.linked);
     }));
   }
   if (what.kind === 'kept') lines.push(offer(texts.kept, texts.bringBack, () => restore(what.program)));
@@ -277,6 +340,11 @@ function showTheme(theme: string): void {
   themeSelect.value = theme;
   document.documentElement.dataset['theme'] = theme;
   playground.theme = theme;
+}
+
+/** Which control the program is run on; the setup decides where the reader has chosen none. */
+function showControl(): void {
+  controlSelect.value = playground.control ?? controlOf(playground.setup ?? '{}');
 }
 
 function label(select: HTMLSelectElement, text: string): void {

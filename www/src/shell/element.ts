@@ -17,7 +17,9 @@
 // `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
-// text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
+// text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
+// A text that replaces most of the one before is another program: the attributes of the program are removed and
+// `origin` becomes null, unless the page sets one of them in the same turn before the text. Undo brings all of it back. Methods: play(), pause(),
 // openFile(file), saveFile(), focus(), and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
 //                              size and colours of now is shown, the part with all its material off included;
@@ -32,6 +34,8 @@
 //   gcode-settled  detail {run}: as `settled`, each time
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
+//   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
+//                  one before, or undo has brought one back; attributes and `origin` are as the detail says
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
@@ -57,9 +61,14 @@ export interface OpenedProgram {
   readonly file: ProgramFile | undefined;
 }
 
+/** Attributes that go with the program. */
+const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
+
 export class GcodePlayground extends HTMLElement {
   static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
 
+  /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
+  #origin: string | null = null;
   /** Made when the element is first in a document. */
   #made: PlaygroundShell | undefined;
   /** What was set before. */
@@ -80,6 +89,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
+    if (OF_THE_PROGRAM.includes(attribute)) this.#made?.contextGiven();
     if (before === now) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
@@ -164,6 +174,15 @@ export class GcodePlayground extends HTMLElement {
 
   set program(number: string | null) {
     this.#setOrRemove('program', number);
+  }
+
+  get origin(): string | null {
+    return this.#origin;
+  }
+
+  set origin(origin: string | null) {
+    this.#origin = origin;
+    this.#made?.contextGiven();
   }
 
   get theme(): string {
