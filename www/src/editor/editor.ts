@@ -169,7 +169,7 @@ export class Editor implements TextHolder {
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics);
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics, (setting) => this.#events.settingChosen(setting));
     // What stands there already costs a key nothing.
     if (!areShown(this.#view.state, shown)) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
   }

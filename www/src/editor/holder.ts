@@ -3,7 +3,7 @@
 // Offsets count every line end as one unit, as everywhere in this page. What the page does to the text fires
 // no event; what the reader does, does.
 
-import type { Fix, TextCommand } from '../protocol/protocol';
+import type { Fix, Setting, TextCommand } from '../protocol/protocol';
 import type { ProgramFile, ProgramText } from './program-text';
 
 export interface Span {
@@ -42,6 +42,8 @@ export interface EditorEvents extends TextEvents, ContextEvents {
   contextChanged(context: ProgramContext): void;
 
   cursorMoved(): void;
+  /** The answer to a problem is a setting. */
+  settingChosen(setting: Setting): void;
   /** Other lines are in sight. */
   viewMoved(): void;
   /** A text was pasted or dropped; it stands there now. */

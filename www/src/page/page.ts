@@ -211,7 +211,10 @@ function listen(): void {
   // A program that something else has put in has its own context, too.
   playground.addEventListener('gcode-report', followOrigin);
   playground.addEventListener('gcode-switch', keepSoon);
-  playground.addEventListener('gcode-setup', keepSoon);
+  playground.addEventListener('gcode-setup', () => {
+    showControl();
+    keepSoon();
+  });
   window.addEventListener('pagehide', keepNow);
 }
 

@@ -8,7 +8,9 @@ import { help } from './help';
 import type { PanelKind } from './panel';
 import { paste } from './paste';
 import { playback } from './playback';
+import { readAs } from './read-as';
 import { problems } from './problems';
+import { profiles } from './profiles';
 import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
@@ -19,7 +21,7 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  fileBar, switches, problems, setup, views, playback, statusLine, paste, solid, exports, rewrite, writtenOut, help, codes,
+  fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, paste, solid, exports, rewrite, writtenOut, help, codes,
 ];
 
 /** Of what stands beside them. */

@@ -83,12 +83,13 @@ export class PlaygroundShell implements Shell {
     this.editor = new Program(this.#language, {
       changed: () => this.#runs.typed(),
       context: () => this.#context,
-      neutral: () => NEUTRAL,
+      neutral: () => this.#neutral,
       contextChanged: (context) => {
         this.#runs.anotherProgram();
         this.#runIn(context, 'by-the-reader');
       },
       cursorMoved: () => this.#runs.cursorMoved(),
+      settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
       fileChanged: () => this.#tell((panel) => panel.fileChanged?.(this.editor.file)),
       pasted: (from, to) => {
@@ -181,7 +182,7 @@ export class PlaygroundShell implements Shell {
   put(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
     const isAnother = !this.#contextGiven && isAnotherProgram(editor.text, program.pieces.join(''), [{ from: 0, to: editor.length }]);
-    const context = isAnother ? NEUTRAL : this.#context;
+    const context = isAnother ? this.#neutral : this.#context;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', context);
     this.#runIn(context, 'by-the-page');
     this.#runs.forgetCursor();
@@ -246,8 +247,9 @@ export class PlaygroundShell implements Shell {
 
   take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
     if (as === 'another') {
-      this.editor.setText(program, file, 'undoable', NEUTRAL);
-      this.#runIn(NEUTRAL, 'by-the-reader');
+      const context = this.#neutral;
+      this.editor.setText(program, file, 'undoable', context);
+      this.#runIn(context, 'by-the-reader');
     } else this.editor.setText(program, file, 'undoable');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
@@ -275,8 +277,11 @@ export class PlaygroundShell implements Shell {
   }
 
   changeSetup(setup: string | null): void {
-    if (this.#host.setup === setup) return;
-    this.#host.setup = setup;
+    const host = this.#host;
+    if (host.setup === setup && host.control === null) return;
+    host.setup = setup;
+    // The form has shown what the attribute says, and the setup says it now.
+    host.control = null;
     this.#events.fire('gcode-setup', { setup });
   }
 
@@ -331,6 +336,11 @@ export class PlaygroundShell implements Shell {
   get #context(): ProgramContext {
     const { control, setup, blockSkip, program, origin } = this.#host;
     return { control, setup, blockSkip, program, origin };
+  }
+
+  /** That of a program of which nothing is known but its text: it is run on the reader's own machine. */
+  get #neutral(): ProgramContext {
+    return { ...NEUTRAL, setup: this.#services.ownSetup?.() ?? null };
   }
 
   #runIn(context: ProgramContext, by: 'by-the-reader' | 'by-the-page'): void {
