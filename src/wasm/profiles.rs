@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::{Playground, to_js};
+use super::{Playground, error, to_js};
 use crate::api::Profiles;
 use crate::parts::in_part;
 use crate::setup::Setup;
@@ -14,7 +14,7 @@ const KIND: &str = "/** What is kept under a name. */\nexport type ProfileKind =
 
 #[wasm_bindgen]
 impl Playground {
-    /// Machine and tools of a setup that is handed in, such as that of a file. Throws a text that says what is wrong with it.
+    /// Machine and tools of a setup that is handed in, such as that of a file. Throws what is wrong with it.
     #[wasm_bindgen(js_name = profilesIn, unchecked_return_type = "Profiles")]
     pub fn profiles_in(&self, json: &str) -> Result<JsValue, JsValue> {
         profiles_in(json)
@@ -42,7 +42,7 @@ impl Playground {
 in_part! {
     Tools "0701"
     fn profiles_in(json: &str) -> Result<JsValue, JsValue> {
-        let setup = Setup::from_json(json).map_err(|problem| JsValue::from_str(&problem))?;
+        let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
         // Written as the setup of a run is, so that the two can be compared.
         to_js(&Profiles::of_setup(&put_into_json(json, &setup)))
     }

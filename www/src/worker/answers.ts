@@ -62,7 +62,7 @@ function profilesIn(core: Playground, json: string): ProfilesRead {
     return { kind: 'profiles', profiles: core.profilesIn(json) };
   } catch (reason) {
     if (reason instanceof WebAssembly.RuntimeError) throw reason;
-    return { kind: 'wrong', reason: String(reason) };
+    return { kind: 'wrong', reason: reason instanceof Error ? reason.message : String(reason) };
   }
 }
 
