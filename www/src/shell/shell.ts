@@ -69,7 +69,7 @@ export class PlaygroundShell implements Shell {
   readonly #coming: Set<'panels' | 'editor'>;
   #settledRun: number | undefined;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
-  #contextGiven = false;
+  #contextGiven: ReturnType<typeof setTimeout> | undefined;
   /** Why the setup could not even be sent. */
   #setupUnreadable: string | undefined;
 
@@ -169,8 +169,9 @@ export class PlaygroundShell implements Shell {
 
   /** The page around has said how the program is run, if only once more. */
   contextGiven(): void {
-    this.#contextGiven = true;
-    queueMicrotask(() => (this.#contextGiven = false));
+    clearTimeout(this.#contextGiven);
+    // A task, not a microtask: those can run inside of a script that sets attribute and text.
+    this.#contextGiven = setTimeout(() => (this.#contextGiven = undefined));
   }
 
   /** The program the element starts with. */
@@ -181,7 +182,7 @@ export class PlaygroundShell implements Shell {
   /** Another program from outside, with no word to the page around. */
   put(program: ProgramText, file: ProgramFile | undefined): void {
     const { editor } = this;
-    const isAnother = !this.#contextGiven && isAnotherProgram(editor.text, program.pieces.join(''), [{ from: 0, to: editor.length }]);
+    const isAnother = this.#contextGiven === undefined && isAnotherProgram(editor.text, program.pieces.join(''), [{ from: 0, to: editor.length }]);
     const context = isAnother ? this.#neutral : this.#context;
     editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', context);
     this.#runIn(context, 'by-the-page');
