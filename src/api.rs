@@ -6,14 +6,19 @@
 
 mod inferred_stock;
 pub mod paste;
+mod profiles;
+mod read_as;
 mod readout;
 mod rewrite;
 mod rules;
+mod settings;
 pub mod setup;
 
 use serde::Serialize;
 
 pub use inferred_stock::{InferredStock, StockRow};
+pub use profiles::Profiles;
+pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 pub use rules::Rule;
@@ -99,6 +104,22 @@ pub struct Fix {
     pub safe: bool,
     /// Its edits.
     pub edits: Vec<Edit>,
+    /// What it sets in the setup instead.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub setting: Option<Setting>,
+}
+
+/// A setting and its value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct Setting {
+    /// Its key, as in the setup form: `dialect.pqUnit`.
+    pub key: String,
+    /// As it is entered there; none where only the reader knows it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub value: Option<String>,
 }
 
 /// Text to put in place of other text.
@@ -699,7 +720,10 @@ impl Places<'_> {
             message: sentence.message,
             help: sentence.help,
             alarm: diagnostic.message.alarm().map(str::to_owned),
-            fixes: diagnostic.fixes.iter().map(|fix| self.fix(fix, language)).collect(),
+            fixes: {
+                let edits = diagnostic.fixes.iter().map(|fix| self.fix(fix, language));
+                edits.chain(settings::fixes(&diagnostic.message, language)).collect()
+            },
         }
     }
 
@@ -735,7 +759,7 @@ impl Places<'_> {
 
     fn fix(&self, fix: &message::Fix, language: Language) -> Fix {
         let edits = fix.edits.iter().map(|edit| self.edit(edit.span, edit.text.clone()));
-        Fix { title: fix.title.words(language), safe: fix.safe, edits: edits.collect() }
+        Fix { title: fix.title.words(language), safe: fix.safe, edits: edits.collect(), setting: None }
     }
 
     /// First line and column, last line and column, from 1.

@@ -22,7 +22,7 @@ use crate::machine::{SimulationResult, danger};
 use crate::message::{Diagnostic, Fix, said, sort_by_place};
 use crate::motion::Motions;
 use crate::parts::{Part, in_part};
-use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint};
+use crate::provenance::{self, DecimalEvidence, Foreign, Look, NumberWithoutPoint, Target};
 use crate::setup::dialect::{CodeList, DecimalChoice, DecimalRule, DialectChoice, GSystem};
 use crate::setup::notes::Notes;
 use crate::setup::{Lints, Setup, tool_words};
@@ -509,6 +509,22 @@ impl Run {
     /// Blocks read so far, those that are run again included; empty ones are not counted.
     pub fn blocks(&self) -> usize {
         self.blocks
+    }
+
+    /// The control or machine that the text was recognised to be for, and which is not read here.
+    pub fn foreign(&self) -> Option<Target> {
+        self.recognised.foreign.map(|foreign| foreign.target)
+    }
+
+    /// The G-code system the text was recognised to be written in.
+    pub fn recognised_system(&self) -> Option<GSystem> {
+        self.recognised.system.map(|system| system.0)
+    }
+
+    /// The O number of the program that is run: the one that is chosen, or the first.
+    pub fn program_number(&self) -> Option<u32> {
+        let first = self.programs.iter().min_by_key(|(_, start)| **start);
+        self.setup().program.or(first.map(|(number, _)| *number))
     }
 
     /// The G codes the program is read with.

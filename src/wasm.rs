@@ -11,6 +11,7 @@ mod paste;
 mod picture_name;
 mod pictures;
 mod playback;
+mod profiles;
 mod rewrite;
 mod setup;
 

@@ -6,6 +6,9 @@ use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::message::{Levels, RULES, Severity};
 use gcode_playground::setup::as_comments::{changes, lines};
+use gcode_playground::setup::dialect::{
+    Control, DecimalChoice, DialectChoice, FeedMode, GSystem, NegativeArcR, PqUnit,
+};
 use gcode_playground::setup::draft::put_into_json;
 use gcode_playground::setup::fields::{self, Entry, Field, Unit};
 use gcode_playground::setup::notes::{DIALECT_WORDS, MACHINE_WORDS, Notes, RULE_WORDS, TOOL_WORDS};
@@ -80,12 +83,32 @@ fn rules() -> impl Strategy<Value = Levels> {
 }
 
 prop_compose! {
+    fn dialect()(
+        control in proptest::option::of(proptest::sample::select(Control::ALL.to_vec())),
+        g_system in proptest::option::of(proptest::sample::select(GSystem::ALL.to_vec())),
+        feed_mode in proptest::option::of(proptest::sample::select(FeedMode::ALL.to_vec())),
+        decimal in proptest::option::of(proptest::sample::select(DecimalChoice::ALL.to_vec())),
+        pq_unit in proptest::option::of(proptest::sample::select(PqUnit::ALL.to_vec())),
+        negative_arc_r in proptest::option::of(proptest::sample::select(NegativeArcR::ALL.to_vec())),
+        ref_point in proptest::option::of((diameter(), length())),
+        (recognise, strict, type_ii) in (any::<Option<bool>>(), any::<Option<bool>>(), any::<Option<bool>>()),
+    ) -> DialectChoice {
+        let ref_point = ref_point.map(|(x, z)| Position { x, z });
+        DialectChoice {
+            control, g_system, feed_mode, decimal, pq_unit, negative_arc_r, ref_point, recognise, strict, type_ii,
+            ..DialectChoice::default()
+        }
+    }
+}
+
+prop_compose! {
     fn setup()(
         stock in proptest::option::of((diameter(), diameter(), length(), length(), maybe())),
         tailstock in proptest::option::of((length(), diameter())),
         start in proptest::option::of((diameter(), length())),
         machine in machine(),
         rules in rules(),
+        dialect in dialect(),
         tools in proptest::collection::btree_map("T[0-9]{4}", tool(), 0..4),
     ) -> Setup {
         Setup {
@@ -94,6 +117,7 @@ prop_compose! {
             initial: start.map(|(x, z)| Position { x, z }),
             machine,
             rules,
+            dialect,
             // A tool of which nothing is said is not written.
             tools: tools.into_iter().filter(|(_, tool)| *tool != Tool::default()).collect(),
             ..Setup::default()
@@ -189,6 +213,7 @@ fn rows<T>(json: &str, note: &str, fields: &[Field<T>]) -> Vec<String> {
             Entry::Number(Unit::TurnsPerMinute) => "rpm".into(),
             Entry::Whole => "whole number".into(),
             Entry::Text => "letters and digits".into(),
+            Entry::Switch => "`true` `false`".into(),
             Entry::Choice(choices) => {
                 choices.iter().map(|one| format!("`{one}`")).collect::<Vec<_>>().join(" ")
             }

@@ -17,7 +17,7 @@ use crate::machine::resolved_setup::{Basis, ResolvedSetup};
 use crate::message::{Levels, Severity};
 use crate::sentences::{Language, labels};
 use crate::setup::as_comments::{self, Change};
-use crate::setup::dialect::{DecimalChoice, DecimalRule, DialectChoice};
+use crate::setup::dialect::{DecimalChoice, DecimalRule, Dialect, DialectChoice, GSystem};
 use crate::setup::draft::{self, Draft, Entry as Entered, NO_TAILSTOCK};
 use crate::setup::fields::{self, Entry, Field, Value};
 use crate::setup::notes::{Notes, tool_name};
@@ -174,6 +174,8 @@ pub struct Subject<'a> {
     pub inferred: &'a Setup,
     /// What numbers without a point count in the run.
     pub decimal: DecimalRule,
+    /// The G-code system that the program was recognised to be written in.
+    pub system: Option<GSystem>,
     /// The language of labels.
     pub language: Language,
 }
@@ -213,7 +215,7 @@ impl Subject<'_> {
         let tailstock = given.tailstock.as_ref();
         groups.push(self.group("tailstock", "tailstock.", fields::TAILSTOCK, tailstock, tailstock.is_some()));
         let dialect = &given.dialect;
-        let is_said = dialect.decimal.is_some();
+        let is_said = fields::values(fields::DIALECT, dialect).next().is_some();
         groups.push(self.group("control", "dialect.", fields::DIALECT, Some(dialect), is_said));
         let rules = &given.rules;
         groups.push(self.group("rules", "rules.", fields::RULES, Some(rules), !rules.is_empty()));
@@ -251,6 +253,7 @@ impl Subject<'_> {
         let rows = fields.iter().map(|field| {
             let choices: &[&'static str] = match field.entry {
                 Entry::Choice(choices) => choices,
+                Entry::Switch => fields::SWITCH,
                 _ => &[],
             };
             let unit = match field.entry {
@@ -264,7 +267,7 @@ impl Subject<'_> {
                 entry: match field.entry {
                     Entry::Number(_) | Entry::Whole => "number",
                     Entry::Text => "text",
-                    Entry::Choice(_) => "choice",
+                    Entry::Choice(_) | Entry::Switch => "choice",
                 },
                 choices: choices
                     .iter()
@@ -328,10 +331,7 @@ impl Subject<'_> {
             initial: written.initial.and(page.initial),
             machine,
             tools,
-            dialect: DialectChoice {
-                decimal: written.dialect.decimal.and(page.dialect.decimal),
-                ..DialectChoice::default()
-            },
+            dialect: fields::covered(fields::DIALECT, &written.dialect, &page.dialect),
             rules: if written.rules.is_empty() { Levels::default() } else { page.rules.clone() },
             ..Setup::default()
         }
@@ -352,7 +352,7 @@ impl Subject<'_> {
         }
         let rear = labels::choice(fields::Name::Turret, "rear", language);
         all.insert("machine.turret".into(), Some(rear.into()));
-        put(&mut all, "dialect.", fields::DIALECT, &DialectChoice::default(), language);
+        put(&mut all, "dialect.", fields::DIALECT, &in_force(draft, self.system), language);
         let holds = labels::choice(fields::Name::Decimal, DecimalChoice::from(self.decimal).name(), language);
         all.insert("dialect.decimal".into(), Some(holds.into()));
         put(&mut all, "rules.", fields::RULES, &Levels::default(), language);
@@ -380,6 +380,23 @@ impl Subject<'_> {
     }
 }
 
+/// The switches of the control where nothing is entered: those of the control that is entered.
+fn in_force(draft: &Draft, recognised: Option<GSystem>) -> DialectChoice {
+    let dialect = Dialect::new(&draft.setup.dialect);
+    DialectChoice {
+        control: Some(dialect.control),
+        g_system: draft.setup.dialect.g_system.or(recognised).or(Some(dialect.g_system)),
+        feed_mode: Some(dialect.feed_mode),
+        pq_unit: Some(dialect.pq_unit),
+        ref_point: Some(dialect.ref_point),
+        recognise: Some(draft.setup.dialect.recognise.unwrap_or(true)),
+        strict: Some(dialect.strict),
+        type_ii: Some(dialect.type_ii),
+        negative_arc_r: Some(dialect.negative_arc_r),
+        ..DialectChoice::default()
+    }
+}
+
 fn put<T>(
     all: &mut BTreeMap<String, Option<String>>,
     prefix: &str,
@@ -401,6 +418,9 @@ fn in_words<T>(field: &Field<T>, value: Value, language: Language) -> String {
             own.map_or(text, |own| labels::choice(field.name, own, language).into())
         }
         (_, Value::Number(number)) => crate::units::number(number),
+        (_, Value::Switch(is_on)) => {
+            labels::choice(field.name, fields::SWITCH[usize::from(!is_on)], language).into()
+        }
         (_, value) => value.to_string(),
     }
 }

@@ -76,7 +76,7 @@ pub(super) enum Command {
     Rules {
         /// A setup whose `rules` set severities.
         #[arg(long)]
-        setup: Option<PathBuf>,
+        setup: Vec<PathBuf>,
         #[command(flatten)]
         texts: Texts,
         #[command(flatten)]

@@ -33,6 +33,7 @@ use crate::scene::svg::SvgOptions;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::{CodeList, GSystem};
+use crate::setup::profile;
 use crate::source::LineIndex;
 
 use arguments::{Arguments, Command};
@@ -305,16 +306,16 @@ fn run_text(
 
 /// The setup that is named.
 fn setup_of(with: &With) -> Result<Setup, String> {
-    let mut setup = match &with.setup {
-        None => Setup::default(),
-        Some(path) => {
-            let json =
-                std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-            Setup::from_json(&json).map_err(|error| format!("{}: {error}", path.display()))?
-        }
-    };
+    let mut setups = Vec::new();
+    for path in &with.setup {
+        let at = |error: String| format!("{}: {error}", path.display());
+        let json = std::fs::read_to_string(path).map_err(|error| at(error.to_string()))?;
+        Setup::from_json(&json).map_err(at)?;
+        setups.push(json);
+    }
+    let mut setup = profile::joined(&setups)?;
     if let Some(control) = with.control {
-        setup.dialect.control = control.control();
+        setup.dialect.control = Some(control.control());
     }
     Ok(setup)
 }

@@ -23,9 +23,10 @@ pub(super) struct Input {
 /// What programs are run with.
 #[derive(clap::Args)]
 pub(super) struct With {
-    /// Setup: control, tools, stock, start point, as JSON.
+    /// Setup: control, tools, stock, start point, as JSON. Given more than once (a machine, a table of tools),
+    /// of each group the last one holds.
     #[arg(long)]
-    pub setup: Option<PathBuf>,
+    pub setup: Vec<PathBuf>,
     /// The control; overrides the one of the setup.
     #[arg(long, value_enum)]
     pub control: Option<ControlName>,

@@ -6,6 +6,7 @@
 use super::language::Language;
 use crate::message::{Kind, Severity};
 use crate::setup::ToolKind;
+use crate::setup::dialect::{DecimalRule, FeedMode, GSystem};
 use crate::setup::draft::EntryError;
 use crate::setup::fields::{Name, ReadError, Unit};
 use crate::setup::invalid::Requirement;
@@ -87,7 +88,21 @@ pub fn field(name: Name, language: Language) -> &'static str {
         Name::LeastZ => ["Z min", "Z 最小值", "Z мин."],
         Name::GreatestZ => ["Z max", "Z 最大值", "Z макс."],
         Name::Turret => ["Turret", "刀架", "Револьверная головка"],
+        Name::Control => ["Control", "数控系统", "Система ЧПУ"],
+        Name::GSystem => ["G-code system", "G 代码体系", "Система G-кодов"],
+        Name::FeedMode => ["Feed mode at the start", "开始时的进给方式", "Подача в начале"],
         Name::Decimal => ["Number without a point", "无小数点的数", "Число без точки"],
+        Name::PqUnit => ["P and Q of G74 to G76", "G74 至 G76 的 P、Q", "P и Q в G74–G76"],
+        Name::RefPointX => {
+            ["Reference point X (diameter)", "参考点 X（直径）", "Референтная точка X (диаметр)"]
+        }
+        Name::RefPointZ => ["Reference point Z", "参考点 Z", "Референтная точка Z"],
+        Name::Recognise => {
+            ["Recognise programs for other controls", "识别其他系统的程序", "Распознавать чужие программы"]
+        }
+        Name::Strict => ["Alarms instead of warnings", "用报警代替警告", "Ошибки вместо предупреждений"],
+        Name::Pockets => ["Pockets in G71 and G72", "G71、G72 的凹槽", "Карманы в G71 и G72"],
+        Name::NegativeArcR => ["Negative R on an arc", "圆弧的负 R", "Отрицательный R дуги"],
         Name::Classroom => ["Classroom checklist", "课堂检查清单", "Учебный контрольный список"],
     })
 }
@@ -165,12 +180,91 @@ pub fn choice(name: Name, choice: &'static str, language: Language) -> &'static 
             "按 0.001 mm 或 0.0001 in 计",
             "в 0,001 мм или 0,0001 дюйма",
         ]),
+        (Name::Control, "fanuc") => "FANUC",
+        (Name::Control, "gsk") => "GSK 980TD",
+        (Name::Control, "forum") => {
+            language.among(["FANUC, P and Q in mm", "FANUC，P、Q 以 mm 计", "FANUC, P и Q в мм"])
+        }
+        (Name::FeedMode, "G98") => language.among(["mm/min (G98)", "mm/min（G98）", "мм/мин (G98)"]),
+        (Name::FeedMode, "G99") => language.among(["mm/rev (G99)", "mm/r（G99）", "мм/об (G99)"]),
+        (Name::PqUnit, "auto") => language.among(["inferred from the program", "按程序判断", "по программе"]),
+        (Name::PqUnit, "um") => language.among(["in 0.001 mm", "以 0.001 mm 计", "в 0,001 мм"]),
+        (Name::PqUnit, "mm") => language.among(["in mm", "以 mm 计", "в мм"]),
+        (Name::NegativeArcR, "over180") => {
+            language.among(["arc of more than 180°", "大于 180° 的圆弧", "дуга больше 180°"])
+        }
+        (Name::NegativeArcR, "alarm") => language.among(["alarm", "报警", "ошибка"]),
+        (Name::Recognise | Name::Strict | Name::Pockets, "true") => language.among(["yes", "是", "да"]),
+        (Name::Recognise | Name::Strict | Name::Pockets, "false") => language.among(["no", "否", "нет"]),
         (Name::Classroom, level) => Severity::named(level).map_or(choice, |level| severity(level, language)),
         _ => ToolKind::ALL
             .into_iter()
             .find(|kind| kind.name() == choice)
             .map_or(choice, |own| tool_kind(own, language)),
     }
+}
+
+/// A G-code system.
+pub fn system(system: GSystem, language: Language) -> String {
+    format!("{} {}", language.among(["system", "体系", "система"]), system.name())
+}
+
+/// The unit of length a program is written in.
+pub fn unit_of_program(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["inch", "英寸", "дюймы"],
+    })
+}
+
+/// What a number without a decimal point counts.
+pub fn without_point(rule: DecimalRule, unit: units::Unit, language: Language) -> String {
+    let said = language.among(["no point", "无小数点", "без точки"]);
+    let counts = language.among(match (rule, unit) {
+        (DecimalRule::Calculator, units::Unit::Millimetre) => ["mm", "mm", "мм"],
+        (DecimalRule::Calculator, units::Unit::Inch) => ["in", "in", "дюйм"],
+        (DecimalRule::LeastIncrement, units::Unit::Millimetre) => ["0.001 mm", "0.001 mm", "0,001 мм"],
+        (DecimalRule::LeastIncrement, units::Unit::Inch) => ["0.0001 in", "0.0001 in", "0,0001 дюйма"],
+    });
+    format!("{said} = {counts}")
+}
+
+/// The unit of the feed.
+pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'static str {
+    language.among(match (mode, unit) {
+        (FeedMode::PerTurn, units::Unit::Millimetre) => ["mm/rev", "mm/r", "мм/об"],
+        (FeedMode::PerTurn, units::Unit::Inch) => ["in/rev", "in/r", "дюйм/об"],
+        (FeedMode::PerMinute, units::Unit::Millimetre) => ["mm/min", "mm/min", "мм/мин"],
+        (FeedMode::PerMinute, units::Unit::Inch) => ["in/min", "in/min", "дюйм/мин"],
+    })
+}
+
+/// The levels of block skip that are on.
+pub fn block_skip(levels: &[u8], language: Language) -> String {
+    let said = language.among(["block skip", "程序段跳过", "пропуск кадров"]);
+    let mark = |level: &u8| if *level == 1 { "/".to_owned() } else { format!("/{level}") };
+    let levels: Vec<String> = levels.iter().map(mark).collect();
+    let state = match levels[..] {
+        [] => language.among(["off", "关", "выкл."]).to_owned(),
+        _ => levels.join(" "),
+    };
+    format!("{said} {state}")
+}
+
+/// That a program was recognised to be for another control or machine; `name` is empty for a kind of machine.
+pub fn not_run(name: &str, language: Language) -> String {
+    let other = language.among(["another machine", "其他机床", "другой станок"]);
+    let said = language.among(["not run", "未运行", "не выполнена"]);
+    format!("{}: {said}", if name.is_empty() { other } else { name })
+}
+
+/// The title of a repair that sets a field of the setup; without a value it is entered in the form.
+pub fn setting(field: &str, value: Option<&str>, language: Language) -> String {
+    let template = language.among(match value {
+        Some(_) => ["set `{field}` to `{value}`", "将`{field}`设为`{value}`", "задать «{field}»: `{value}`"],
+        None => ["enter `{field}` in the setup", "在设置中填写`{field}`", "указать в наладке: «{field}»"],
+    });
+    template.replace("{field}", field).replace("{value}", value.unwrap_or_default())
 }
 
 /// What is wrong with an entry.

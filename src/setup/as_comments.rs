@@ -19,7 +19,7 @@ pub struct Change {
 }
 
 /// The notes that say what a setup says of stock, tools, tailstock, machine, start, rules and
-/// decimal rule, a line each.
+/// the switches of the control, a line each.
 pub fn lines(setup: &Setup) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(setup.stock.map(|own| stock(&own)));

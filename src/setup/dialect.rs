@@ -44,6 +44,19 @@ pub enum FeedMode {
     PerTurn,
 }
 
+impl FeedMode {
+    /// Both, in the order they are offered.
+    pub const ALL: [FeedMode; 2] = [Self::PerTurn, Self::PerMinute];
+
+    /// The name in a setup: the code of system A.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PerMinute => "G98",
+            Self::PerTurn => "G99",
+        }
+    }
+}
+
 /// G-code system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum GSystem {
@@ -57,6 +70,9 @@ pub enum GSystem {
 }
 
 impl GSystem {
+    /// All systems, in the order they are offered.
+    pub const ALL: [GSystem; 3] = [Self::A, Self::B, Self::C];
+
     /// Its letter.
     pub fn name(self) -> &'static str {
         match self {
@@ -174,6 +190,20 @@ pub enum PqUnit {
     Mm,
 }
 
+impl PqUnit {
+    /// All choices, in the order they are offered.
+    pub const ALL: [PqUnit; 3] = [Self::Auto, Self::Um, Self::Mm];
+
+    /// The name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Um => "um",
+            Self::Mm => "mm",
+        }
+    }
+}
+
 /// Which of X and U counts when both stand in one block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -192,6 +222,19 @@ pub enum NegativeArcR {
     Over180,
     /// An alarm (16/18-T).
     Alarm,
+}
+
+impl NegativeArcR {
+    /// Both, in the order they are offered.
+    pub const ALL: [NegativeArcR; 2] = [Self::Over180, Self::Alarm];
+
+    /// The name in a setup.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Over180 => "over180",
+            Self::Alarm => "alarm",
+        }
+    }
 }
 
 /// Kind of the 45° escape of G71.
@@ -245,12 +288,15 @@ pub enum PolarX {
     Radius,
 }
 
+/// The first reference point where none is given, machine coordinates.
+pub const USUAL_REF_POINT: super::Position = super::Position { x: Diameter::new(300.0), z: 300.0 };
+
 /// The switches as a setup gives them: what is not said follows the control.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct DialectChoice {
-    /// Preset of all other rows.
-    pub control: Control,
+    /// Preset of all other rows; FANUC unless said.
+    pub control: Option<Control>,
     /// G-code system.
     pub g_system: Option<GSystem>,
     /// Numbers without a point.
@@ -342,13 +388,14 @@ impl Dialect {
     /// The switches of a choice, those not said taken from its control. Numbers without a point are units
     /// where the choice leaves that to the program: a run puts what it has decided into the choice.
     pub fn new(choice: &DialectChoice) -> Self {
-        let gsk = choice.control == Control::Gsk;
-        let power_on = match choice.control {
+        let control = choice.control.unwrap_or_default();
+        let gsk = control == Control::Gsk;
+        let power_on = match control {
             Control::Fanuc => FeedMode::PerTurn,
             Control::Gsk | Control::Forum => FeedMode::PerMinute,
         };
         Self {
-            control: choice.control,
+            control,
             g_system: choice.g_system.unwrap_or(GSystem::A),
             decimal: choice.decimal.unwrap_or_default().rule().unwrap_or_default(),
             pq_unit: choice.pq_unit.unwrap_or(PqUnit::Auto),
@@ -369,7 +416,7 @@ impl Dialect {
             strict: choice.strict.unwrap_or(false),
             polar_x: choice.polar_x.unwrap_or(PolarX::Diameter),
             ref_point_given: choice.ref_point.is_some(),
-            ref_point: choice.ref_point.unwrap_or(super::Position { x: Diameter::new(300.0), z: 300.0 }),
+            ref_point: choice.ref_point.unwrap_or(USUAL_REF_POINT),
         }
     }
 }

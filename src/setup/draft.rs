@@ -35,7 +35,7 @@ pub enum EntryError {
 /// What a form says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
-    /// Stock, tools, tailstock, machine, start, rules and decimal rule as they would be kept.
+    /// Stock, tools, tailstock, machine, start, rules and switches of the control as they would be kept.
     pub setup: Setup,
     /// What is wrong, by key.
     pub errors: Vec<(String, EntryError)>,
@@ -181,7 +181,7 @@ impl Name {
     }
 }
 
-/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and decimal rule of another; what
+/// The JSON of a setup with stock, tools, tailstock, machine, start, rules and switches of the control of another; what
 /// is no object is not kept.
 pub fn put_into_json(json: &str, setup: &Setup) -> String {
     let mut all = match serde_json::from_str(json) {
@@ -193,7 +193,9 @@ pub fn put_into_json(json: &str, setup: &Setup) -> String {
         Some(Json::Object(dialect)) => dialect,
         _ => Map::new(),
     };
-    dialect.remove("decimal");
+    for field in fields::DIALECT {
+        dialect.remove(field.key.split('.').next().unwrap_or(field.key));
+    }
     dialect.extend(object(fields::DIALECT, &setup.dialect));
     let mut put = |key: &str, group: Map<String, Json>| {
         if group.is_empty() {
@@ -225,6 +227,7 @@ fn object<T>(fields: &[Field<T>], own: &T) -> Map<String, Json> {
             }
             Value::Number(number) => Json::from(number),
             Value::Text(text) => Json::from(text),
+            Value::Switch(is_on) => Json::from(is_on),
         };
         match field.key.split_once('.') {
             None => {
@@ -332,10 +335,10 @@ mod tests {
     #[test]
     fn the_rest_of_a_json_is_kept() {
         let setup = Setup::from_json(r#"{"stock": {"diameter": 60, "length": 80}}"#).expect("a setup");
-        let json = r#"{"dialect": {"control": "gsk"}, "tools": {"T0101": {"tip": 3}}, "blockSkip": [1]}"#;
+        let json = r#"{"dialect": {"polarX": "radius"}, "tools": {"T0101": {"tip": 3}}, "blockSkip": [1]}"#;
         assert_eq!(
             put_into_json(json, &setup),
-            r#"{"blockSkip":[1],"dialect":{"control":"gsk"},"stock":{"diameter":60,"length":80}}"#
+            r#"{"blockSkip":[1],"dialect":{"polarX":"radius"},"stock":{"diameter":60,"length":80}}"#
         );
         assert_eq!(put_into_json("garbage", &setup), r#"{"stock":{"diameter":60,"length":80}}"#);
         assert_eq!(put_into_json("{}", &Setup::default()), "");

@@ -6,9 +6,11 @@
 
 use super::{Machine, Position, Side, Stock, Tailstock, Tool, ToolKind, Turret};
 use crate::message::{Group, Levels, Severity};
-use crate::setup::dialect::{DecimalChoice, DialectChoice};
+use crate::setup::dialect::{
+    Control, DecimalChoice, DialectChoice, FeedMode, GSystem, NegativeArcR, PqUnit, USUAL_REF_POINT,
+};
 use crate::units::Diameter;
-use Entry::{Choice, Number, Text, Whole};
+use Entry::{Choice, Number, Switch, Text, Whole};
 
 /// What is written in a field.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +19,8 @@ pub enum Value {
     Number(f64),
     /// A designation, or one of the choices.
     Text(String),
+    /// Whether a switch is on.
+    Switch(bool),
 }
 
 /// What can be written in a field.
@@ -30,7 +34,12 @@ pub enum Entry {
     Text,
     /// One of these.
     Choice(&'static [&'static str]),
+    /// `true` or `false`.
+    Switch,
 }
+
+/// What can be written in a switch.
+pub const SWITCH: &[&str] = &["true", "false"];
 
 /// What a measure is measured in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,7 +91,17 @@ pub enum Name {
     GreatestZ,
     Turret,
     Classroom,
+    Control,
+    GSystem,
+    FeedMode,
     Decimal,
+    PqUnit,
+    RefPointX,
+    RefPointZ,
+    Recognise,
+    Strict,
+    Pockets,
+    NegativeArcR,
 }
 
 /// Why an entry cannot be read.
@@ -209,6 +228,34 @@ macro_rules! named {
             |own, value| {
                 if let Value::Text(text) = value {
                     own.$path = <$type>::ALL.into_iter().find(|value| value.name() == text).or(own.$path);
+                }
+            },
+        )
+    };
+}
+
+/// A switch that may be left out.
+macro_rules! switch {
+    ($path:ident) => {
+        (
+            |own| own.$path.map(Value::Switch),
+            |own, value| {
+                if let Value::Switch(is_on) = value {
+                    own.$path = Some(*is_on);
+                }
+            },
+        )
+    };
+}
+
+/// An axis of the reference point; the other one is the usual one where it is not said.
+macro_rules! reference {
+    ($axis:ident) => {
+        (
+            |own| own.ref_point.map(|point| Value::Number(point.$axis.number())),
+            |own, value| {
+                if let Value::Number(number) = value {
+                    own.ref_point.get_or_insert(USUAL_REF_POINT).$axis = Measured::from_number(*number);
                 }
             },
         )
@@ -353,14 +400,39 @@ pub const RULES: &[Field<Levels>] = &[field(
     ),
 )];
 
-/// Switches of the control: `(DIALECT DECIMAL=LEASTINCREMENT)`. The others have no fields.
-pub const DIALECT: &[Field<DialectChoice>] = &[field(
-    Name::Decimal,
-    "decimal",
-    "DECIMAL",
-    Choice(&["auto", "calculator", "leastIncrement"]),
-    named!(decimal among DecimalChoice),
-)];
+/// The control, and those of its switches that a message or the page points to:
+/// `(DIALECT DECIMAL=LEASTINCREMENT)`. The others have no fields.
+pub const DIALECT: &[Field<DialectChoice>] = &[
+    field(
+        Name::Control,
+        "control",
+        "CONTROL",
+        Choice(&["fanuc", "gsk", "forum"]),
+        named!(control among Control),
+    ),
+    field(Name::GSystem, "gSystem", "GSYSTEM", Choice(&["A", "B", "C"]), named!(g_system among GSystem)),
+    field(Name::FeedMode, "feedMode", "FEEDMODE", Choice(&["G99", "G98"]), named!(feed_mode among FeedMode)),
+    field(
+        Name::Decimal,
+        "decimal",
+        "DECIMAL",
+        Choice(&["auto", "calculator", "leastIncrement"]),
+        named!(decimal among DecimalChoice),
+    ),
+    field(Name::PqUnit, "pqUnit", "PQUNIT", Choice(&["auto", "um", "mm"]), named!(pq_unit among PqUnit)),
+    field(Name::RefPointX, "refPoint.x", "REFX", MM, reference!(x)),
+    field(Name::RefPointZ, "refPoint.z", "REFZ", MM, reference!(z)),
+    field(Name::Recognise, "recognise", "RECOGNISE", Switch, switch!(recognise)),
+    field(Name::Strict, "strict", "STRICT", Switch, switch!(strict)),
+    field(Name::Pockets, "typeII", "TYPEII", Switch, switch!(type_ii)),
+    field(
+        Name::NegativeArcR,
+        "negativeArcR",
+        "NEGATIVEARCR",
+        Choice(&["over180", "alarm"]),
+        named!(negative_arc_r among NegativeArcR),
+    ),
+];
 
 impl Entry {
     /// Reads what somebody has written; small and capital letters are the same.
@@ -385,6 +457,10 @@ impl Entry {
                     Err(ReadError::NotKnown)
                 }
             }
+            Switch => {
+                let found = SWITCH.iter().find(|choice| choice.eq_ignore_ascii_case(text));
+                found.map(|choice| Value::Switch(*choice == "true")).ok_or(ReadError::NotKnown)
+            }
             Choice(choices) => {
                 let found = choices.iter().find(|choice| choice.eq_ignore_ascii_case(text));
                 found.map(|choice| Value::Text((*choice).into())).ok_or(ReadError::NotKnown)
@@ -398,6 +474,7 @@ impl std::fmt::Display for Value {
         match self {
             Self::Number(number) => write!(f, "{number}"),
             Self::Text(text) => f.write_str(text),
+            Self::Switch(is_on) => write!(f, "{is_on}"),
         }
     }
 }
@@ -408,4 +485,23 @@ pub fn values<'a, T>(
     own: &'a T,
 ) -> impl Iterator<Item = (&'a Field<T>, Value)> + use<'a, T> {
     fields.iter().filter_map(move |field| Some((field, (field.get)(own)?)))
+}
+
+/// A `T` with the values of another put over its own.
+pub fn over<T>(fields: &[Field<T>], mut own: T, other: &T) -> T {
+    for (field, value) in values(fields, other) {
+        (field.set)(&mut own, &value);
+    }
+    own
+}
+
+/// A `T` with those values of a page that another one, which is written elsewhere, takes the place of.
+pub fn covered<T: Default>(fields: &[Field<T>], written: &T, page: &T) -> T {
+    let mut own = T::default();
+    for field in fields.iter().filter(|field| (field.get)(written).is_some()) {
+        if let Some(value) = (field.get)(page) {
+            (field.set)(&mut own, &value);
+        }
+    }
+    own
 }

@@ -11,6 +11,7 @@ pub mod fields;
 pub mod invalid;
 pub mod machine;
 pub mod notes;
+pub mod profile;
 mod side;
 pub mod stock;
 pub mod thread_insert;

@@ -24,7 +24,7 @@ use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
 use crate::message::levels::{self, known};
 use crate::message::{Diagnostic, Fix, Levels, Severity, said};
 use crate::parts::{Part, in_part};
-use crate::setup::dialect::{DecimalChoice, DialectChoice};
+use crate::setup::dialect::DialectChoice;
 use crate::source::Span;
 use crate::units::{Diameter, read_number};
 
@@ -44,8 +44,8 @@ pub struct Notes {
     pub machine: Option<Machine>,
     /// Where the tip stands before the first block.
     pub start: Option<Position>,
-    /// What numbers without a point count.
-    pub decimal: Option<DecimalChoice>,
+    /// The control and its switches.
+    pub dialect: DialectChoice,
     /// The severity of rules.
     pub rules: Levels,
     /// What cannot be read.
@@ -118,7 +118,7 @@ pub const TOOL_WORDS: &str = "TYPE=TURNING (BORING, GROOVING, THREADING, DRILL, 
 pub const RULE_WORDS: &str = "CLASSROOM=OFF (INFO, WARNING, ERROR)";
 
 /// What can stand in a note of the control's switches.
-pub const DIALECT_WORDS: &str = "DECIMAL=AUTO (CALCULATOR, LEASTINCREMENT)";
+pub const DIALECT_WORDS: &str = "CONTROL=FANUC (GSK, FORUM), GSYSTEM=A (B, C), FEEDMODE=G99 (G98), DECIMAL=AUTO (CALCULATOR, LEASTINCREMENT), PQUNIT=AUTO (UM, MM), REFX=, REFZ=, RECOGNISE=TRUE (FALSE), STRICT=FALSE (TRUE), TYPEII=TRUE (FALSE), NEGATIVEARCR=OVER180 (ALARM)";
 
 /// For so many words that are no rule the nearest one is looked for.
 const NEAREST: usize = 20;
@@ -213,7 +213,7 @@ impl Notes {
             Keyword::Dialect => {
                 let mut dialect = DialectChoice::default();
                 self.fill(rest, fields::DIALECT, &mut dialect, DIALECT_WORDS);
-                self.decimal = dialect.decimal;
+                self.dialect = dialect;
                 self.stands("dialect.", whole);
             }
             Keyword::Rules => {
@@ -327,7 +327,7 @@ in_part! {
             tailstock: notes.tailstock.or(setup.tailstock),
             machine: notes.machine.unwrap_or(setup.machine),
             initial: notes.start.or(setup.initial),
-            dialect: DialectChoice { decimal: notes.decimal.or(setup.dialect.decimal), ..setup.dialect },
+            dialect: fields::over(fields::DIALECT, setup.dialect, &notes.dialect),
             rules: setup.rules.with(&notes.rules),
             tools,
             ..setup

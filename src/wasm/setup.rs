@@ -3,6 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::{Playground, to_js};
+use crate::api::ReadAs;
 use crate::api::setup::{SetupOverview, SetupPlace, Subject};
 use crate::machine::inferred::inferred_setup;
 use crate::machine::resolved_setup::ResolvedSetup;
@@ -18,6 +19,12 @@ impl Playground {
     #[wasm_bindgen(js_name = setupOverview, unchecked_return_type = "SetupOverview")]
     pub fn setup_overview(&self) -> Result<JsValue, JsValue> {
         overview(self)
+    }
+
+    /// How the program was read: control, system, units, switches.
+    #[wasm_bindgen(js_name = readAs, unchecked_return_type = "ReadAs")]
+    pub fn read_as(&self) -> Result<JsValue, JsValue> {
+        read_as(self)
     }
 
     /// The setup form as it opens.
@@ -69,6 +76,11 @@ in_part! {
         }
     }
 
+    Machine "0700"
+    fn read_as(playground: &Playground) -> Result<JsValue, JsValue> {
+        to_js(&ReadAs::new(playground.current.run(), playground.language))
+    }
+
     Tools "0021"
     fn form(playground: &Playground) -> Result<JsValue, JsValue> {
         playground.about_setup(|subject| to_js(&subject.form()))
@@ -99,6 +111,7 @@ impl Playground {
             notes: run.notes(),
             inferred: &inferred,
             decimal: run.decimal_rule(),
+            system: run.recognised_system(),
             language: self.language,
         })
     }

@@ -52,7 +52,7 @@ export async function type(page: BasicPage, text: string): Promise<void> {
 
 /** Puts a text in at once, as opening a file does; for texts too long to be typed. */
 export async function openFile(page: BasicPage, name: string, bytes: Uint8Array): Promise<void> {
-  await page.locator('input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
+  await page.locator('header input[type=file]').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(bytes) });
 }
 
 /** The text in the editor, all of it. */

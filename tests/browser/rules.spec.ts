@@ -69,7 +69,9 @@ test('what is changed in a program of an address is kept, and found again', asyn
   await open(page, `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nM30')}&setup=${encodeURIComponent('{"dialect": {"control": "gsk"}}')}`);
   await expect(page.getByLabel('Control')).toHaveValue('gsk');
   expect(await value(page)).toBe('O0001\nG00 X20 Z2\nM30');
-  await type(page, 'O0002\nG00 X30 Z2\nM30');
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('\nO0002\nM99');
   await expect(page).toHaveURL(/\/$/);
   await page.reload();
   await expect(editor(page)).toContainText('O0002');

@@ -194,10 +194,13 @@ test('a file of one’s own, and an emptied editor, begin without the setup of t
     await page.keyboard.press('Control+z');
     await expect.poll(() => attribute(page)).toBe(before);
   });
-  await test.step('the control stays', async () => {
+  await test.step('the control goes with the program, too', async () => {
     await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
     await openFile(page, 'own.nc', Buffer.from(PROGRAM));
     await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
+    await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('fanuc');
+    await editor(page).focus();
+    await page.keyboard.press('Control+z');
     await expect(page.getByRole('combobox', { name: 'Control' })).toHaveValue('gsk');
     await expect(page.locator('gcode-playground')).toHaveAttribute('control', 'gsk');
   });

@@ -6,6 +6,7 @@ import type { State, Step } from './state';
 interface Playground extends HTMLElement {
   value: string;
   setup: string | null;
+  origin: string | null;
   readonly settled: Promise<number>;
 }
 
@@ -29,7 +30,11 @@ export function prepare(): void {
 export async function ready(): Promise<void> {
   await customElements.whenDefined('gcode-playground');
   if (document.readyState !== 'complete') await new Promise((done) => window.addEventListener('load', done, { once: true }));
+  // The element comes into the page with its first program, the list of examples after the first picture.
+  const soon = (): Promise<void> => new Promise((done) => setTimeout(done, 5));
+  while (document.querySelector('gcode-playground') === null) await soon();
   await (document.querySelector('gcode-playground') as Playground).settled;
+  while ((document.getElementById('example') as HTMLSelectElement).options.length < 2) await soon();
 }
 
 /** Brings the page on; the last thing it does is what a reader or an author does last. */
@@ -48,8 +53,10 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
   };
   let now = from;
 
-  const load = (state: State): void => {
+  const load = async (state: State): Promise<void> => {
+    playground.origin = null;
     choose('example', state.program);
+    while (playground.origin !== state.program) await sleep(0);
     const [program, setup] = [playground.value, playground.setup];
     const lines = program.split('\n');
     if (state.setup === 'thick blank') {
@@ -85,7 +92,7 @@ export async function go({ steps, from }: { steps: readonly (Step & { delay: num
     if ('to' in step) {
       const to = step.to;
       const same = now !== undefined && to.program === now.program && to.text === now.text && to.setup === now.setup;
-      if (!same) load(to);
+      if (!same) await load(to);
       if (to.language !== now?.language) choose('language', to.language);
       if (to.theme !== now?.theme) choose('theme', to.theme);
       if (to.turret !== now?.turret) {

@@ -1,7 +1,7 @@
 // The program editor: CodeMirror 6 with the core's own highlighting and messages.
 //
 // In: text, tokens, diagnostics, the blocks to mark. Out: `changed` and `cursorMoved` when the *reader* did
-// it (what the program does to the editor fires nothing), `viewMoved` when other lines came into sight, and
+// it (what the program does to the editor fires nothing), `contextChanged` when that is another program, `viewMoved` when other lines came into sight, and
 // `fileChanged` when the text is another file's, be it by undo. Loaded by `program.ts`, with all of CodeMirror.
 // Must not know: the language it edits.
 
@@ -16,9 +16,10 @@ import {
 } from '@codemirror/view';
 import { applyFix, areShown, lintDiagnostics } from './lint';
 import { marks, showHovered, showRunning, showTokens } from './marks';
+import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
-import type { Change, EditorEvents, Span, Start, TextHolder } from './holder';
+import type { Change, EditorEvents, ProgramContext, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
 import { editorTheme } from './theme';
@@ -65,7 +66,7 @@ export class Editor implements TextHolder {
         doc: docOf(program),
         extensions: [
           lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
-          history(), fileOfText(program.ends, file), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
+          history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
@@ -131,8 +132,9 @@ export class Editor implements TextHolder {
     this.diagnostics = this.#diagnostics;
   }
 
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
-    this.#replace(program, [origin(program.ends, file)], undoable);
+  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void {
+    const effects = [origin(program.ends, file), ...(context === undefined ? [] : [contextEffect(context)])];
+    this.#replace(program, effects, undoable);
   }
 
   rewrite(text: string): void {
@@ -167,7 +169,7 @@ export class Editor implements TextHolder {
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics);
+    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics, (setting) => this.#events.settingChosen(setting));
     // What stands there already costs a key nothing.
     if (!areShown(this.#view.state, shown)) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
   }
@@ -236,8 +238,9 @@ export class Editor implements TextHolder {
     }
     if (!programmatic) {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');
-      const undone = update.transactions.some((transaction) => transaction.isUserEvent('undo'));
-      if (update.docChanged) this.#events.changed(undone ? 'undone' : 'edited');
+      const context = contextOf(update.transactions);
+      if (context !== undefined) this.#events.contextChanged(context);
+      if (update.docChanged) this.#events.changed();
       else if (update.selectionSet) this.#events.cursorMoved();
     }
     for (const transaction of update.transactions) {

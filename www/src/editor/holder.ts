@@ -3,7 +3,7 @@
 // Offsets count every line end as one unit, as everywhere in this page. What the page does to the text fires
 // no event; what the reader does, does.
 
-import type { Fix, TextCommand } from '../protocol/protocol';
+import type { Fix, Setting, TextCommand } from '../protocol/protocol';
 import type { ProgramFile, ProgramText } from './program-text';
 
 export interface Span {
@@ -15,13 +15,35 @@ export interface Span {
 export type Change = Pick<Fix['edits'][number], 'from' | 'to' | 'text'>;
 
 export interface TextEvents {
-  /** `undone`: by undo, which brings back what was there before. */
-  changed(how: 'edited' | 'undone'): void;
+  changed(): void;
   fileChanged(): void;
 }
 
-export interface EditorEvents extends TextEvents {
+/** How a program is run, and whose it is: what goes with it. */
+export interface ProgramContext {
+  readonly control: string | null;
+  /** JSON */
+  readonly setup: string | null;
+  readonly blockSkip: string | null;
+  readonly program: string | null;
+  /** What the page around knows it by; nothing for a program of the reader's own. */
+  readonly origin: string | null;
+}
+
+export interface ContextEvents {
+  /** The context as it is. */
+  context(): ProgramContext;
+  /** That of a program which has nothing to do with the one before. */
+  neutral(): ProgramContext;
+}
+
+export interface EditorEvents extends TextEvents, ContextEvents {
+  /** The reader has put another program in the place of the one before, or brought one back, with its context. */
+  contextChanged(context: ProgramContext): void;
+
   cursorMoved(): void;
+  /** The answer to a problem is a setting. */
+  settingChosen(setting: Setting): void;
   /** Other lines are in sight. */
   viewMoved(): void;
   /** A text was pasted or dropped; it stands there now. */
@@ -46,8 +68,11 @@ export interface TextHolder {
   takeUnsent(): TextCommand | undefined;
   /** There is a worker that knows nothing yet. */
   unsend(): void;
-  /** Another text from outside; `undoable` when it takes the place of something the reader may want back. */
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void;
+  /**
+   * Another text from outside; `undoable` when it takes the place of something the reader may want back, with
+   * the context as it is until now where it is given another one.
+   */
+  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void;
   /** The same program written differently. */
   rewrite(text: string): void;
   /** Changes of the reader's that undo takes back in one. */

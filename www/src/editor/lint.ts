@@ -9,7 +9,7 @@ import type { EditorState } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
 import { make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';
-import type { Diagnostic, Fix } from '../protocol/protocol';
+import type { Diagnostic, Fix, Setting } from '../protocol/protocol';
 import { PROBLEM_WORDS } from './problem-words';
 import { ruleLink } from './rule-link';
 
@@ -27,6 +27,7 @@ export function lintDiagnostics(
   language: Language,
   length: number,
   now: () => readonly Diagnostic[],
+  set: (setting: Setting) => void,
 ): readonly Shown[] {
   return diagnostics
     .filter((diagnostic) => diagnostic.from <= diagnostic.to && diagnostic.to <= length)
@@ -44,7 +45,8 @@ export function lintDiagnostics(
         apply(view: EditorView, from: number) {
           const same = now().filter((other) => shows(other, language) === shows(diagnostic, language));
           const [here] = same.sort((a, b) => Math.abs(a.from - from) - Math.abs(b.from - from));
-          applyFix(view, here?.fixes[which]?.edits ?? []);
+          if (fix.setting !== undefined) set(fix.setting);
+          else applyFix(view, here?.fixes[which]?.edits ?? []);
         },
       })),
     }));

@@ -104,7 +104,7 @@ export class PlainProgram implements TextHolder {
       ends = moved(ends, edit);
     }
     this.#put({ pieces: inPieces(text), ends });
-    this.#events.changed('edited');
+    this.#events.changed();
   }
 
   select(span: Span): void {

@@ -10,7 +10,7 @@ import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
 import type { Editor } from './editor';
-import type { Change, EditorEvents, Span, TextHolder } from './holder';
+import type { Change, EditorEvents, ProgramContext, Span, TextHolder } from './holder';
 import { PlainProgram } from './plain-program';
 import type { ProgramFile, ProgramText } from './program-text';
 
@@ -37,9 +37,9 @@ export class Program implements TextHolder {
     this.#events = events;
     this.#language = language;
     this.#holder = new PlainProgram({
-      changed: (how) => {
+      changed: () => {
         this.#diagnostics = [];
-        events.changed(how);
+        events.changed();
       },
       fileChanged: () => events.fileChanged(),
     });
@@ -112,9 +112,9 @@ export class Program implements TextHolder {
     this.#holder.unsend();
   }
 
-  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final'): void {
+  setText(program: ProgramText, file: ProgramFile | undefined, undoable: 'undoable' | 'final', context?: ProgramContext): void {
     this.#diagnostics = [];
-    this.#holder.setText(program, file, undoable);
+    this.#holder.setText(program, file, undoable, context);
     this.#showWaiting();
   }
 

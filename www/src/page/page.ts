@@ -9,7 +9,8 @@ import '../shell/element';
 import './page.css';
 import { icon, make, name } from '../dom/dom';
 import { acceptFiles } from '../dom/drop';
-import type { GcodePlayground } from '../shell/element';
+import type { GcodePlayground, OpenedProgram } from '../shell/element';
+import type { ProgramContext } from '../editor/holder';
 import type { ProgramFile } from '../editor/program-text';
 import { FIRST_EXAMPLE, loadExample, loadSubjects, type Example, type Subject } from './gallery';
 import type { GalleryDialog } from './gallery-dialog';
@@ -24,6 +25,8 @@ const CONTROLS = [
   ['gsk', 'GSK'],
   ['forum', 'Forum'],
 ] as const;
+/** Whose the program of a link is; no example is called so. */
+const OF_A_LINK = '#program';
 const THEMES = ['auto', 'light', 'dark'] as const;
 /** For who is here for the first time. */
 const HINTS = 'edit play pick';
@@ -34,7 +37,9 @@ const KEPT_LENGTH = 2_000_000;
 
 type Above =
   | { readonly kind: 'example' | 'restored' | 'not-loaded' }
-  | { readonly kind: 'kept'; readonly program: KeptProgram };
+  | { readonly kind: 'kept'; readonly program: KeptProgram }
+  /** The reader has changed the program that the address held. */
+  | { readonly kind: 'linked'; readonly address: string; readonly linked: LinkedProgram };
 
 /** It comes into the page with its first program, so that nothing else is run before. */
 const playground = document.createElement('gcode-playground') as GcodePlayground;
@@ -56,6 +61,8 @@ let example: Example | undefined;
 let subjects: readonly Subject[] = [];
 /** A part was kept for an example that is compared with it. */
 let isComparing = false;
+/** The examples that were shown: undo can bring each of them back. */
+const shown = new Map<string, Example>();
 let gallery: GalleryDialog | undefined;
 /** Counts what was asked to be shown, so that what is loaded can come too late. */
 let asked = 0;
@@ -90,6 +97,12 @@ async function begin(): Promise<void> {
   const linked = linkedProgram(location.hash);
   if (linked !== undefined) {
     const kept = keptProgram();
+    // The program of the link, perhaps under another setup.
+    if (kept !== undefined && kept.example === '' && inUnits(kept.text) === inUnits(linked.text)) {
+      restore(kept, undefined);
+      playground.origin = OF_A_LINK;
+      return;
+    }
     loadLinked(linked);
     if (kept !== undefined && kept.text !== linked.text) showAbove({ kind: 'kept', program: kept });
     return;
@@ -144,45 +157,75 @@ async function layUnder(chosen: Example | undefined, own: number): Promise<'in-t
 function loadLinked({ text, setup }: LinkedProgram): void {
   asked++;
   load(undefined);
-  playground.setup = setup;
-  playground.blockSkip = playground.program = null;
-  playground.control = controlSelect.value = controlOf(setup ?? '{}');
-  playground.value = text;
-  known = playground.value;
+  put({ control: controlOf(setup ?? '{}'), setup, origin: OF_A_LINK }, { text, file: undefined });
   showExamples();
   showAbove({ kind: 'example' });
+}
+
+/** A program with its context; the switches are as the setup has them. */
+function put(
+  { control, setup, origin, blockSkip = null, program = null }: Partial<ProgramContext> & Pick<ProgramContext, 'control' | 'setup' | 'origin'>,
+  opened: OpenedProgram,
+): void {
+  playground.origin = origin;
+  playground.setup = setup;
+  playground.blockSkip = blockSkip;
+  playground.program = program;
+  playground.control = control;
+  playground.opened = opened;
+  known = playground.value;
+  showControl();
+}
+
+function endComparisonUnlessOf(chosen: Example | undefined): void {
+  if (!isComparing || chosen?.compareWith !== undefined) return;
+  isComparing = false;
+  playground.endComparison();
 }
 
 function load(chosen: Example | undefined): void {
   clearTimeout(keeping);
   keeping = undefined;
-  if (isComparing && chosen?.compareWith === undefined) {
-    isComparing = false;
-    playground.endComparison();
-  }
+  endComparisonUnlessOf(chosen);
   example = chosen;
   if (chosen !== undefined) {
-    playground.setup = chosen.setup;
-    playground.blockSkip = playground.program = null;
-    playground.control = controlSelect.value = controlOf(chosen.setup);
-    playground.value = known = chosen.program;
+    const { id, setup, program: text } = chosen;
+    shown.set(id, chosen);
+    put({ control: controlOf(setup), setup, origin: id }, { text, file: undefined });
     showExamples();
   }
   showAbove({ kind: 'example' });
 }
 
+/** Another program has taken the place of the one before, or undo has brought it back. */
+function followOrigin(): void {
+  showControl();
+  const now = shown.get(playground.origin ?? '');
+  if (now === example) return;
+  example = now;
+  endComparisonUnlessOf(now);
+  // The address names the example as long as it is one.
+  history.replaceState(null, '', now === undefined ? location.pathname + location.search : `#${now.id}`);
+  showExamples();
+  showAbove({ kind: 'example' });
+}
+
 function restore(kept: KeptProgram, began: Example | undefined): void {
   asked++;
-  load(began);
-  showExamples();
+  clearTimeout(keeping);
+  keeping = undefined;
+  endComparisonUnlessOf(began);
+  example = began;
+  if (began !== undefined) shown.set(began.id, began);
+  const { text, file, setup, blockSkip = null, program = null } = kept;
   // A file that was kept before setups were is no example.
-  if (kept.setup !== undefined) playground.setup = kept.setup === '' ? null : kept.setup;
-  else if (kept.file !== undefined) playground.setup = null;
-  playground.control = controlSelect.value = kept.control;
-  playground.blockSkip = kept.blockSkip ?? null;
-  playground.program = kept.program ?? null;
-  playground.opened = { text: kept.text, file: kept.file as ProgramFile | undefined };
-  known = playground.value;
+  const unsaid = file === undefined ? (example?.setup ?? null) : null;
+  put({
+    control: kept.control === '' ? null : kept.control,
+    setup: setup === undefined ? unsaid : setup === '' ? null : setup,
+    origin: example?.id ?? null, blockSkip, program,
+  }, { text, file: file as ProgramFile | undefined });
+  showExamples();
   showAbove({ kind: 'restored' });
 }
 
@@ -240,8 +283,14 @@ function listen(): void {
   playground.addEventListener('gcode-hint', (event) => {
     keepChoices({ hints: (event as CustomEvent<{ readonly left: string }>).detail.left });
   });
+  playground.addEventListener('gcode-context', followOrigin);
+  // A program that something else has put in has its own context, too.
+  playground.addEventListener('gcode-report', followOrigin);
   playground.addEventListener('gcode-switch', keepSoon);
-  playground.addEventListener('gcode-setup', keepSoon);
+  playground.addEventListener('gcode-setup', () => {
+    showControl();
+    keepSoon();
+  });
   window.addEventListener('pagehide', keepNow);
 }
 
@@ -270,15 +319,32 @@ function keepNow(): void {
   const asItCame = file === undefined && setup === example?.setup && blockSkip === null && program === null;
   if (asItCame && text === example?.program && controlSelect.value === controlOf(example.setup)) forgetProgram();
   else {
-    // Who comes back finds what was kept, not what the address held.
-    if (linkedProgram(location.hash) !== undefined) history.replaceState(null, '', location.pathname + location.search);
+    leaveLink(text);
     keepProgram({
-      text: playground.opened.text, example: id, control: controlSelect.value, setup: setup ?? '',
+      text: playground.opened.text, example: id, control: playground.control ?? '', setup: setup ?? '',
       ...(file === undefined ? {} : { file }),
       ...(blockSkip === null ? {} : { blockSkip }),
       ...(program === null ? {} : { program }),
     });
   }
+}
+
+/** The address holds the program of a link until the text is another one: who comes back then finds what was kept. */
+function leaveLink(text: string): void {
+  if (above.kind === 'linked' && inUnits(above.linked.text) === text) {
+    history.replaceState(null, '', above.address);
+    showAbove({ kind: 'example' });
+  }
+  const linked = linkedProgram(location.hash);
+  if (linked === undefined || inUnits(linked.text) === text) return;
+  const address = location.hash;
+  history.replaceState(null, '', location.pathname + location.search);
+  if (playground.origin === OF_A_LINK) showAbove({ kind: 'linked', address, linked });
+}
+
+/** As the editor has it: each line end counts one. */
+function inUnits(text: string): string {
+  return text.replace(/\r\n?/g, '\n');
 }
 
 // ---- showing --------------------------------------------------------------------------------------
@@ -302,6 +368,12 @@ function showAbove(what: Above): void {
     lines.push(offer(texts.restored, texts.startAfresh, () => {
       forgetProgram();
       load(example ?? FIRST_EXAMPLE);
+    }));
+  }
+  if (what.kind === 'linked') {
+    lines.push(offer(texts.linked, texts.asLinked, () => {
+      history.replaceState(null, '', what.address);
+      loadLinked(what.linked);
     }));
   }
   if (what.kind === 'kept') {
@@ -386,6 +458,11 @@ function showTheme(theme: string): void {
   themeSelect.value = theme;
   document.documentElement.dataset['theme'] = theme;
   playground.theme = theme;
+}
+
+/** Which control the program is run on; the setup decides where the reader has chosen none. */
+function showControl(): void {
+  controlSelect.value = playground.control ?? controlOf(playground.setup ?? '{}');
 }
 
 function label(select: HTMLSelectElement, text: string): void {

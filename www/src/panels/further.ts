@@ -9,7 +9,9 @@ import { hints } from './hints';
 import type { PanelKind } from './panel';
 import { paste } from './paste';
 import { playback } from './playback';
+import { readAs } from './read-as';
 import { problems } from './problems';
+import { profiles } from './profiles';
 import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
@@ -21,7 +23,8 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  hints, fileBar, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help, codes,
+  hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
+  codes,
 ];
 
 /** Of what stands beside them. */

@@ -9,7 +9,7 @@
 import type { Language } from '../dom/language';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
-import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, SetupGroup, Stroke } from '../protocol/protocol';
+import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
 /**
@@ -108,8 +108,14 @@ export interface Services {
   /** Ends the comparison that `keepPart` began, not one that the reader began. */
   endComparison(): void;
   openCodes(): void;
-  /** `group`: the one the reader comes for. */
-  openSetup(group?: SetupGroup['group']): void;
+  /** `group` and `key`: the group and the field the reader comes for. */
+  openSetup(group?: SetupGroup['group'], key?: string): void;
+  /** The button that says which machine the program is run on. */
+  machineButton(): HTMLElement;
+  /** The setup that programs of the reader's own begin with, as JSON. */
+  ownSetup(): string | null;
+  /** Puts a setting in the setup, where it is kept now; what only the reader knows is entered in the form. */
+  takeSetting(setting: Setting): void;
 }
 
 /** Asks with the newest value only, see `Newest`; goes on with the next worker when one is lost. */

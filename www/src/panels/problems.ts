@@ -71,6 +71,12 @@ class Problems implements Panel {
     this.#shell.editor.focus();
   }
 
+  /** A repair of the program, or a setting that answers the problem. */
+  #make(fix: Fix | undefined): void {
+    if (fix?.setting !== undefined) this.#shell.service('takeSetting')(fix.setting);
+    else this.#fix(fix?.edits ?? []);
+  }
+
   #setOpen(open: boolean): void {
     this.#list.hidden = !open;
     this.#toggle.setAttribute('aria-expanded', String(open));
@@ -135,7 +141,7 @@ class Problems implements Panel {
     button.addEventListener('click', () => this.#shell.editor.show(row.diagnostic));
     const fixes = diagnostic.fixes.map((fix, at) => {
       const repair = make('button', { type: 'button', className: 'fix' }, ...prose(strings.fix(fix.title)));
-      repair.addEventListener('click', () => this.#fix(row.diagnostic.fixes[at]?.edits ?? []));
+      repair.addEventListener('click', () => this.#make(row.diagnostic.fixes[at]));
       return repair;
     });
     const row: Row = { element: make('li', {}, button, ruleLink(diagnostic, language)), diagnostic };

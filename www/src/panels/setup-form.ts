@@ -88,8 +88,8 @@ export class SetupDialog {
     return this.#dialog.open;
   }
 
-  /** `opened`: the group the reader comes for. */
-  show({ groups, place }: SetupForm, opened?: SetupGroup['group']): void {
+  /** `opened` and `key`: the group and the field the reader comes for. */
+  show({ groups, place }: SetupForm, opened?: SetupGroup['group'], key?: string): void {
     this.#wasIn = this.#keep = place;
     this.#inputs = [];
     this.#first.clear();
@@ -109,7 +109,7 @@ export class SetupDialog {
     this.#news.textContent = '';
     this.#dialog.show();
     this.#form.scrollTop = 0;
-    (this.#first.get(opened) ?? this.#inputs[0])?.focus();
+    (this.#inputs.find((input) => input.key === key) ?? this.#first.get(opened) ?? this.#inputs[0])?.focus();
     void this.#ask();
   }
 

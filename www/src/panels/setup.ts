@@ -6,7 +6,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace } from '../protocol/protocol';
+import type { SetupOverview, SetupAnswer, SetupForm, SetupGroup, SetupPlace, Setting } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { InferredStock } from './inferred-stock';
 import type { Panel, PanelKind, Services, Shell } from './panel';
@@ -24,7 +24,10 @@ class Setup implements Panel {
   #form: SetupDialog | undefined;
   #overview: SetupOverview | undefined;
   readonly places: Panel['places'];
-  readonly services: Partial<Services> = { openSetup: (group) => void this.#open(group) };
+  readonly services: Partial<Services> = {
+    openSetup: (group, key) => void this.#open(group, key),
+    takeSetting: (setting) => void this.#take(setting),
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -67,7 +70,7 @@ class Setup implements Panel {
     this.#inferredTools.hidden = !(this.#overview?.tools.some(({ known }) => known === 'inferred') ?? false);
   }
 
-  async #open(group?: SetupGroup['group']): Promise<void> {
+  async #open(group?: SetupGroup['group'], key?: string): Promise<void> {
     const [form, { SetupDialog }] = await Promise.all([this.#ask(), import('./setup-form')]);
     if (form === undefined) return;
     if (this.#form === undefined) {
@@ -78,7 +81,19 @@ class Setup implements Panel {
       });
       this.#shell.region('dialogs').append(this.#form.element);
     }
-    this.#form.show(form, group);
+    this.#form.show(form, group, key);
+  }
+
+  /** One field is filled in as the reader would do it, all others stay. */
+  async #take({ key, value }: Setting): Promise<void> {
+    if (value === undefined) return this.#open('control', key);
+    const form = await this.#ask();
+    if (form === undefined) return;
+    const fields = form.groups.flatMap(({ fields }) => fields);
+    const keys = fields.map((field) => field.key);
+    const texts = fields.map((field) => (field.key === key ? value : field.value));
+    const answer = await this.#read({ keys, texts, keep: form.place });
+    if (answer !== undefined) this.#keep(answer, form.place);
   }
 
   #read(entries: SetupEntries): Promise<SetupAnswer | undefined> {

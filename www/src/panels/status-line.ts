@@ -38,7 +38,7 @@ class StatusLine implements Panel {
       shell.send({ kind: 'stop' });
       shell.editor.focus();
     });
-    this.#change.addEventListener('click', () => shell.service('openSetup')('control'));
+    this.#change.addEventListener('click', () => shell.service('openSetup')('control', 'dialect.decimal'));
   }
 
   set language(_: Language) {

@@ -8,13 +8,14 @@
 
 import type { PartName } from '../../pkg/parts.js';
 import type {
-  Codes, Comparison, Diagnostic, Dimension, FileFormat, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
+  Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary, Totals,
 } from '../../pkg/gcode_playground.js';
 
 export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
-export type { CodeRow, Edit, Fix, FoundProgram, SetupField, SetupState } from '../../pkg/gcode_playground.js';
+export type { ProfileKind, Profiles, ReadAs };
+export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
 
 /** A size in CSS pixels and the device pixels each of them has. */
 export interface Size {
@@ -156,7 +157,14 @@ export interface Questions {
   'setup-form': { ask: undefined; answer: SetupForm };
   'another-tool': { ask: { readonly word: string }; answer: SetupGroup | undefined };
   'read-setup': { ask: SetupTyped; answer: SetupAnswer };
+  /** Machine and tools of a setup, and of the program as it is run. */
+  'profiles-in': { ask: { readonly json: string }; answer: ProfilesRead };
+  'profiles-of-run': { ask: { readonly json: string }; answer: Profiles };
+  'with-profile': { ask: { readonly json: string; readonly kind: ProfileKind; readonly profile: string }; answer: string };
 }
+
+/** What of a setup can be kept under a name, or what is wrong with it. */
+export type ProfilesRead = { readonly kind: 'profiles'; readonly profiles: Profiles } | { readonly kind: 'wrong'; readonly reason: string };
 
 /** The texts in the fields of the setup form; `json` is the setup of the page as it is. */
 export interface SetupTyped {
@@ -174,9 +182,9 @@ export type QuestionKind = keyof Questions;
  */
 export const OF_THE_RUN = {
   tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
-  dimension: true, 'read-setup': true,
+  dimension: true, 'read-setup': true, 'profiles-of-run': true,
   ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
-  'setup-form': false, 'another-tool': false,
+  'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
 
 export type Answer<K extends QuestionKind> = (typeof OF_THE_RUN)[K] extends true ? Questions[K]['answer'] | undefined : Questions[K]['answer'];
@@ -218,6 +226,8 @@ export interface Report {
   readonly summary: Summary;
   readonly diagnostics: readonly Diagnostic[];
   readonly overview: SetupOverview;
+  /** Control, system, units and switches. */
+  readonly readAs: ReadAs;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
   /**

@@ -18,7 +18,9 @@
 // `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
-// text as it is in it). Setting one, or an attribute, fires no event. Methods: play(), pause(),
+// text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
+// A text that replaces most of the one before is another program: the attributes of the program are removed and
+// `origin` becomes null, unless the page sets one of them in the same turn before the text. Undo brings all of it back. Methods: play(), pause(),
 // openFile(file), saveFile(), focus(), keepPart() to lay the parts of later programs over this one's,
 // endComparison(), and for automation
 //   settled: Promise<number>   a property: resolved once all there is to show of the program, setup, language,
@@ -35,11 +37,13 @@
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
 //   gcode-hint     detail {left}: the hints that are left
+//   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
+//                  one before, or undo has brought one back; attributes and `origin` are as the detail says
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
 // drawing canvas legend tooltip setup views assumptions playback play readout doing status notice hint totals written-out
-// rewrite codes solid export-menu paste help.
+// rewrite codes solid export-menu paste help read-as profiles.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -60,9 +64,14 @@ export interface OpenedProgram {
   readonly file: ProgramFile | undefined;
 }
 
+/** Attributes that go with the program. */
+const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
+
 export class GcodePlayground extends HTMLElement {
   static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
 
+  /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
+  #origin: string | null = null;
   /** Made when the element is first in a document. */
   #made: PlaygroundShell | undefined;
   /** What was set before. */
@@ -83,6 +92,7 @@ export class GcodePlayground extends HTMLElement {
   }
 
   attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
+    if (OF_THE_PROGRAM.includes(attribute)) this.#made?.contextGiven();
     if (before === now) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
@@ -167,6 +177,15 @@ export class GcodePlayground extends HTMLElement {
 
   set program(number: string | null) {
     this.#setOrRemove('program', number);
+  }
+
+  get origin(): string | null {
+    return this.#origin;
+  }
+
+  set origin(origin: string | null) {
+    this.#origin = origin;
+    this.#made?.contextGiven();
   }
 
   get theme(): string {

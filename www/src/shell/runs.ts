@@ -47,6 +47,8 @@ export class Runs {
   #came: Came = 'typed';
   /** The reader has put the cursor where it is. */
   #cursorKnown = false;
+  /** How the text that is sent next is looked at. */
+  #framing: 'fit' | 'keep' = 'keep';
 
   constructor(editor: Program, events: RunsEvents) {
     this.#editor = editor;
@@ -122,7 +124,9 @@ export class Runs {
 
   /** The text as it is, is run now. */
   send(): void {
-    this.textChanged('keep');
+    const framing = this.#framing;
+    this.#framing = 'keep';
+    this.textChanged(framing);
     this.#begin();
     this.#events.sent();
   }
@@ -149,6 +153,12 @@ export class Runs {
 
   cameAtOnce(): void {
     this.#came = 'at-once';
+  }
+
+  /** What is sent next is another program: nothing that was concluded of the one before holds for it. */
+  anotherProgram(): void {
+    this.#came = 'at-once';
+    this.#framing = 'fit';
   }
 
   /** Another text has taken the place of the one that the cursor was put into. */

@@ -7,6 +7,8 @@
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
+import { isAnotherProgram } from '../editor/another-program';
+import type { ProgramContext } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
 import { FIRST } from '../panels/index';
@@ -14,7 +16,6 @@ import { REGIONS, type NewestQuestion, type Panel, type PanelKind, type Region, 
 import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
 import type { Heard, Loss } from '../worker/core-client';
 import { layout, type View } from './layout';
-import { ProgramSetup, type Attributes, type RunAs } from './program-setup';
 import { Runs } from './runs';
 import { mergedSetup, switchesSet } from './start';
 import { adopt } from './style-sheets';
@@ -23,10 +24,11 @@ import { adopt } from './style-sheets';
 export interface Host {
   readonly language: Language;
   readonly view: View;
-  readonly control: string | null;
+  control: string | null;
   setup: string | null;
   blockSkip: string | null;
   program: string | null;
+  origin: string | null;
 }
 
 /** Events for the page around. */
@@ -59,7 +61,6 @@ export class PlaygroundShell implements Shell {
   readonly #panels: Panel[] = [];
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
-  readonly #programSetup = new ProgramSetup();
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
   #language: Language;
   /** What panels that come later have to hear of the newest run; nothing once all are there. */
@@ -67,6 +68,8 @@ export class PlaygroundShell implements Shell {
   /** What of the page is still to come, and the run that is shown but for that. */
   readonly #coming: Set<'panels' | 'editor'>;
   #settledRun: number | undefined;
+  /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
+  #contextGiven: ReturnType<typeof setTimeout> | undefined;
   /** Why the setup could not even be sent. */
   #setupUnreadable: string | undefined;
 
@@ -78,8 +81,15 @@ export class PlaygroundShell implements Shell {
     this.view = host.view;
     this.#coming = new Set(this.view === 'all' ? ['panels', 'editor'] as const : []);
     this.editor = new Program(this.#language, {
-      changed: (how) => this.#typed(how),
+      changed: () => this.#runs.typed(),
+      context: () => this.#context,
+      neutral: () => this.#neutral,
+      contextChanged: (context) => {
+        this.#runs.anotherProgram();
+        this.#runIn(context, 'by-the-reader');
+      },
       cursorMoved: () => this.#runs.cursorMoved(),
+      settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
       fileChanged: () => this.#tell((panel) => panel.fileChanged?.(this.editor.file)),
       pasted: (from, to) => {
@@ -157,16 +167,25 @@ export class PlaygroundShell implements Shell {
     this.#runs.setupChanged();
   }
 
+  /** The page around has said how the program is run, if only once more. */
+  contextGiven(): void {
+    clearTimeout(this.#contextGiven);
+    // A task, not a microtask: those can run inside of a script that sets attribute and text.
+    this.#contextGiven = setTimeout(() => (this.#contextGiven = undefined));
+  }
+
   /** The program the element starts with. */
   start(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, 'final');
-    this.#programSetup.know(this.editor.length);
   }
 
   /** Another program from outside, with no word to the page around. */
   put(program: ProgramText, file: ProgramFile | undefined): void {
-    this.editor.setText(program, file, this.editor.length > 0 ? 'undoable' : 'final');
-    this.#programSetup.know(this.editor.length);
+    const { editor } = this;
+    const isAnother = this.#contextGiven === undefined && isAnotherProgram(editor.text, program.pieces.join(''), [{ from: 0, to: editor.length }]);
+    const context = isAnother ? this.#neutral : this.#context;
+    editor.setText(program, file, editor.length > 0 ? 'undoable' : 'final', context);
+    this.#runIn(context, 'by-the-page');
     // What was said of a file is not said of this program.
     this.service('hideNotice')('file');
     this.#runs.forgetCursor();
@@ -231,10 +250,12 @@ export class PlaygroundShell implements Shell {
 
   take(program: ProgramText, file: ProgramFile | undefined, as: 'another' | 'same'): void {
     if (as === 'another') {
-      // The switches were set for another program, too; who empties the editor still sees them.
-      this.#runAs({ setup: this.#programSetup.another(this.editor.length, this.#attributes), blockSkip: null, program: null });
-    }
-    this.put(program, file);
+      const context = this.#neutral;
+      this.editor.setText(program, file, 'undoable', context);
+      this.#runIn(context, 'by-the-reader');
+    } else this.editor.setText(program, file, 'undoable');
+    this.#runs.forgetCursor();
+    this.#runs.textChanged('fit');
     this.changed();
     if (as === 'another') this.#tell((panel) => panel.textArrived?.(0, this.editor.length));
   }
@@ -259,8 +280,11 @@ export class PlaygroundShell implements Shell {
   }
 
   changeSetup(setup: string | null): void {
-    if (this.#host.setup === setup) return;
-    this.#host.setup = setup;
+    const host = this.#host;
+    if (host.setup === setup && host.control === null) return;
+    host.setup = setup;
+    // The form has shown what the attribute says, and the setup says it now.
+    host.control = null;
     this.#events.fire('gcode-setup', { setup });
   }
 
@@ -312,21 +336,21 @@ export class PlaygroundShell implements Shell {
     for (const panel of this.#panels) tell(panel);
   }
 
-  #typed(how: 'edited' | 'undone'): void {
-    const runAs = this.#programSetup.follow(how, this.editor.length, this.#attributes);
-    if (runAs !== undefined) this.#runAs(runAs);
-    this.#runs.typed();
+  get #context(): ProgramContext {
+    const { control, setup, blockSkip, program, origin } = this.#host;
+    return { control, setup, blockSkip, program, origin };
   }
 
-  get #attributes(): Attributes {
-    const { control, setup, blockSkip, program } = this.#host;
-    return { control, runAs: { setup, blockSkip, program } };
+  /** That of a program of which nothing is known but its text: it is run on the reader's own machine. */
+  get #neutral(): ProgramContext {
+    return { ...NEUTRAL, setup: this.#services.ownSetup?.() ?? null };
   }
 
-  #runAs({ setup, blockSkip, program }: RunAs): void {
-    this.#host.blockSkip = blockSkip;
-    this.#host.program = program;
-    this.changeSetup(setup);
+  #runIn(context: ProgramContext, by: 'by-the-reader' | 'by-the-page'): void {
+    const before = this.#context;
+    if (CONTEXT_KEYS.every((key) => context[key] === before[key])) return;
+    Object.assign(this.#host, context);
+    if (by === 'by-the-reader') this.#events.fire('gcode-context', context);
   }
 
   /** The setup as the attributes have it; nothing where it cannot be read. */
@@ -398,6 +422,10 @@ export class PlaygroundShell implements Shell {
     this.#editIfShown();
   }
 }
+
+/** The context of a program of which nothing is known but its text. */
+const NEUTRAL: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
+const CONTEXT_KEYS = Object.keys(NEUTRAL) as readonly (keyof ProgramContext)[];
 
 function hasMotions({ summary }: Report): boolean {
   return summary.finished && summary.motions > 0;

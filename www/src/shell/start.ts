@@ -26,17 +26,6 @@ export type MergedSetup =
   | { readonly kind: 'setup'; readonly json: string }
   | { readonly kind: 'unreadable'; readonly reason: string };
 
-/** A setup that says nothing but the control, for a program that has nothing to do with the one before it. */
-export function neutralSetup(json: string | null): string | null {
-  try {
-    const { dialect } = Object(JSON.parse(json ?? '{}')) as { readonly dialect?: { readonly control?: unknown } };
-    const control = dialect?.control;
-    return typeof control === 'string' ? JSON.stringify({ dialect: { control } }) : null;
-  } catch {
-    return null;
-  }
-}
-
 /** Attributes that stand for keys of the setup; null where the setup itself decides. */
 export interface SetupAttributes {
   readonly control: string | null;

@@ -4,7 +4,7 @@
 // has to wait. Must not know: runs, or how answers reach the page.
 
 import { Playground } from '../../pkg/gcode_playground.js';
-import type { QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
+import type { ProfilesRead, QuestionKind, Questions, WrittenOut } from '../protocol/protocol';
 import { exported } from './exports';
 import { piecesOf, programsIn } from './paste';
 import { toolAnswers } from './tool';
@@ -53,7 +53,19 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   'setup-form': { needs: SETUP_FORM, answer: (core) => core.setupForm() },
   'another-tool': { needs: SETUP_FORM, answer: (core, { word }) => core.anotherTool(word) },
   'read-setup': { needs: SETUP_FORM, answer: (core, { keys, texts, keep, json }) => core.readSetupForm([...keys], [...texts], keep, json) },
+  'profiles-in': { needs: SETUP_FORM, answer: (core, { json }) => profilesIn(core, json) },
+  'profiles-of-run': { needs: SETUP_FORM, answer: (core, { json }) => core.profilesOfRun(json) },
+  'with-profile': { needs: SETUP_FORM, answer: (core, { json, kind, profile }) => core.withProfile(json, kind, profile) },
 };
+
+function profilesIn(core: Playground, json: string): ProfilesRead {
+  try {
+    return { kind: 'profiles', profiles: core.profilesIn(json) };
+  } catch (reason) {
+    if (reason instanceof WebAssembly.RuntimeError) throw reason;
+    return { kind: 'wrong', reason: reason instanceof Error ? reason.message : String(reason) };
+  }
+}
 
 function writtenOut(core: Playground): WrittenOut {
   const text = core.expand();

@@ -466,6 +466,7 @@ function report(playground: Playground, told: Report['stage']): void {
       summary: playground.summary(),
       diagnostics: playground.diagnostics(),
       overview: playground.setupOverview(),
+      readAs: playground.readAs(),
       decimal: playground.decimalNotice(),
       stage: told,
       setupRejected,

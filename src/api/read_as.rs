@@ -1,0 +1,80 @@
+//! How a program was read: the control, its system, units and switches, and who says so.
+//!
+//! In: a run. Out: a list of facts in words, each with the key of the setup that changes it. One line of the
+//! page shows them.
+
+use serde::Serialize;
+
+#[cfg(target_arch = "wasm32")]
+use tsify::Tsify;
+
+use crate::run::Run;
+use crate::sentences::{Language, labels};
+use crate::setup::dialect::{Control, DecimalRule};
+use crate::setup::fields::Name;
+
+/// How a program was read.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct ReadAs {
+    /// In the order in which they are read out.
+    pub facts: Vec<ReadFact>,
+}
+
+/// One thing that decides how a program is read.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(Tsify))]
+pub struct ReadFact {
+    /// The key of the setup that changes it; none where something else does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub key: Option<&'static str>,
+    /// In words: `system B`.
+    pub text: String,
+    /// Who says it: the setup, the program by what it looks like, or nobody; `program` where a code of it does.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"set\" | \"recognised\" | \"usual\" | \"program\""))]
+    pub basis: &'static str,
+}
+
+impl ReadAs {
+    /// How the program of a run was read.
+    pub fn new(run: &Run, language: Language) -> Self {
+        let (given, state) = (run.as_given().dialect, run.state());
+        let fact = |key, text: &str, basis| ReadFact { key: Some(key), text: text.to_owned(), basis };
+        let said = |is_said: bool| if is_said { "set" } else { "usual" };
+        if let Some(foreign) = run.foreign() {
+            let text = labels::not_run(foreign.name(), language);
+            return Self { facts: vec![fact("dialect.recognise", &text, "recognised")] };
+        }
+        let control = given.control.unwrap_or_default();
+        let name = labels::choice(Name::Control, control.name(), language);
+        let mut facts = vec![fact("dialect.control", name, said(given.control.is_some()))];
+        let system = run.recognised_system().or(given.g_system);
+        if control != Control::Gsk || system.is_some() {
+            let basis = if run.recognised_system().is_some() { "recognised" } else { said(system.is_some()) };
+            let text = labels::system(system.unwrap_or_default(), language);
+            facts.push(fact("dialect.gSystem", &text, basis));
+        }
+        let text = labels::unit_of_program(state.unit, language);
+        facts.push(ReadFact { key: None, text: text.to_owned(), basis: "program" });
+        let basis = match (run.decided_rule(), run.decimal_rule()) {
+            (None, _) => "set",
+            (Some(_), DecimalRule::LeastIncrement) => "recognised",
+            (Some(_), DecimalRule::Calculator) => "usual",
+        };
+        let text = labels::without_point(run.decimal_rule(), state.unit, language);
+        facts.push(fact("dialect.decimal", &text, basis));
+        let text = labels::feed_unit(state.feed_mode, state.unit, language);
+        let at_start = given.feed_mode.or(given.power_on_feed);
+        let basis = if at_start == Some(state.feed_mode) { "set" } else { "program" };
+        facts.push(fact("dialect.feedMode", text, basis));
+        let levels = &run.setup().block_skip;
+        let text = labels::block_skip(levels, language);
+        facts.push(ReadFact { key: None, text, basis: said(!levels.is_empty()) });
+        if let Some(number) = run.program_number() {
+            let basis = said(run.setup().program.is_some());
+            facts.push(ReadFact { key: None, text: format!("O{number:04}"), basis });
+        }
+        Self { facts }
+    }
+}

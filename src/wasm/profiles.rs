@@ -1,0 +1,60 @@
+//! Machines and tables of tools that the page keeps under names.
+
+use wasm_bindgen::prelude::*;
+
+use super::{Playground, error, to_js};
+use crate::api::Profiles;
+use crate::parts::in_part;
+use crate::setup::Setup;
+use crate::setup::draft::put_into_json;
+use crate::setup::profile::Profile;
+
+#[wasm_bindgen(typescript_custom_section)]
+const KIND: &str = "/** What is kept under a name. */\nexport type ProfileKind = \"machine\" | \"tools\";";
+
+#[wasm_bindgen]
+impl Playground {
+    /// Machine and tools of a setup that is handed in, such as that of a file. Throws what is wrong with it.
+    #[wasm_bindgen(js_name = profilesIn, unchecked_return_type = "Profiles")]
+    pub fn profiles_in(&self, json: &str) -> Result<JsValue, JsValue> {
+        profiles_in(json)
+    }
+
+    /// Machine and tools of the program as it is run, what its comments say included; `json` is the setup of
+    /// the page.
+    #[wasm_bindgen(js_name = profilesOfRun, unchecked_return_type = "Profiles")]
+    pub fn profiles_of_run(&self, json: &str) -> Result<JsValue, JsValue> {
+        profiles_of_run(self, json)
+    }
+
+    /// A setup with a profile in place of its own; empty where it says nothing then.
+    #[wasm_bindgen(js_name = withProfile)]
+    pub fn with_profile(
+        &self,
+        json: &str,
+        #[wasm_bindgen(unchecked_param_type = "ProfileKind")] kind: &str,
+        profile: &str,
+    ) -> String {
+        with_profile(json, kind, profile)
+    }
+}
+
+in_part! {
+    Tools "0701"
+    fn profiles_in(json: &str) -> Result<JsValue, JsValue> {
+        let setup = Setup::from_json(json).map_err(|problem| error(&problem))?;
+        // Written as the setup of a run is, so that the two can be compared.
+        to_js(&Profiles::of_setup(&put_into_json(json, &setup)))
+    }
+
+    Tools "0702"
+    fn profiles_of_run(playground: &Playground, json: &str) -> Result<JsValue, JsValue> {
+        let as_run = put_into_json(json, &playground.current.run().as_given());
+        to_js(&Profiles::of_setup(&as_run))
+    }
+
+    Tools "0703"
+    fn with_profile(json: &str, kind: &str, profile: &str) -> String {
+        Profile::of(kind).put_into(json, profile)
+    }
+}

@@ -1,0 +1,161 @@
+// Whose program is this: a text that takes the place of the one before is a program of its own, with a context of
+// its own, and one undo brings the one before back as it was. What an address held stays in it until the text differs.
+import { expect, test, type Page } from './engines';
+import { copy, editor, open, openFile, problems, program, status, value } from './page';
+
+const OWN = 'G00 X32 Z2\nG90 X28 Z-30 F0.2\n';
+/** An example on a GSK control under a blank of its own. */
+const EXAMPLE = 's000-o0002';
+
+/** How the program is run, as the element has it. */
+const context = (page: Page): Promise<Record<string, string | null>> =>
+  page.locator('gcode-playground').evaluate((element) => {
+    const { control, setup, blockSkip, program, origin } = element as unknown as Record<'control' | 'setup' | 'blockSkip' | 'program' | 'origin', string | null>;
+    return { control, setup, blockSkip, program, origin };
+  });
+
+const NEUTRAL = { control: null, setup: null, blockSkip: null, program: null, origin: null };
+const control = (page: Page) => page.getByRole('combobox', { name: 'Control' });
+const title = (page: Page) => page.getByRole('heading', { level: 2 });
+
+async function expectOwn(page: Page): Promise<void> {
+  await expect.poll(() => context(page)).toEqual(NEUTRAL);
+  await expect(control(page)).toHaveValue('fanuc');
+  await expect(title(page)).toHaveCount(0);
+  await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue('');
+  await expect(page.getByText('Stock assumed: collisions not checked')).toBeVisible();
+}
+
+async function expectExample(page: Page, before: Record<string, string | null>): Promise<void> {
+  await expect.poll(() => value(page)).toBe(program(EXAMPLE));
+  await expect.poll(() => context(page)).toEqual(before);
+  await expect(control(page)).toHaveValue('gsk');
+  await expect(title(page)).toHaveCount(1);
+  await expect(page.getByRole('combobox', { name: 'Example' })).toHaveValue(EXAMPLE);
+  await expect.poll(() => address(page)).toMatch(/#s000-o0002$/);
+}
+
+/** As a paste over everything does it. */
+async function pasteOver(page: Page, text: string): Promise<void> {
+  await copy(page, text);
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Control+V');
+}
+
+const address = (page: Page): Promise<string> => page.evaluate(() => location.href);
+
+test('a text over everything is a program of its own, and one undo brings back the example', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  const before = await context(page);
+  expect(before).toMatchObject({ control: 'gsk', origin: EXAMPLE });
+
+  const ways: readonly (readonly [string, () => Promise<unknown>])[] = [
+    ['pasted', () => pasteOver(page, OWN)],
+    ['typed', async () => {
+      await editor(page).focus();
+      await page.keyboard.press('Control+A');
+      await page.keyboard.insertText(OWN);
+    }],
+    ['opened', () => openFile(page, 'own.nc', Buffer.from(OWN))],
+    ['set', () => page.locator('gcode-playground').evaluate((element, text) => void ((element as unknown as { value: string }).value = text), OWN)],
+  ];
+  for (const [how, act] of ways) {
+    await test.step(how, async () => {
+      await act();
+      await expect.poll(() => value(page)).toBe(OWN);
+      await expectOwn(page);
+      await expect(problems(page).getByText(/stock/i)).toHaveCount(0);
+      await editor(page).focus();
+      await page.keyboard.press('Control+z');
+      await expectExample(page, before);
+    });
+  }
+  await test.step('redo brings the own program back without them', async () => {
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(() => value(page)).toBe(OWN);
+    await expectOwn(page);
+  });
+});
+
+test('a program that is cut out and put back is the same one', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  const before = await context(page);
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await expect.poll(() => context(page)).toEqual(NEUTRAL);
+  await pasteOver(page, program(EXAMPLE).replace('F', 'F0'));
+  await expect.poll(() => context(page)).toEqual(before);
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await pasteOver(page, OWN);
+  await expectOwn(page);
+});
+
+test('switches and tools of the program before do not reach the next one', async ({ page }) => {
+  await open(page, '#s002-g121-square');
+  await page.locator('gcode-playground').evaluate((element) => {
+    element.setAttribute('block-skip', '1');
+    element.setAttribute('program', '7');
+  });
+  await pasteOver(page, 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n');
+  await expect.poll(() => context(page)).toEqual(NEUTRAL);
+  await expect(page.getByText('Tools assumed')).toBeVisible();
+  await expect(status(page)).toContainText(/^4 motions/);
+});
+
+test('an edit, and a text that keeps most of the program, leave its context', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  const before = await context(page);
+  const text = program(EXAMPLE);
+  await pasteOver(page, text.replace(/Z-?\d+/, 'Z-12').toLowerCase());
+  await expect.poll(() => context(page)).toEqual(before);
+  await pasteOver(page, `${text}${'G4 X1\n'.repeat(100)}`);
+  await expect.poll(() => context(page)).toEqual(before);
+  await pasteOver(page, text.split('\n').slice(0, 4).join('\n'));
+  await expect.poll(() => context(page)).toEqual(before);
+  await expect(title(page)).toHaveCount(1);
+});
+
+test('what the page sets beside a text is for that text', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  await page.locator('gcode-playground').evaluate((element, text) => {
+    element.setAttribute('setup', '{"stock": {"diameter": 60, "length": 80}}');
+    (element as unknown as { value: string }).value = text;
+  }, OWN);
+  await expect(page.getByText('Stock assumed: collisions not checked')).toBeHidden();
+  expect(await context(page)).toMatchObject({ setup: '{"stock": {"diameter": 60, "length": 80}}' });
+});
+
+test('a program of its own is what a reload finds', async ({ page }) => {
+  await open(page, `#${EXAMPLE}`);
+  await pasteOver(page, OWN);
+  await expectOwn(page);
+  await expect.poll(() => address(page)).not.toContain('#');
+  await page.reload();
+  await expect.poll(() => value(page)).toBe(OWN);
+  await expectOwn(page);
+});
+
+test('the program of a link stays in the address until the text differs', async ({ page }) => {
+  const hash = `#program=${encodeURIComponent('O0001\nG00 X20 Z2\nG01 Z-10 F0.1\nM30\n')}`;
+  await open(page, hash);
+  await editor(page).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('G');
+  await page.keyboard.press('Backspace');
+  await page.getByRole('combobox', { name: 'Control' }).selectOption('gsk');
+  await page.waitForTimeout(600);
+  expect(await address(page)).toContain('#program=');
+
+  await editor(page).focus();
+  await page.keyboard.insertText('G04 X1\n');
+  const said = page.getByText('This began as the program of a link');
+  await expect(said).toBeVisible();
+  expect(await address(page)).not.toContain('#program=');
+  await page.getByRole('button', { name: 'Open the link again' }).click();
+  await expect.poll(() => value(page)).toBe('O0001\nG00 X20 Z2\nG01 Z-10 F0.1\nM30\n');
+  expect(await address(page)).toContain('#program=');
+  await expect(said).toBeHidden();
+});

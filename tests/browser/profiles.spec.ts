@@ -1,0 +1,80 @@
+// Machines and tables of tools are kept under names, and a file of one is a setup. Programs of one's own begin with the
+// machine that is chosen; those of the page keep theirs.
+import { readFileSync } from 'node:fs';
+import { expect, test, type Locator, type Page } from './engines';
+import { copy, editor, open, openFile, status } from './page';
+
+const PROGRAM = 'O0001\nT0101\nG97 S800 M3\nG0 X40 Z2\nG1 Z-20 F0.2\nX44\nG0 X100 Z100\nM30\n';
+const SHOP = { dialect: { control: 'gsk', refPoint: { x: 250, z: 300 } }, machine: { rapidX: 8000, turret: 'front' }, tailstock: { z: 2, diameter: 20 } };
+
+const dialog = (page: Page): Locator => page.getByRole('dialog', { name: 'Machines and tool tables' });
+const machine = (page: Page): Locator => page.getByRole('button', { name: /^(Choose machine|Machine: )/ });
+const setup = async (page: Page): Promise<unknown> =>
+  JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
+
+async function importProfile(page: Page, name: string, json: unknown): Promise<void> {
+  await machine(page).click();
+  await expect(dialog(page)).toBeVisible();
+  await dialog(page).locator('input[type=file]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(json)) });
+}
+
+test('a machine is imported, used for programs of one’s own, and exported as it came', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await expect(machine(page)).toHaveText('Choose machine');
+  await importProfile(page, 'Shop 1.json', SHOP);
+  await expect(dialog(page).getByText('Shop 1 is kept.')).toBeVisible();
+  await dialog(page).getByRole('button', { name: 'Use: Shop 1' }).click();
+  await expect(machine(page)).toHaveText('Machine: Shop 1');
+  expect(await setup(page)).toEqual(SHOP);
+  await expect(page.locator('header').getByLabel('Control')).toHaveValue('gsk');
+  await expect(page.getByRole('group', { name: 'How the program was read' })).toContainText('GSK 980TD (set)');
+
+  await test.step('the next program begins with it, an example has its own', async () => {
+    await page.getByLabel('Example').selectOption('s001-o6003');
+    await expect(machine(page)).toHaveText('Choose machine');
+    await copy(page, PROGRAM);
+    await editor(page).focus();
+    await page.keyboard.press('Control+A');
+    await page.keyboard.press('Control+V');
+    await expect(machine(page)).toHaveText('Machine: Shop 1');
+    expect(await setup(page)).toEqual(SHOP);
+    await page.reload();
+    await expect(machine(page)).toHaveText('Machine: Shop 1');
+  });
+  await test.step('the file is a setup', async () => {
+    await machine(page).click();
+    const download = page.waitForEvent('download');
+    await dialog(page).getByRole('button', { name: 'Export: Shop 1' }).click();
+    const file = await download;
+    expect(file.suggestedFilename()).toBe('Shop 1.json');
+    expect(JSON.parse(readFileSync(await file.path(), 'utf8'))).toEqual(SHOP);
+  });
+  await test.step('without it the program is run on no machine in particular', async () => {
+    await dialog(page).getByRole('button', { name: 'Use no machine' }).click();
+    await expect(machine(page)).toHaveText('Choose machine');
+    expect(await setup(page)).toEqual({});
+  });
+});
+
+test('machine and tools of a program are kept apart, and a file that is no setup is refused', async ({ page }) => {
+  await open(page);
+  await openFile(page, 'own.nc', Buffer.from(`(TOOL T0101 TYPE=TURNING R=0.8)\n(MACHINE RAPIDX=9000)\n${PROGRAM}`));
+  await expect(status(page)).toContainText(/^4 motions/);
+  await machine(page).click();
+  await dialog(page).getByLabel('Keep the tools of this program as').first().fill('Set A');
+  await page.keyboard.press('Enter');
+  await expect(dialog(page).getByText('Set A is kept.')).toBeVisible();
+  await dialog(page).getByRole('button', { name: 'Close' }).click();
+
+  await openFile(page, 'other.nc', Buffer.from(PROGRAM));
+  await expect.poll(() => setup(page)).toEqual({});
+  await machine(page).click();
+  await dialog(page).getByRole('button', { name: 'Use: Set A' }).click();
+  await expect.poll(() => setup(page)).toEqual({ tools: { T0101: { type: 'turning', noseRadius: 0.8 } } });
+
+  await importProfile(page, 'bad.json', { stok: {} });
+  await expect(dialog(page).getByText(/bad.json is no setup: .*stok/)).toBeVisible();
+  await dialog(page).getByRole('button', { name: 'Delete: Set A' }).click();
+  await expect(dialog(page).getByText('No tool table is kept yet.')).toBeVisible();
+});

@@ -1,0 +1,225 @@
+// The dialog in which machines and tables of tools are kept under names, taken, exported and imported. A file holds a
+// setup, as the command line reads it.
+//
+// In: the profiles of the run. Out: the one that the reader takes. Must not know: what a profile says.
+
+import { Dialog } from '../dom/dialog';
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import { download } from '../editor/program-files';
+import type { ProfileKind, ProfilesRead, Profiles } from '../protocol/protocol';
+import { chosenMachine, forgetProfile, keepProfile, profile, profileNames } from './profiles-kept';
+
+/** A setup is short; what is longer is no setup. */
+const MOST_BYTES = 1 << 20;
+const KINDS = ['machine', 'tools'] as const;
+
+export interface ProfilesEvents {
+  /** No machine in particular without a name. */
+  taken(kind: ProfileKind, name: string | undefined): void;
+  /** Nothing where there is no worker. */
+  read(json: string): Promise<ProfilesRead | undefined>;
+  /** Others are kept now. */
+  changed(): void;
+}
+
+export class ProfilesDialog {
+  readonly #events: ProfilesEvents;
+  readonly #lists = make('div', { className: 'profile-lists' });
+  readonly #import = make('button', { type: 'button', className: 'framed' });
+  readonly #file = make('input', { type: 'file', hidden: true, accept: '.json,application/json' });
+  readonly #news = make('p', { className: 'news', role: 'status' });
+  readonly #dialog: Dialog;
+  #language: Language;
+  /** What the program runs on, and the name it is kept under. */
+  #own: Profiles = {};
+  #machine: string | undefined;
+
+  constructor(language: Language, events: ProfilesEvents) {
+    this.#language = language;
+    this.#events = events;
+    this.#dialog = new Dialog('profiles', [make('div', { className: 'text' }, this.#lists), this.#file], [this.#news, this.#import]);
+    this.#import.addEventListener('click', () => this.#file.click());
+    this.#file.addEventListener('change', () => {
+      const file = this.#file.files?.[0];
+      this.#file.value = '';
+      if (file !== undefined) void this.#read(file);
+    });
+    this.language = language;
+  }
+
+  set language(language: Language) {
+    this.#language = language;
+    const texts = WORDS[language];
+    this.#dialog.name(texts.title, COMMON[language].close);
+    this.#dialog.about = texts.about;
+    this.#import.textContent = texts.import;
+    this.#file.setAttribute('aria-label', texts.import);
+    this.#render();
+  }
+
+  get element(): HTMLElement {
+    return this.#dialog.element;
+  }
+
+  get open(): boolean {
+    return this.#dialog.open;
+  }
+
+  show(own: Profiles, machine: string | undefined): void {
+    this.#own = own;
+    this.#machine = machine;
+    this.#news.textContent = '';
+    this.#render();
+    this.#dialog.show();
+  }
+
+  #render(): void {
+    this.#lists.replaceChildren(...KINDS.map((kind) => this.#list(kind)));
+  }
+
+  #list(kind: ProfileKind): HTMLElement {
+    const texts = WORDS[this.#language];
+    const title = texts.titles[kind];
+    const rows = profileNames(kind).map((name) => this.#row(kind, name));
+    const none = kind === 'machine' && chosenMachine() !== undefined ? [this.#none()] : [];
+    const list = rows.length === 0 ? make('p', { className: 'about' }, texts.nothing[kind]) : make('ul', {}, ...none, ...rows);
+    return make('section', { 'aria-label': title }, make('h3', {}, title), list, this.#keeper(kind));
+  }
+
+  #row(kind: ProfileKind, name: string): HTMLElement {
+    const texts = WORDS[this.#language];
+    const button = (text: string, act: () => void): HTMLElement => {
+      const made = make('button', { type: 'button', className: 'framed', 'aria-label': `${text}: ${name}` }, text);
+      made.addEventListener('click', act);
+      return made;
+    };
+    const isTaken = kind === 'machine' && name === this.#machine;
+    const label = make('span', { className: 'profile-name' }, isTaken ? texts.inUse(name) : name);
+    return make(
+      'li', {}, label,
+      button(texts.use, () => {
+        this.#dialog.close();
+        this.#events.taken(kind, name);
+      }),
+      button(texts.export, () => download(`${name}.json`, new TextEncoder().encode(profile(kind, name) ?? '{}'))),
+      button(texts.delete, () => {
+        forgetProfile(kind, name);
+        this.#changed(texts.deleted(name));
+      }),
+    );
+  }
+
+  /** The way back to no machine in particular. */
+  #none(): HTMLElement {
+    const texts = WORDS[this.#language];
+    const button = make('button', { type: 'button', className: 'framed' }, texts.noMachine);
+    button.addEventListener('click', () => {
+      this.#dialog.close();
+      this.#events.taken('machine', undefined);
+    });
+    return make('li', {}, button);
+  }
+
+  /** Keeps what the program runs on now under a name. */
+  #keeper(kind: ProfileKind): HTMLElement {
+    const texts = WORDS[this.#language];
+    const json = this.#own[kind];
+    if (json === undefined) return make('p', { className: 'about' }, texts.nothingSaid[kind]);
+    const input = make('input', { type: 'text', id: `keep-${kind}`, required: true, maxLength: 60, autocomplete: 'off' });
+    const form = make(
+      'form', {}, make('label', { htmlFor: input.id }, texts.keepAs[kind]), input, make('button', { type: 'submit', className: 'framed', 'aria-label': texts.keepAs[kind] }, texts.keep),
+    );
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      const name = input.value.trim();
+      if (name === '') return;
+      keepProfile(kind, name, json);
+      this.#changed(texts.kept(name));
+    });
+    return form;
+  }
+
+  async #read(file: File): Promise<void> {
+    const texts = WORDS[this.#language];
+    if (file.size > MOST_BYTES) return this.#say(texts.noSetup(file.name));
+    const answer = await this.#events.read(await file.text());
+    if (answer === undefined) return;
+    if (answer.kind === 'wrong') return this.#say(texts.wrong(file.name, answer.reason));
+    const name = file.name.replace(/\.json$/i, '');
+    const kinds = KINDS.filter((kind) => answer.profiles[kind] !== undefined);
+    for (const kind of kinds) keepProfile(kind, name, answer.profiles[kind] ?? '{}');
+    this.#changed(kinds.length === 0 ? texts.noSetup(file.name) : texts.kept(name));
+  }
+
+  #changed(news: string): void {
+    this.#render();
+    this.#say(news);
+    this.#events.changed();
+  }
+
+  #say(news: string): void {
+    this.#news.textContent = news;
+  }
+}
+
+const WORDS = words({
+  en: {
+    title: 'Machines and tool tables',
+    about: 'Kept in this browser. A file holds a setup, which the command line reads with --setup. Your own programs begin with the machine you use.',
+    titles: { machine: 'Machines', tools: 'Tool tables' },
+    nothing: { machine: 'No machine is kept yet.', tools: 'No tool table is kept yet.' },
+    nothingSaid: { machine: 'The setup says nothing of the machine. Enter it in the setup form, then keep it here.', tools: 'The setup has no tools. Enter them in the setup form, then keep them here.' },
+    keepAs: { machine: 'Keep the machine of this program as', tools: 'Keep the tools of this program as' },
+    keep: 'Keep',
+    kept: (name: string) => `${name} is kept.`,
+    use: 'Use',
+    inUse: (name: string) => `${name} (in use)`,
+    noMachine: 'Use no machine',
+    export: 'Export',
+    delete: 'Delete',
+    deleted: (name: string) => `${name} is deleted.`,
+    import: 'Import file',
+    noSetup: (file: string) => `${file} holds neither a machine nor tools.`,
+    wrong: (file: string, reason: string) => `${file} is no setup: ${reason}`,
+  },
+  zh: {
+    title: '机床与刀具表',
+    about: '保存在此浏览器中。文件内容为设置，命令行用 --setup 读取。您自己的程序从所用机床开始。',
+    titles: { machine: '机床', tools: '刀具表' },
+    nothing: { machine: '尚未保存机床。', tools: '尚未保存刀具表。' },
+    nothingSaid: { machine: '设置中没有机床。请先在设置表中填写，再保存到这里。', tools: '设置中没有刀具。请先在设置表中填写，再保存到这里。' },
+    keepAs: { machine: '将此程序的机床保存为', tools: '将此程序的刀具保存为' },
+    keep: '保存',
+    kept: (name) => `已保存 ${name}。`,
+    use: '使用',
+    inUse: (name) => `${name}（使用中）`,
+    noMachine: '不使用机床',
+    export: '导出',
+    delete: '删除',
+    deleted: (name) => `已删除 ${name}。`,
+    import: '导入文件',
+    noSetup: (file) => `${file} 中既没有机床，也没有刀具。`,
+    wrong: (file, reason) => `${file} 不是设置：${reason}`,
+  },
+  ru: {
+    title: 'Станки и таблицы инструментов',
+    about: 'Хранятся в этом браузере. В файле наладка, которую командная строка читает с --setup. Ваши программы начинаются с выбранного станка.',
+    titles: { machine: 'Станки', tools: 'Таблицы инструментов' },
+    nothing: { machine: 'Станков пока нет.', tools: 'Таблиц инструментов пока нет.' },
+    nothingSaid: { machine: 'О станке в наладке ничего нет. Укажите его в форме наладки и сохраните здесь.', tools: 'В наладке нет инструментов. Укажите их в форме наладки и сохраните здесь.' },
+    keepAs: { machine: 'Сохранить станок этой программы как', tools: 'Сохранить инструменты этой программы как' },
+    keep: 'Сохранить',
+    kept: (name) => `Сохранено: ${name}.`,
+    use: 'Выбрать',
+    inUse: (name) => `${name} (выбран)`,
+    noMachine: 'Без станка',
+    export: 'Экспорт',
+    delete: 'Удалить',
+    deleted: (name) => `Удалено: ${name}.`,
+    import: 'Импорт файла',
+    noSetup: (file) => `В файле ${file} нет ни станка, ни инструментов.`,
+    wrong: (file, reason) => `${file} — не наладка: ${reason}`,
+  },
+});

@@ -1,0 +1,70 @@
+// The machines and tables of tools that this browser keeps under names.
+//
+// In and out: names, and setups as JSON. A browser that refuses to store (private mode, full) is no error: nothing is
+// kept. Must not know: what a setup says.
+
+import type { ProfileKind } from '../protocol/protocol';
+
+interface Kept {
+  readonly machine: Readonly<Record<string, string>>;
+  readonly tools: Readonly<Record<string, string>>;
+  /** The machine that programs of the reader's own begin with. */
+  readonly chosen?: string;
+}
+
+const KEY = 'gcode-playground:profiles';
+
+export function profileNames(kind: ProfileKind): readonly string[] {
+  return Object.keys(kept()[kind]).sort((a, b) => a.localeCompare(b));
+}
+
+export function profile(kind: ProfileKind, name: string): string | undefined {
+  return kept()[kind][name];
+}
+
+export function keepProfile(kind: ProfileKind, name: string, json: string): void {
+  const all = kept();
+  keep({ ...all, [kind]: { ...all[kind], [name]: json } });
+}
+
+export function forgetProfile(kind: ProfileKind, name: string): void {
+  const { chosen, ...all } = kept();
+  const others = Object.fromEntries(Object.entries(all[kind]).filter(([own]) => own !== name));
+  keep({ ...all, [kind]: others, ...(chosen === undefined || (kind === 'machine' && chosen === name) ? {} : { chosen }) });
+}
+
+/** The machine that programs of the reader's own begin with. */
+export function chosenMachine(): { readonly name: string; readonly json: string } | undefined {
+  const { machine, chosen } = kept();
+  const json = chosen === undefined ? undefined : machine[chosen];
+  return chosen === undefined || json === undefined ? undefined : { name: chosen, json };
+}
+
+export function chooseMachine(name: string | undefined): void {
+  const { chosen: _, ...all } = kept();
+  keep({ ...all, ...(name === undefined ? {} : { chosen: name }) });
+}
+
+function kept(): Kept {
+  const none: Kept = { machine: {}, tools: {} };
+  try {
+    const all = Object(JSON.parse(localStorage.getItem(KEY) ?? '{}')) as Partial<Record<keyof Kept, unknown>>;
+    const { chosen } = all;
+    return { machine: texts(all.machine), tools: texts(all.tools), ...(typeof chosen === 'string' ? { chosen } : {}) };
+  } catch {
+    return none;
+  }
+}
+
+function texts(value: unknown): Record<string, string> {
+  const entries = Object.entries(Object(value) as Record<string, unknown>);
+  return Object.fromEntries(entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
+}
+
+function keep(all: Kept): void {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(all));
+  } catch {
+    // The setup stays as it is; it is only not remembered.
+  }
+}

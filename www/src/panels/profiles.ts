@@ -1,0 +1,111 @@
+// The machine the program is run on: the button that says which, and the dialog in which machines and tables of tools
+// are kept under names.
+//
+// In: the profiles of the run. Out: the setup with another one. Must not know: what belongs to a machine.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { ProfileKind } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Services, Shell } from './panel';
+import type { ProfilesDialog } from './profiles-dialog';
+import { chooseMachine, chosenMachine, profile } from './profiles-kept';
+import profilesStyles from './profiles.css?inline';
+
+export const profiles: PanelKind = { styles: profilesStyles, make: (shell) => new Profiles(shell) };
+
+class Profiles implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'machine quiet', 'aria-haspopup': 'dialog' });
+  /** Loaded when it is first opened. */
+  #dialog: ProfilesDialog | undefined;
+  /** The chosen machine, while the program runs on it. */
+  #machine: string | undefined;
+  readonly places = {};
+  readonly services: Partial<Services> = {
+    machineButton: () => this.#button,
+    ownSetup: () => chosenMachine()?.json ?? null,
+  };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.addEventListener('click', () => void this.#open());
+  }
+
+  set language(language: Language) {
+    if (this.#dialog !== undefined) this.#dialog.language = language;
+    this.#render();
+  }
+
+  get takesKeys(): boolean {
+    return this.#dialog?.open ?? false;
+  }
+
+  heard(event: Heard): void {
+    if (event.kind === 'report') void this.#compare();
+  }
+
+  /** Whether the program runs on the chosen machine: an example has one of its own, and a comment may name another. */
+  async #compare(): Promise<void> {
+    const chosen = chosenMachine();
+    const own = chosen === undefined ? undefined : await this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' });
+    const given = chosen === undefined ? undefined : await this.#shell.ask('profiles-in', { json: chosen.json });
+    const same = given?.kind === 'profiles' && own !== undefined && own.machine === given.profiles.machine;
+    const machine = same ? chosen?.name : undefined;
+    if (machine === this.#machine) return;
+    this.#machine = machine;
+    this.#render();
+  }
+
+  #render(): void {
+    const texts = WORDS[this.#shell.language];
+    this.#button.textContent = this.#machine === undefined ? texts.choose : texts.machine(this.#machine);
+  }
+
+  async #open(): Promise<void> {
+    const [own, { ProfilesDialog }] = await Promise.all([
+      this.#shell.ask('profiles-of-run', { json: this.#shell.setup ?? '{}' }),
+      import('./profiles-dialog'),
+    ]);
+    if (this.#dialog === undefined) {
+      this.#dialog = new ProfilesDialog(this.#shell.language, {
+        taken: (kind, name) => void this.#take(kind, name),
+        read: (json) => this.#shell.ask('profiles-in', { json }),
+        changed: () => void this.#compare(),
+      });
+      this.#shell.region('dialogs').append(this.#dialog.element);
+    }
+    this.#dialog.show(own ?? {}, this.#machine);
+  }
+
+  /** Without a name the program is run on no machine in particular. */
+  async #take(kind: ProfileKind, name: string | undefined): Promise<void> {
+    if (kind === 'machine') chooseMachine(name);
+    const json = name === undefined ? '{}' : (profile(kind, name) ?? '{}');
+    const setup = await this.#shell.ask('with-profile', { json: this.#shell.setup ?? '{}', kind, profile: json });
+    if (setup === undefined) return;
+    this.#shell.changeSetup(setup === '' ? null : setup);
+    this.#shell.service('notice')(WORDS[this.#shell.language].taken(name), 'program-setup');
+    void this.#compare();
+    this.#button.focus();
+  }
+}
+
+const WORDS = words({
+  en: {
+    choose: 'Choose machine',
+    machine: (name: string) => `Machine: ${name}`,
+    taken: (name: string | undefined) => (name === undefined ? 'No machine is chosen now.' : `${name} is in the setup of this page now. Comments of the program override it.`),
+  },
+  zh: {
+    choose: '选择机床',
+    machine: (name) => `机床：${name}`,
+    taken: (name) => (name === undefined ? '现在未选择机床。' : `${name} 已写入本页的设置。程序注释优先。`),
+  },
+  ru: {
+    choose: 'Выбрать станок',
+    machine: (name) => `Станок: ${name}`,
+    taken: (name) => (name === undefined ? 'Станок не выбран.' : `${name}: наладка этой страницы. Комментарии программы важнее.`),
+  },
+});

@@ -1,0 +1,111 @@
+// One line that is always there: how the program was read, and by what machine. Each fact that a setting decides leads
+// to its field in the setup form.
+//
+// In: the facts of the newest run, in words. Out: the field the reader wants to change. Must not know: what a
+// fact means.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { ReadAs, ReadFact } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell } from './panel';
+import readAsStyles from './read-as.css?inline';
+
+export const readAs: PanelKind = { styles: readAsStyles, make: (shell) => new ReadAsLine(shell) };
+
+/** Where the reader begins who wants to change something, but says not what. */
+const FIRST_FIELD = 'dialect.control';
+
+class ReadAsLine implements Panel {
+  readonly #shell: Shell;
+  readonly #facts = make('span', { className: 'facts-read' });
+  readonly #change = make('button', { type: 'button', className: 'change quiet' });
+  readonly #element = make('div', { className: 'read-as', part: 'read-as', role: 'group' }, this.#facts, this.#change);
+  #hasMachine = false;
+  #read: ReadAs | undefined;
+  /** What is shown, so that a fact keeps the focus through runs that change nothing. */
+  #shown = '';
+  readonly places = { bar: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#change.addEventListener('click', () => this.#open(this.#read?.facts[0]?.key ?? FIRST_FIELD));
+  }
+
+  set language(language: Language) {
+    const texts = WORDS[language];
+    this.#element.setAttribute('aria-label', texts.name);
+    this.#change.textContent = texts.change;
+    this.#change.setAttribute('aria-label', texts.changeName);
+    // Not earlier: all panels are made by then.
+    if (!this.#hasMachine) this.#element.append(this.#shell.service('machineButton')());
+    this.#hasMachine = true;
+    this.#render();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    this.#read = event.report.readAs;
+    this.#render();
+  }
+
+  #render(): void {
+    const texts = WORDS[this.#shell.language];
+    const facts = this.#read?.facts ?? [];
+    const shown = JSON.stringify([this.#shell.language, facts]);
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    const list = facts.flatMap((fact, at) => [at === 0 ? ' ' : texts.comma, this.#fact(fact)]);
+    this.#facts.replaceChildren(facts.length === 0 ? texts.reading : texts.readAs, ...list);
+  }
+
+  #fact({ key, text, basis }: ReadFact): HTMLElement {
+    const texts = WORDS[this.#shell.language];
+    const said = basis === 'recognised' ? texts.recognised(text) : basis === 'set' ? texts.set(text) : text;
+    const className = `fact ${basis}`;
+    if (key === undefined) return make('span', { className }, said);
+    const button = make('button', { type: 'button', className }, said);
+    button.addEventListener('click', () => this.#open(key));
+    return button;
+  }
+
+  #open(key: string): void {
+    this.#shell.service('openSetup')('control', key);
+  }
+}
+
+const WORDS = words({
+  en: {
+    name: 'How the program was read',
+    readAs: 'Read as',
+    reading: 'Reading …',
+    comma: ', ',
+    /** The program shows it. */
+    recognised: (fact: string) => `${fact} (recognised)`,
+    /** The setup says it. */
+    set: (fact: string) => `${fact} (set)`,
+    change: 'change',
+    changeName: 'change how the program is read',
+  },
+  zh: {
+    name: '程序的读法',
+    readAs: '读作',
+    reading: '正在读取……',
+    comma: '，',
+    recognised: (fact) => `${fact}（识别）`,
+    set: (fact) => `${fact}（设定）`,
+    change: '更改',
+    changeName: '更改程序的读法',
+  },
+  ru: {
+    name: 'Как прочитана программа',
+    readAs: 'Прочитано как',
+    reading: 'Чтение …',
+    comma: ', ',
+    recognised: (fact) => `${fact} (распознано)`,
+    set: (fact) => `${fact} (задано)`,
+    change: 'изменить',
+    changeName: 'изменить чтение программы',
+  },
+});
