@@ -61,7 +61,9 @@ fn motions_are_the_expected_ones() {
 #[wasm_bindgen_test]
 fn messages_are_the_expected_ones() {
     for program in &all() {
-        let found = rows(play(program).diagnostics());
+        let mut playground = play(program);
+        while !playground.remove_material(100) {}
+        let found = rows(playground.diagnostics());
         check_messages(program, &found).unwrap_or_else(|why| panic!("{}: {why}", program.id));
     }
 }
