@@ -40,6 +40,16 @@ export async function open(page: BasicPage, hash = ''): Promise<void> {
   await expect(status(page)).toContainText(/\d/);
   // Of what is still coming it says so, with dots.
   await expect(status(page)).not.toContainText('…');
+  await page.locator('gcode-playground').evaluate(atRest);
+}
+
+/** What comes after the first picture is there: a click goes where it was aimed. */
+async function atRest(element: Element): Promise<void> {
+  await (element as Playground).settled;
+  const examples = document.querySelector<HTMLSelectElement>('#example');
+  // The list of examples may be kept from coming.
+  const end = performance.now() + 3000;
+  while (examples !== null && examples.options.length < 2 && performance.now() < end) await new Promise((done) => setTimeout(done, 10));
 }
 
 /** Types the text in place of what is there, as a reader would: select all, then the keys. */

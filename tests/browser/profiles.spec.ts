@@ -12,7 +12,12 @@ const machine = (page: Page): Locator => page.getByRole('button', { name: /^(Cho
 const setup = async (page: Page): Promise<unknown> =>
   JSON.parse((await page.locator('gcode-playground').getAttribute('setup')) ?? '{}');
 
+/** The run is over: the line with the button stays where it is. */
+const settled = async (page: Page): Promise<unknown> =>
+  page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+
 async function importProfile(page: Page, name: string, json: unknown): Promise<void> {
+  await settled(page);
   await machine(page).click();
   await expect(dialog(page)).toBeVisible();
   await dialog(page).locator('input[type=file]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(json)) });
@@ -21,6 +26,7 @@ async function importProfile(page: Page, name: string, json: unknown): Promise<v
 test('a machine is imported, used for programs of one’s own, and exported as it came', async ({ page }) => {
   await open(page);
   await openFile(page, 'own.nc', Buffer.from(PROGRAM));
+  await expect(page.getByText('own.nc').first()).toBeVisible();
   await expect(machine(page)).toHaveText('Choose machine');
   await importProfile(page, 'Shop 1.json', SHOP);
   await expect(dialog(page).getByText('Shop 1 is kept.')).toBeVisible();
