@@ -68,11 +68,16 @@ async function measure(rounds) {
     `### Memory, and typing in a program of ${TYPED_LINES} lines at the slow processor`, '',
     '| | figure | aim |', '|---|---:|---:|',
     `| memory of one element, above an empty page, MB | ${median(memory).toFixed(1)} | |`,
-    `| longest task while typing, ms | ${median(typing.map(({ task }) => task)).toFixed(0)} | ${TYPING_AIMS.task} |`,
+    `| longest task while typing, ms | ${longest(median(typing.map(({ task }) => task)))} | ${TYPING_AIMS.task} |`,
     `| slowest key, ms | ${median(typing.map(({ key }) => key)).toFixed(0)} | ${TYPING_AIMS.key} |`, '',
   ].join('\n');
   console.log(text);
   if (options.report) writeFileSync(options.report, text);
+}
+
+/** Browsers report tasks from 50 ms on. */
+function longest(task) {
+  return task === 0 ? 'under 50' : task.toFixed(0);
 }
 
 async function withBrowser(act) {
@@ -187,14 +192,17 @@ async function typed() {
     await page.keyboard.press('Enter');
     await settled(page);
     await page.evaluate(() => Object.assign(window.worst, { task: 0, key: 0 }));
-    const fast = await slowProcessor(browser, SLOWER);
+    // Of keys the main thread counts alone, so the browser's own emulation is right: it stops that thread many times
+    // a millisecond, where a process that is stopped for 12 ms at a time makes any task up to 12 ms longer.
+    const processor = await page.context().newCDPSession(page);
+    await processor.send('Emulation.setCPUThrottlingRate', { rate: SLOWER });
     try {
       for (const key of 'G01 X41.5 Z-12.25 F0.15;'.slice(0, KEYS)) {
         await page.keyboard.press(key === ';' ? 'Enter' : key);
         await page.waitForTimeout(KEY_EVERY_MS);
       }
     } finally {
-      await fast();
+      await processor.send('Emulation.setCPUThrottlingRate', { rate: 1 });
     }
     await page.waitForTimeout(500);
     return page.evaluate(() => window.worst);

@@ -9,7 +9,7 @@ import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirr
 import { bracketMatching } from '@codemirror/language';
 import { linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
-import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect } from '@codemirror/state';
+import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect, type TransactionSpec } from '@codemirror/state';
 import {
   drawSelection, dropCursor, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap,
   lineNumbers, tooltips, type ViewUpdate,
@@ -36,6 +36,8 @@ import { Unsent } from './unsent';
 const MARGIN_LINES = 60;
 /** Longer stretches (a file without line ends) stay without colours. */
 const HIGHLIGHT_LIMIT = 200_000;
+/** Tokens and diagnostics of a run come within this time where the page is quick; the reader does not see it. */
+const TOGETHER_MS = 25;
 
 /** Marks a change that the page made, not the reader. */
 const byProgram = Annotation.define<true>();
@@ -47,6 +49,9 @@ export class Editor implements TextHolder {
   readonly #language = new Compartment();
   #shownLanguage: Language;
   #diagnostics: readonly Diagnostic[] = [];
+  /** What is to be shown over the text with the next update. */
+  #coming: { tokens?: Uint32Array; diagnostics?: readonly Diagnostic[] } = {};
+  #timer: ReturnType<typeof setTimeout> | undefined;
   /** Counts the versions of the text. */
   #revision = 0;
   readonly #unsent: Unsent;
@@ -163,15 +168,36 @@ export class Editor implements TextHolder {
     return { firstLine: first.number - 1, endLine: last.number };
   }
 
-  set tokens(triples: Uint32Array) {
-    this.#view.dispatch({ effects: showTokens.of(triples) });
+  set tokens(tokens: Uint32Array) {
+    this.#coming.tokens = tokens;
+    this.#showSoon();
   }
 
   set diagnostics(diagnostics: readonly Diagnostic[]) {
-    this.#diagnostics = diagnostics;
-    const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics, (setting) => this.#events.settingChosen(setting));
-    // What stands there already costs a key nothing.
-    if (!areShown(this.#view.state, shown)) this.#view.dispatch(setDiagnostics(this.#view.state, shown));
+    this.#diagnostics = this.#coming.diagnostics = diagnostics;
+    this.#showSoon();
+  }
+
+  /** Each update of the editor lays the page out, so what comes shortly one after the other is one update, and one task of its own. */
+  #showSoon(): void {
+    this.#timer ??= setTimeout(() => this.showNow(), TOGETHER_MS);
+  }
+
+  /** No more is to come soon. */
+  showNow(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    const { tokens, diagnostics } = this.#coming;
+    this.#coming = {};
+    const { state } = this.#view;
+    const updates: TransactionSpec[] = [];
+    if (tokens !== undefined) updates.push({ effects: showTokens.of(tokens) });
+    if (diagnostics !== undefined) {
+      const shown = lintDiagnostics(diagnostics, this.#shownLanguage, this.length, () => this.#diagnostics, (setting) => this.#events.settingChosen(setting));
+      // What stands there already costs a key nothing.
+      if (!areShown(state, shown)) updates.push(setDiagnostics(state, shown));
+    }
+    if (updates.length > 0) this.#view.dispatch(...updates);
   }
 
   /** The block whose stroke the pointer is on. */
@@ -215,6 +241,7 @@ export class Editor implements TextHolder {
   }
 
   nextProblem(direction: 'next' | 'previous'): void {
+    this.showNow();
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
     else previousDiagnostic(this.#view);
@@ -235,6 +262,7 @@ export class Editor implements TextHolder {
       this.#revision++;
       this.#unsent.changed(update.changes);
       this.#diagnostics = [];
+      this.#coming = {};
     }
     if (!programmatic) {
       if (update.selectionSet || update.docChanged) this.#view.dom.classList.remove('cm-chosen');

@@ -62,6 +62,7 @@ export class Program implements TextHolder {
     editor.diagnostics = this.#diagnostics;
     editor.hovered = this.#hovered;
     editor.running = this.#running;
+    editor.showNow();
     if (focused) editor.focus();
     this.#events.viewMoved();
   }
@@ -160,6 +161,11 @@ export class Program implements TextHolder {
   set diagnostics(diagnostics: readonly Diagnostic[]) {
     this.#diagnostics = diagnostics;
     if (this.#editor !== undefined) this.#editor.diagnostics = diagnostics;
+  }
+
+  /** No more is to come of this run. */
+  showNow(): void {
+    this.#editor?.showNow();
   }
 
   /** The block whose stroke the pointer is on. */

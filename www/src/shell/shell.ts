@@ -126,6 +126,7 @@ export class PlaygroundShell implements Shell {
         events.unsettled();
       },
       settled: (run) => {
+        this.editor.showNow();
         this.#settledRun = run;
         this.#settle();
       },
