@@ -115,7 +115,6 @@ export type Exported =
 
 /** Every question with what it asks and what it is answered. */
 export interface Questions {
-  ping: { ask: undefined; answer: true };
   /** Lines from 0, end exclusive; the answer is triples `from, to, class`. */
   tokens: { ask: { readonly firstLine: number; readonly endLine: number }; answer: Uint32Array };
   pick: { ask: { readonly picture: PictureName; readonly x: number; readonly y: number }; answer: Stroke | undefined };
@@ -183,7 +182,7 @@ export type QuestionKind = keyof Questions;
 export const OF_THE_RUN = {
   tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
-  ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
+  locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
 } as const satisfies Readonly<Record<QuestionKind, boolean>>;
 
@@ -246,13 +245,6 @@ export interface Report {
 /** What was painted; a picture that has not changed is left out. */
 export type Pictures = { readonly [K in PictureName]?: ImageBitmap };
 
-/** What is reported of the worker itself. */
-export type LifeEvent =
-  | { readonly kind: 'ready' }
-  | { readonly kind: 'load-failed'; readonly reason: string }
-  /** The interpreter threw: this worker is of no further use. */
-  | { readonly kind: 'crashed'; readonly reason: string };
-
 /** What is reported of a run. */
 export type RunEvent =
   /** The run has ended and its path is drawn; messages and part follow once what makes them is loaded. */
@@ -272,12 +264,32 @@ export type RunEvent =
   | { readonly kind: 'settled'; readonly heard: number }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: unknown };
 
-export type WorkerEvent = LifeEvent | (RunEvent & { readonly run: number });
+/** What is reported of a run, with its number. */
+export type SessionEvent = RunEvent & { readonly run: number };
+
+/**
+ * To the worker. Each element of the page has a session there, which begins with what is first said in it.
+ */
+export type ToWorker =
+  | Core
+  | { readonly kind: 'say'; readonly session: number; readonly what: Command | Question }
+  | { readonly kind: 'close'; readonly session: number }
+  | { readonly kind: 'ping' };
+
+export type FromWorker =
+  | { readonly kind: 'ready' }
+  | { readonly kind: 'load-failed'; readonly reason: string }
+  /** The interpreter threw while it was at work for this session: the worker is of no further use. */
+  | { readonly kind: 'crashed'; readonly session: number; readonly reason: string }
+  /** From here on until the next one, it is this session that the worker is at work for. */
+  | { readonly kind: 'at-work'; readonly session: number }
+  | { readonly kind: 'pong' }
+  | { readonly kind: 'event'; readonly session: number; readonly event: SessionEvent };
 
 /**
  * Whether a message may change what is shown: these are counted on both sides, so that the
  * page knows what was heard.
  */
 export function counts(message: Command | Question): boolean {
-  return message.kind !== 'shown' && !(message.kind === 'question' && message.about === 'ping');
+  return message.kind !== 'shown';
 }

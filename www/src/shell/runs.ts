@@ -6,8 +6,11 @@
 
 import type { Program } from '../editor/program';
 import type { Answer, Came, Pictures, QuestionKind, Questions } from '../protocol/protocol';
-import { CoreClient, Newest, type Heard, type Loss } from '../worker/core-client';
+import { CoreClient, Newest, type CoreListener, type Heard, type Loss } from '../worker/core-client';
 import type { NewestQuestion } from '../panels/panel';
+
+/** A loss that the reader hears of: not that of a neighbour. */
+export type OwnLoss = Exclude<Loss, { readonly kind: 'neighbour' }>;
 
 const SEND_AFTER_MS = 30;
 
@@ -26,7 +29,7 @@ export interface RunsEvents {
   ready(): void;
   /** There is a worker that knows nothing yet. */
   connected(client: CoreClient): void;
-  lost(loss: Loss): void;
+  lost(loss: OwnLoss): void;
   unsettled(): void;
   settled(run: number): void;
 }
@@ -37,6 +40,8 @@ export class Runs {
   #client: CoreClient | undefined;
   /** What follows a new worker: the questions of which only the newest counts. */
   readonly #followers: ((client: CoreClient | undefined) => void)[] = [];
+  /** The worker was lost by a program of this element; it does not come between others again. */
+  #hasFailed = false;
   /** What was typed waits to be sent. */
   #sending: ReturnType<typeof setTimeout> | undefined;
   /** What has changed since the last run was begun. */
@@ -65,14 +70,15 @@ export class Runs {
 
   connect(): void {
     const events = this.#events;
-    const client = (this.#client = new CoreClient({
+    const listener: CoreListener = {
       ready: () => events.ready(),
       event: (event) => events.heard(event),
       pictures: (pictures) => events.pictures(pictures),
       unsettled: () => events.unsettled(),
       settled: (run) => events.settled(run),
       lost: (loss) => this.#lost(loss),
-    }));
+    };
+    const client = (this.#client = new CoreClient(listener, this.#hasFailed ? 'apart' : 'with-others'));
     for (const follow of this.#followers) follow(client);
     this.#editor.unsend();
     this.#setupSent = false;
@@ -101,8 +107,17 @@ export class Runs {
 
   /** A new worker waits for the reader's next change: the same text would only fail again. */
   #lost(loss: Loss): void {
+    if (loss.kind === 'neighbour') {
+      // The fault was not here: the reader sees nothing of it but a new picture.
+      this.connect();
+      this.wanted('keep');
+      return;
+    }
     if (loss.kind === 'load-failed') this.#leave();
-    else this.connect();
+    else {
+      this.#hasFailed = true;
+      this.connect();
+    }
     this.#events.lost(loss);
   }
 

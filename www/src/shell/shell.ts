@@ -14,9 +14,9 @@ import { programText, type ProgramFile, type ProgramText } from '../editor/progr
 import { FIRST } from '../panels/index';
 import { REGIONS, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
 import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
-import type { Heard, Loss } from '../worker/core-client';
+import type { Heard } from '../worker/core-client';
 import { layout, type View } from './layout';
-import { Runs } from './runs';
+import { Runs, type OwnLoss } from './runs';
 import { mergedSetup, switchesSet } from './start';
 import { adopt } from './style-sheets';
 
@@ -412,7 +412,7 @@ export class PlaygroundShell implements Shell {
     for (const panel of this.#panels) if ('available' in panel) panel.available = available;
   }
 
-  #lost(loss: Loss): void {
+  #lost(loss: OwnLoss): void {
     console.error('gcode-playground: the interpreter was lost', loss);
     this.#available(false);
     if (this.#missed !== undefined) this.#missed.isLost = true;

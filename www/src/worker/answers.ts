@@ -27,7 +27,6 @@ const TOOLS = ['tools', 'language'] as const;
 const SETUP_FORM = ['setup', ...TOOLS] as const;
 
 export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
-  ping: { answer: () => true },
   tokens: { needs: ['machine'], answer: (core, { firstLine, endLine }) => core.tokens(firstLine, endLine) },
   pick: { needs: IN_WORDS, answer: (core, { picture, x, y }) => core.pick(picture, x, y) },
   dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },

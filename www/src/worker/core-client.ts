@@ -1,18 +1,13 @@
-// The page's end of the line to the worker.
+// One element's line to the worker: its session there.
 //
-// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the worker's
+// In: commands and typed questions; changes of text and setup, each of which begins a run. Out: the session's
 // events, and promises of answers, of the newest run only: whatever belongs to an earlier one ends here.
-// Watches that the worker answers at all; one that is silent for 15 s, or has failed, is ended and reported
-// as lost. Must not know: what the commands mean, or what is on the page.
+// Must not know: what the commands mean, what is on the page, or that others share the worker.
 
-import { coreModule } from './core-module';
-import { counts, OF_THE_RUN, type Answer, type Command, type Core, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type WorkerEvent } from '../protocol/protocol';
+import { CoreThread, type Line, type Loss } from './core-thread';
+import { counts, OF_THE_RUN, type Answer, type Command, type Pictures, type Question, type QuestionKind, type Questions, type RunChange, type RunEvent, type SessionEvent } from '../protocol/protocol';
 
-const SILENCE_LIMIT_MS = 15_000;
-/** After the computer slept the timer may ring before the answer that is already there is read. */
-const GRACE_MS = 1_000;
-
-export type Loss = { readonly kind: 'silent' } | { readonly kind: 'crashed' | 'load-failed'; readonly reason: string };
+export type { Loss };
 
 /** What reaches the page beside answers and pictures. */
 export type Heard = Exclude<RunEvent, { readonly kind: 'answer' | 'pictures' | 'settled' }>;
@@ -28,7 +23,7 @@ export interface CoreListener {
   unsettled(): void;
   /** The worker has heard all that was sent, and there is nothing more to show of the newest run. */
   settled(run: number): void;
-  /** The worker is gone; nothing sent to this client is answered any more. */
+  /** The worker or the session is gone; nothing sent to this client is answered any more. */
   lost(loss: Loss): void;
 }
 
@@ -42,28 +37,25 @@ interface Waiting {
 let newestRun = 0;
 
 export class CoreClient {
-  readonly #worker: Worker;
+  readonly #line: Line;
   readonly #listener: CoreListener;
   readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
-  #ready = false;
   #ended = false;
-  #watch: ReturnType<typeof setTimeout> | undefined;
   /** The run that the page wants, and the last one the worker has received. */
   #run = ++newestRun;
   #told = 0;
   /** Messages sent that may change what is shown. */
   #sent = 0;
 
-  constructor(listener: CoreListener) {
+  /** `where`: apart from the others where it has made them wait before. */
+  constructor(listener: CoreListener, where: 'with-others' | 'apart') {
     this.#listener = listener;
-    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
-    this.#worker.onmessage = (message: MessageEvent<WorkerEvent>) => this.#receive(message.data);
-    this.#worker.onerror = (error) => this.#lose({ kind: 'load-failed', reason: error.message || 'worker' });
-    coreModule().then(
-      (module) => this.#ended || this.#worker.postMessage({ kind: 'core', module } satisfies Core),
-      (reason: unknown) => this.#lose({ kind: 'load-failed', reason: reason instanceof Error ? reason.message : String(reason) }),
-    );
+    this.#line = CoreThread.join(where, {
+      ready: () => listener.ready(),
+      event: (event) => this.#receive(event),
+      lost: (loss) => this.#lose(loss),
+    });
   }
 
   /** The number of the run that the page wants. */
@@ -90,7 +82,6 @@ export class CoreClient {
   send(command: Command): void {
     if (this.#ended) return;
     this.#post(command);
-    if (command.kind !== 'shown') this.#watchOver();
   }
 
   /**
@@ -103,15 +94,13 @@ export class CoreClient {
       const question: Question<K> = { kind: 'question', id: this.#nextId++, about, ask };
       this.#waiting.set(question.id, { about, resolve: resolve as (answer: never) => void });
       this.#post(question);
-      if (about !== 'ping') this.#watchOver();
     });
   }
 
   end(): void {
     this.#ended = true;
-    clearTimeout(this.#watch);
     this.#waiting.clear();
-    this.#worker.terminate();
+    this.#line.leave();
   }
 
   #post(message: Command | Question): void {
@@ -119,10 +108,10 @@ export class CoreClient {
       this.#sent++;
       this.#listener.unsettled();
     }
-    this.#worker.postMessage(message);
+    this.#line.say(message);
   }
 
-  #receive(event: WorkerEvent): void {
+  #receive(event: SessionEvent): void {
     if (this.#ended) {
       if (event.kind === 'pictures') close(event.pictures);
       return;
@@ -145,30 +134,9 @@ export class CoreClient {
       case 'settled':
         if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
         return;
-      case 'crashed':
-      case 'load-failed':
-        this.#lose({ kind: event.kind, reason: event.reason });
-        return;
-      case 'ready':
-        this.#ready = true;
-        this.#watchOver();
-        this.#listener.ready();
-        return;
       default:
         if (event.run === this.#run) this.#listener.event(event);
     }
-  }
-
-  /** One ping at a time, and only while there is something the worker has to do. */
-  #watchOver(): void {
-    if (!this.#ready || this.#watch !== undefined) return;
-    this.#watch = setTimeout(() => {
-      this.#watch = setTimeout(() => this.#lose({ kind: 'silent' }), GRACE_MS);
-    }, SILENCE_LIMIT_MS);
-    void this.ask('ping', undefined).then(() => {
-      clearTimeout(this.#watch);
-      this.#watch = undefined;
-    });
   }
 
   #lose(loss: Loss): void {

@@ -1,53 +1,111 @@
 // The parts of the interpreter that are loaded after the first picture.
 //
-// In: which parts are wanted. Out: whether they are there, and what happens when they come or do not. A part
-// that could not be loaded is tried again when it is asked for again. Must not know: what is in a part, or
-// what waits for it.
+// In: which parts are wanted, and what waits for them. Out: whether they are there; what waited is done when they
+// come, and hears of it when they do not. A part that could not be loaded is tried again when it is asked for again.
+// Must not know: what is in a part, or what waits for it.
 
 import { fetchPart, loadPart, type PartName } from '../../pkg/parts.js';
 
 export { fetchPart };
 export type { PartName };
 
-export interface PartsListener {
-  loaded(): void;
-  failed(reason: unknown): void;
+/** Who waits for parts. */
+export interface Waiter {
+  /** What has waited is done. */
+  guarded(step: () => void): void;
+  partFailed(reason: unknown): void;
 }
 
-export class Parts {
+export class LateParts<W extends Waiter> {
   readonly #exports: object;
-  readonly #listener: PartsListener;
+  readonly #all: () => Iterable<W>;
   readonly #loaded = new Set<PartName>();
   readonly #loading = new Map<PartName, Promise<void>>();
+  #waiting: { readonly waiter: W; readonly needs: readonly PartName[]; readonly act: () => void }[] = [];
+  /** Nothing is loaded that could delay the first picture of the page; a part that did not come is not waited for. */
+  #stage: 'held' | 'begun' | 'failed' = 'held';
 
-  /** `exports`: of the module. */
-  constructor(exports: object, listener: PartsListener) {
+  /** `exports`: of the module; `all` that may want parts. */
+  constructor(exports: object, all: () => Iterable<W>) {
     this.#exports = exports;
-    this.#listener = listener;
+    this.#all = all;
   }
 
   has(...parts: readonly PartName[]): boolean {
     return parts.every((part) => this.#loaded.has(part));
   }
 
-  /** Loads what is not there yet, one after the other: what is wanted first is there first. */
-  async load(...parts: readonly PartName[]): Promise<void> {
-    for (const part of parts) await this.#load(part);
+  /** What is waited for could not be had. */
+  get failed(): boolean {
+    return this.#stage === 'failed';
+  }
+
+  /** Loads what is not there yet, one after the other: what is wanted first is there first. Who may want it hears of a failure. */
+  load(...parts: readonly PartName[]): void {
+    void this.#loadInTurn(parts);
+  }
+
+  /** Does something as soon as the parts it needs are there. */
+  whenLoaded(waiter: W, needs: readonly PartName[], act: () => void): void {
+    if (this.has(...needs)) return act();
+    this.#waiting.push({ waiter, needs, act });
+    if (this.#stage !== 'held') this.loadAll();
+  }
+
+  /** Loads what is waited for; what could not be loaded before is tried again. */
+  loadAll(): void {
+    this.#stage = 'begun';
+    for (const { needs } of this.#waiting) this.load(...needs);
+  }
+
+  /** The first picture of the page is on its way: nothing is delayed by other parts any more. */
+  release(): void {
+    if (this.#stage === 'held') this.loadAll();
+  }
+
+  /** Nothing is waited for any more. */
+  leave(waiter: W): void {
+    this.#waiting = this.#waiting.filter((late) => late.waiter !== waiter);
+  }
+
+  async #loadInTurn(parts: readonly PartName[]): Promise<void> {
+    try {
+      for (const part of parts) await this.#load(part);
+    } catch {
+      // Heard where it was loaded.
+    }
   }
 
   async #load(part: PartName): Promise<void> {
     if (this.#loaded.has(part)) return;
-    const loading = this.#loading.get(part) ?? loadPart(part, this.#exports);
+    const known = this.#loading.get(part);
+    if (known !== undefined) return known;
+    const loading = loadPart(part, this.#exports);
     this.#loading.set(part, loading);
     try {
       await loading;
     } catch (reason) {
       this.#loading.delete(part);
-      this.#listener.failed(reason);
+      this.#failed(reason);
       throw reason;
     }
-    if (this.#loaded.has(part)) return;
     this.#loaded.add(part);
-    this.#listener.loaded();
+    this.#goOn();
+  }
+
+  #goOn(): void {
+    const waiting = this.#waiting;
+    this.#waiting = [];
+    for (const late of waiting) {
+      if (this.has(...late.needs)) late.waiter.guarded(late.act);
+      else this.#waiting.push(late);
+    }
+  }
+
+  /** Where nothing waits for it, it was to be there before it is needed: that is for all to know. */
+  #failed(reason: unknown): void {
+    this.#stage = 'failed';
+    const waiting = new Set(this.#waiting.map(({ waiter }) => waiter));
+    for (const waiter of waiting.size > 0 ? waiting : this.#all()) waiter.guarded(() => waiter.partFailed(reason));
   }
 }

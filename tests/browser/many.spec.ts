@@ -1,0 +1,113 @@
+// Many elements on a page: one worker and one module for all of them, and a program that hangs or fails in one
+// of them is no matter of the others.
+import { expect } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage } from './engines';
+import { program } from './page';
+
+const PROGRAM = program('s000-o0002');
+/** What the worker's watch takes, and some more. */
+const WATCH_MS = 25_000;
+
+interface Picture extends HTMLElement {
+  value: string;
+  readonly settled: Promise<number>;
+}
+
+/** A page with so many elements, all with the same program. */
+async function openMany(page: ChromiumPage, count: number): Promise<void> {
+  await page.goto('./rules/en/index.html');
+  await page.evaluate(async ({ count, text }) => {
+    const elements = Array.from({ length: count }, () => {
+      const element = document.createElement('gcode-playground') as Picture;
+      element.setAttribute('view', 'picture');
+      element.style.height = '300px';
+      element.textContent = text;
+      return element;
+    });
+    document.body.replaceChildren(...elements);
+    const script = document.createElement('script');
+    script.type = 'module';
+    script.src = new URL('../../element.js', location.href).href;
+    document.head.append(script);
+    await customElements.whenDefined('gcode-playground');
+    await Promise.all(elements.map((element) => element.settled));
+  }, { count, text: PROGRAM });
+}
+
+/** A number for what the canvas of an element shows. */
+function shown(page: ChromiumPage, which: number): Promise<number> {
+  return page.evaluate((which) => {
+    const canvas = document.querySelectorAll('gcode-playground')[which]?.shadowRoot?.querySelector('canvas');
+    if (canvas === null || canvas === undefined) return -1;
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    let sum = 0;
+    for (let at = 0; at < data.length; at += 4) sum = (sum * 31 + data[at]! * 7 + data[at + 1]! * 3 + data[at + 2]!) % 1_000_003;
+    return sum;
+  }, which);
+}
+
+function put(page: ChromiumPage, which: number, text: string): Promise<void> {
+  return page.evaluate(({ which, text }) => {
+    (document.querySelectorAll('gcode-playground')[which] as Picture).value = text;
+  }, { which, text });
+}
+
+async function settled(page: ChromiumPage, which: number): Promise<void> {
+  await page.evaluate(async (which) => (document.querySelectorAll('gcode-playground')[which] as Picture).settled, which);
+}
+
+/** The worker does this in the midst of the run of any text that contains `(FAULT)`. */
+async function injectFault(page: ChromiumPage, fault: string): Promise<void> {
+  await page.route(/\/worker-[\w-]{8}\.js$/, async (route) => {
+    const response = await route.fetch();
+    const hook = `{
+      let isHit = false;
+      self.addEventListener('message', ({ data }) => { if (JSON.stringify(data?.what ?? '').includes('(FAULT)')) isHit = true; });
+      const now = performance.now.bind(performance);
+      performance.now = () => { if (isHit) { isHit = false; ${fault} } return now(); };
+    }\n`;
+    await route.fulfill({ response, body: hook + (await response.text()) });
+  });
+}
+
+test('thirty elements have one worker, and ask for each file once', async ({ page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await openMany(page, 30);
+  expect(page.workers().length).toBe(1);
+  const ours = asked.filter((path) => /\.(js|wasm)$/.test(path));
+  expect(ours.filter((path, at) => ours.indexOf(path) !== at)).toEqual([]);
+  const pictures = new Set(await Promise.all(Array.from({ length: 30 }, (_, which) => shown(page, which))));
+  expect(pictures.size).toBe(1);
+});
+
+for (const { fault, does, says } of [
+  { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
+  { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },
+]) {
+  test(`a program that ${fault} leaves its neighbours their pictures`, async ({ page }) => {
+    await injectFault(page, does);
+    await openMany(page, 3);
+    const before = await shown(page, 0);
+    await put(page, 1, 'G00 X50 Z2 (FAULT)\n');
+    const notice = page.locator('gcode-playground').nth(1).getByText(says);
+    await expect(notice).toBeVisible({ timeout: WATCH_MS });
+    const begun = Date.now();
+    await settled(page, 0);
+    await settled(page, 2);
+    expect(Date.now() - begun).toBeLessThan(2_000);
+    expect(await shown(page, 0)).toBe(before);
+    expect(await shown(page, 2)).toBe(before);
+    await expect(page.locator('gcode-playground').nth(0).getByText(says)).toHaveCount(0);
+    // The one that failed goes on apart from the others, with its next program.
+    await put(page, 1, PROGRAM);
+    await settled(page, 1);
+    expect(await shown(page, 1)).toBe(before);
+    await expect.poll(() => page.workers().length).toBe(2);
+    await put(page, 0, 'G00 X50 Z2\nG01 Z-30 F0.2\n');
+    await settled(page, 0);
+    expect(await shown(page, 0)).not.toBe(before);
+  });
+}

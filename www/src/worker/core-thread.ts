@@ -1,0 +1,147 @@
+// The worker that all elements of a page share, from the page's side.
+//
+// In: what the sessions say. Out: what is reported to each of them. Watches that the worker answers at all: one that
+// is silent for 15 s, or has failed, is ended, and every session is reported as lost; the one that the worker was at
+// work for is to blame, the others are only its neighbours. A session that is begun after that goes to a
+// worker apart, so there are never more than two. Must not know: what is said in a session.
+
+import { coreModule } from './core-module';
+import type { Command, FromWorker, Question, SessionEvent, ToWorker } from '../protocol/protocol';
+
+const SILENCE_LIMIT_MS = 15_000;
+/** After the computer slept the timer may ring before the answer that is already there is read. */
+const GRACE_MS = 1_000;
+/** An element that is moved in the page, or replaced by another one, finds the worker where it was. */
+const END_AFTER_MS = 1_000;
+
+export type Loss =
+  | { readonly kind: 'silent' }
+  /** Another session is to blame. */
+  | { readonly kind: 'neighbour' }
+  | { readonly kind: 'crashed' | 'load-failed'; readonly reason: string };
+
+/** What a session hears. */
+export interface LineListener {
+  /** The interpreter is loaded. */
+  ready(): void;
+  event(event: SessionEvent): void;
+  /** Nothing that was said is answered any more. */
+  lost(loss: Loss): void;
+}
+
+/** What a session has of its worker. */
+export interface Line {
+  say(what: Command | Question): void;
+  leave(): void;
+}
+
+let nextSession = 1;
+
+export class CoreThread {
+  static readonly #threads: Partial<Record<'with-others' | 'apart', CoreThread>> = {};
+
+  readonly #where: 'with-others' | 'apart';
+  readonly #worker: Worker;
+  readonly #sessions = new Map<number, LineListener>();
+  #ready = false;
+  /** The session that the worker is at work for. */
+  #atWork: number | undefined;
+  #watch: ReturnType<typeof setTimeout> | undefined;
+  #ending: ReturnType<typeof setTimeout> | undefined;
+
+  static join(where: 'with-others' | 'apart', listener: LineListener): Line {
+    return (CoreThread.#threads[where] ??= new CoreThread(where)).#join(listener);
+  }
+
+  private constructor(where: 'with-others' | 'apart') {
+    this.#where = where;
+    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+    this.#worker.onmessage = (message: MessageEvent<FromWorker>) => this.#receive(message.data);
+    this.#worker.onerror = (error) => this.#loadFailed(error.message || 'worker');
+    coreModule().then(
+      (module) => this.#post({ kind: 'core', module }),
+      (reason: unknown) => this.#loadFailed(reason instanceof Error ? reason.message : String(reason)),
+    );
+  }
+
+  #join(listener: LineListener): Line {
+    const session = nextSession++;
+    this.#sessions.set(session, listener);
+    clearTimeout(this.#ending);
+    if (this.#ready) queueMicrotask(() => this.#sessions.get(session)?.ready());
+    return {
+      say: (what) => {
+        this.#post({ kind: 'say', session, what });
+        if (what.kind !== 'shown') this.#watchOver();
+      },
+      leave: () => {
+        if (!this.#sessions.delete(session)) return;
+        this.#post({ kind: 'close', session });
+        if (this.#sessions.size === 0) this.#ending = setTimeout(() => this.#end(), END_AFTER_MS);
+      },
+    };
+  }
+
+  #post(message: ToWorker): void {
+    this.#worker.postMessage(message);
+  }
+
+  #receive(event: FromWorker): void {
+    switch (event.kind) {
+      case 'event':
+        this.#sessions.get(event.session)?.event(event.event);
+        // A picture for nobody.
+        if (!this.#sessions.has(event.session) && event.event.kind === 'pictures') for (const image of Object.values(event.event.pictures)) image.close();
+        return;
+      case 'at-work':
+        this.#atWork = event.session;
+        return;
+      case 'pong':
+        clearTimeout(this.#watch);
+        this.#watch = undefined;
+        return;
+      case 'ready':
+        this.#ready = true;
+        this.#watchOver();
+        for (const listener of [...this.#sessions.values()]) listener.ready();
+        return;
+      case 'crashed':
+        this.#lose({ kind: 'crashed', reason: event.reason }, event.session);
+        return;
+      case 'load-failed':
+        this.#loadFailed(event.reason);
+    }
+  }
+
+  /** One ping at a time, and only while there is something the worker has to do. */
+  #watchOver(): void {
+    if (!this.#ready || this.#watch !== undefined) return;
+    this.#watch = setTimeout(() => {
+      this.#watch = setTimeout(() => this.#lose({ kind: 'silent' }, this.#atWork), GRACE_MS);
+    }, SILENCE_LIMIT_MS);
+    this.#post({ kind: 'ping' });
+  }
+
+  #loadFailed(reason: string): void {
+    const listeners = this.#end();
+    for (const listener of listeners) listener.lost({ kind: 'load-failed', reason });
+  }
+
+  /** `blamed`: the session that the worker was at work for. */
+  #lose(loss: Loss, blamed: number | undefined): void {
+    const guilty = blamed === undefined ? undefined : this.#sessions.get(blamed);
+    const listeners = this.#end();
+    for (const listener of listeners) listener.lost(guilty === undefined || listener === guilty ? loss : { kind: 'neighbour' });
+  }
+
+  /** The sessions there were. */
+  #end(): readonly LineListener[] {
+    clearTimeout(this.#watch);
+    clearTimeout(this.#ending);
+    this.#worker.terminate();
+    if (CoreThread.#threads[this.#where] === this) delete CoreThread.#threads[this.#where];
+    const listeners = [...this.#sessions.values()];
+    this.#sessions.clear();
+    return listeners;
+  }
+}

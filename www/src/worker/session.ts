@@ -1,0 +1,518 @@
+// One element's session in the interpreter's own thread: owns a `Playground`, its text and the canvas it draws on.
+//
+// In: commands and questions of protocol.ts. Out: its events, each with the number of the run it belongs to:
+// `#tell` is the only door. A program is run in slices, and between slices the messages that have come in are
+// read, so newer text ends an older run at once, and no session waits long for another. Pictures cross as images, one
+// at a time: the next one leaves when the page has shown the last, so that "settled" is what the page shows, not what
+// was painted here. Must not know: the page, other sessions, or anything of what the program means.
+
+import { Drawn, type Playground } from '../../pkg/gcode_playground.js';
+import { ANSWERS, type AnswerRow } from './answers';
+import { mayTellOfSwitches, SwitchFinder } from './switches-in-text';
+import {
+  counts, type BeginRun, type Came, type Command, type Question, type QuestionKind, type Report, type RunEvent, type SessionEvent, type SwitchesInText, type TextChange, type TextCommand,
+  type Work } from '../protocol/protocol';
+import type { LateParts, PartName, Waiter } from './parts';
+import { handIn } from './text-in';
+import { changePicture, drawAll, fitAll, takePictures, viewsState } from './pictures';
+
+/** The only setup that is read without the part `setup`. */
+const NO_SETUP = '{}';
+const BLOCKS_PER_SLICE = 20_000;
+/** The reader can stop a run any time; this is for when nobody is there. */
+const RUN_LIMIT_MS = 60_000;
+/** Lines looked at for switches in one go. */
+const LINES_PER_LOOK = 20_000;
+/** Longer changes are not looked at for switches: all of the text is. */
+const LOOK_LIMIT = 100_000;
+/** Motions whose material is taken off in one go, and how long a report waits for the part. */
+const MOTIONS_PER_SLICE = 20;
+const WAIT_FOR_PART_MS = 8;
+/** Longer than this nobody looks at the picture of the run before: the path is shown without the part. */
+const SHOW_PATH_AFTER_MS = 300;
+/** Where no picture is drawn, as in a tab that nobody sees, the parts are loaded all the same. */
+const LOAD_PARTS_AFTER_MS = 500;
+const PROGRESS_AFTER_MS = 150;
+const PROGRESS_EVERY_MS = 100;
+
+/** How long something has been going on, and when that was reported last. */
+interface Going {
+  readonly startedAt: number;
+  lastProgressAt: number;
+}
+
+/** How far the current run is. */
+type Stage =
+  | ({ readonly kind: 'running' } & Going)
+  /** It cannot go on without a part that is being loaded; nothing of it is drawn. */
+  | { readonly kind: 'lacking' }
+  /** The path is drawn; what takes material off and says what is wrong has not been loaded yet. */
+  | { readonly kind: 'waiting' }
+  /**
+   * Material is being taken off; whether the path has been reported before the part is
+   * there, and its picture shown.
+   */
+  | ({ readonly kind: 'machining'; pathTold: boolean; pathShown: boolean } & Going)
+  | { readonly kind: 'done' };
+
+/** Whether a picture is wanted: once there is one of the whole run, or of as much as there is. */
+type Wanted = 'no' | 'when-whole' | 'now';
+
+/** What a session has of the thread around it. */
+export interface Thread {
+  /** `nextSlice` is called after the messages that have come by then. */
+  queue(): void;
+  tell(event: SessionEvent, images: ImageBitmap[]): void;
+  /** Does something for the session; a failure is the session's. */
+  guarded(step: () => void): void;
+}
+
+interface CommandRow<K extends Command['kind']> {
+  /** What was there stays until the run is whole, unless the reader moves it. */
+  readonly draws: Wanted;
+  act(session: Session, command: Extract<Command, { readonly kind: K }>): void;
+}
+
+/** Whether the part `setup` is needed for what is said. */
+export function mayNeedSetup(message: Command | Question): boolean {
+  return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
+}
+
+export class Session implements Waiter {
+  readonly #core: Playground;
+  readonly #parts: LateParts<Session>;
+  readonly #thread: Thread;
+  #language: PartName = 'en';
+  /** The number of the current run, as the page counts them. */
+  #run = 0;
+  #stage: Stage = { kind: 'done' };
+  /** Why the setup that was sent last was not taken. */
+  #setupRejected: string | undefined;
+  /** A setup whose reader has not been loaded yet. */
+  #unreadSetup: string | undefined;
+  /** Looks for switches in the text; undefined when all of it was looked at. */
+  #looking: { readonly finder: SwitchFinder; nextLine: number } | undefined;
+  #switches: SwitchesInText | undefined;
+  #drawWanted: Wanted = 'no';
+  #frameAsked = false;
+  /** A picture of very many strokes is under way. */
+  #drawing = false;
+  /** The page has not shown the last picture yet. */
+  #onTheWay = false;
+  /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
+  #heard = 0;
+  #settledAt = -1;
+  /** What has to wait until there is all of the part. */
+  readonly #onceWhole: (() => void)[] = [];
+  #sliceQueued = false;
+  #closed = false;
+
+  constructor(core: Playground, parts: LateParts<Session>, thread: Thread) {
+    this.#core = core;
+    this.#parts = parts;
+    this.#thread = thread;
+  }
+
+  hear(message: Command | Question): void {
+    this.guarded(() => this.#receive(message));
+  }
+
+  /** A slice of the work that `queue` was called for. */
+  nextSlice(): void {
+    this.#sliceQueued = false;
+    this.guarded(() => this.#slice());
+  }
+
+  /** Once nothing is left to do, and the page has shown all there is, it is told so. */
+  guarded(step: () => void): void {
+    this.#thread.guarded(() => {
+      if (this.#closed) return;
+      step();
+      this.#settle();
+    });
+  }
+
+  partFailed(reason: unknown): void {
+    this.#tell({ kind: 'part-failed', reason: describe(reason), needed: this.#stage.kind === 'lacking' ? 'by-the-run' : 'after-it' });
+  }
+
+  /** The element is gone. */
+  close(): void {
+    this.#closed = true;
+    this.#stage = { kind: 'done' };
+    this.#parts.leave(this);
+    this.#core.free();
+  }
+
+  #receive(message: Command | Question): void {
+    if (counts(message)) this.#heard++;
+    if (message.kind === 'question') {
+      this.#ask(message);
+      return;
+    }
+    const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
+    row.act(this, message);
+    if (row.draws !== 'no') this.#wantDraw(row.draws);
+  }
+
+  static readonly #COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
+    picture: { draws: 'now', act: (session, { picture, what }) => changePicture(session.#core, picture, what) },
+    palette: { draws: 'now', act: (session, { palette }) => session.#core.setPalette(palette) },
+    language: {
+      draws: 'when-whole',
+      act(session, { tag }) {
+        session.#language = tag;
+        session.#core.setLanguage(tag);
+        const reportAgain = (): void => {
+          if (session.#isTold()) session.#report('again');
+        };
+        if (session.#isTold()) session.#whenLoaded(['machine', tag], reportAgain);
+      },
+    },
+    run: { draws: 'no', act: (session, change) => session.#begin(change) },
+    shown: {
+      draws: 'no',
+      act(session) {
+        session.#onTheWay = false;
+        session.#present();
+      },
+    },
+    stop: { draws: 'when-whole', act: (session) => session.#stop() },
+    'load-parts': { draws: 'no', act: (session) => session.#parts.loadAll() },
+    cursor: { draws: 'when-whole', act: (session, { offset }) => session.#core.setCursor(offset) },
+    hover: { draws: 'when-whole', act: (session, { motion }) => session.#core.setHover(motion) },
+    turret: {
+      draws: 'now',
+      act(session, { side }) {
+        session.#core.setTurret(side);
+        session.#tellViews();
+      },
+    },
+    keep: {
+      draws: 'when-whole',
+      act: (session) =>
+        session.#whenWhole(() => {
+          session.#core.keep();
+          session.#tellViews();
+        }),
+    },
+    'end-comparison': {
+      draws: 'when-whole',
+      act(session) {
+        session.#core.endComparison();
+        session.#tellViews();
+      },
+    },
+    'leave-edge': { draws: 'when-whole', act: (session) => session.#core.leaveEdge() },
+  };
+
+  #tellViews(): void {
+    if (this.#stage.kind === 'done') this.#tell({ kind: 'views', views: viewsState(this.#core) });
+  }
+
+  #ask(question: Question): void {
+    const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
+    const needs = (): readonly PartName[] => {
+      if (row.needs === undefined) return [];
+      // What is asked with parts is asked of a program that can run.
+      const missing = this.#missingPart();
+      return [...(missing === undefined ? [] : [missing]), ...row.needs.map((part) => (part === 'language' ? this.#language : part))];
+    };
+    const now = (): void => {
+      if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), now);
+      void this.#reply(question.id, row.answer(this.#core, question.ask));
+      if (row.draws !== undefined) this.#wantDraw(row.draws);
+    };
+    if (row.waits === undefined) now();
+    else this.#whenWhole(now);
+  }
+
+  #isLoaded(needs: readonly PartName[]): boolean {
+    return this.#parts.has(...needs);
+  }
+
+  #whenLoaded(needs: readonly PartName[], act: () => void): void {
+    this.#parts.whenLoaded(this, needs, act);
+  }
+
+  #whenWhole(act: () => void): void {
+    if (this.#stage.kind === 'done') act();
+    else this.#onceWhole.push(act);
+  }
+
+  /** What is there at once is sent at once: answers keep the order of their questions. */
+  #reply(id: number, answer: unknown): void | Promise<void> {
+    if (!(answer instanceof Promise)) return this.#tell({ kind: 'answer', id, answer });
+    return answer.then((late: unknown) => this.#tell({ kind: 'answer', id, answer: late }));
+  }
+
+  // ---- from one run to the next ---------------------------------------------------------------------
+
+  #begin(change: BeginRun): void {
+    this.#run = change.run;
+    // A setup that is not taken leaves the run as it was, and so the tool in its place.
+    this.#core.showWhole();
+    if (change.framing === 'fit') fitAll(this.#core);
+    if (change.setup !== undefined) this.#changeSetup(change.setup);
+    if (change.text !== undefined) this.#changeText(change.text, change.came);
+    this.#core.setCursor(change.cursor);
+    // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
+    this.#drawing = false;
+    this.#drawWanted = 'no';
+    const missing = this.#missingPart();
+    if (missing === undefined) this.#advanceSoon();
+    else this.#waitFor(missing);
+  }
+
+  /** What the run cannot be carried out without, and is not there yet. */
+  #missingPart(): PartName | undefined {
+    const missing = this.#unreadSetup === undefined ? (this.#core.missingPart() as PartName | undefined) : 'setup';
+    return missing === undefined || this.#isLoaded([missing]) ? undefined : missing;
+  }
+
+  /** Leaves the run until a part is there, which is loaded even before the first picture. */
+  #waitFor(missing: PartName): void {
+    this.#stage = { kind: 'lacking' };
+    this.#whenLoaded([missing], () => {
+      if (this.#stage.kind === 'lacking') this.#goOn();
+    });
+    this.#parts.load(missing);
+    this.#queueSlice();
+  }
+
+  #advanceSoon(): void {
+    const now = performance.now();
+    this.#stage = { kind: 'running', startedAt: now, lastProgressAt: now };
+    this.#queueSlice();
+  }
+
+  #changeSetup(json: string): void {
+    this.#unreadSetup = undefined;
+    if (json !== NO_SETUP && !this.#isLoaded(['setup'])) {
+      this.#unreadSetup = json;
+      return;
+    }
+    try {
+      this.#core.setSetup(json);
+      this.#setupRejected = undefined;
+    } catch (reason) {
+      if (reason instanceof WebAssembly.RuntimeError) throw reason;
+      this.#setupRejected = describe(reason);
+    }
+  }
+
+  #changeText(text: TextCommand, came: Came): void {
+    if (text.kind === 'edit') {
+      for (const change of text.changes) this.#edit(change);
+      this.#loadForTyping();
+      if (came === 'at-once') this.#core.decideDecimalRule();
+    } else {
+      handIn(this.#core, text.pieces);
+      this.#lookForSwitches();
+    }
+  }
+
+  /** Who types may type anything, and half a word is a mistake: what reads that is not first asked for when it is met. */
+  #loadForTyping(): void {
+    if (this.#isLoaded(['machine'])) this.#parts.load('seldom', 'path');
+  }
+
+  #edit({ from, to, insert }: TextChange): void {
+    // Lines that are still to be looked at may stand elsewhere then.
+    const anew = this.#looking !== undefined || to - from > LOOK_LIMIT || insert.length > LOOK_LIMIT;
+    const touched = (end: number): string => this.#core.linesAsWritten(this.#core.lineAt(from), this.#core.lineAt(end) + 1);
+    const before = anew ? '' : touched(to);
+    this.#core.edit(from, to, insert);
+    if (anew || mayTellOfSwitches(before) || mayTellOfSwitches(touched(from + insert.length))) this.#lookForSwitches();
+  }
+
+  #lookForSwitches(): void {
+    this.#switches = undefined;
+    this.#looking = { finder: new SwitchFinder(), nextLine: 0 };
+  }
+
+  /** Looks at some more lines; a short text is looked at in one go. */
+  #lookOn(): void {
+    if (this.#looking === undefined) return;
+    const { finder, nextLine } = this.#looking;
+    const lines = this.#core.linesAsWritten(nextLine, nextLine + LINES_PER_LOOK);
+    finder.look(lines);
+    this.#looking.nextLine += LINES_PER_LOOK;
+    if (this.#core.linesAsWritten(this.#looking.nextLine, this.#looking.nextLine + 1) !== '') return;
+    this.#looking = undefined;
+    this.#switches = finder.found;
+    // A report that is still to come contains them.
+    if (this.#isTold()) this.#tell({ kind: 'switches', inText: this.#switches });
+  }
+
+  // ---- the run --------------------------------------------------------------------------------------
+
+  #stop(): void {
+    if (this.#stage.kind === 'machining') {
+      this.#core.stopMachining();
+      this.#removeMaterial(this.#stage);
+    } else if (this.#stage.kind === 'running') {
+      this.#core.stop(Math.round((performance.now() - this.#stage.startedAt) / 100) / 10);
+      this.#end();
+    }
+  }
+
+  #queueSlice(): void {
+    if (this.#sliceQueued) return;
+    this.#sliceQueued = true;
+    this.#thread.queue();
+  }
+
+  #slice(): void {
+    if (this.#stage.kind === 'running') this.#advance(this.#stage);
+    else if (this.#drawing) this.#draw();
+    else if (this.#stage.kind === 'machining') this.#removeMaterial(this.#stage);
+    else this.#lookOn();
+    if (this.#stage.kind === 'running' || this.#stage.kind === 'machining' || this.#drawing || this.#looking !== undefined) this.#queueSlice();
+  }
+
+  #advance(going: Going): void {
+    const ended = this.#core.advance(BLOCKS_PER_SLICE);
+    const now = performance.now();
+    if (ended) this.#end();
+    else if (now - going.startedAt > RUN_LIMIT_MS) this.#stop();
+    else this.#tellProgress(going, 'run', () => this.#core.progress());
+  }
+
+  #tellProgress(going: Going, work: Work, done: () => number): void {
+    const now = performance.now();
+    if (now - going.startedAt <= PROGRESS_AFTER_MS || now - going.lastProgressAt <= PROGRESS_EVERY_MS) return;
+    going.lastProgressAt = now;
+    this.#tell({ kind: 'progress', work, done: done() });
+  }
+
+  #end(): void {
+    this.#lookOn();
+    const missing = this.#missingPart();
+    if (missing !== undefined) return this.#waitFor(missing);
+    if (this.#isLoaded(['machine', this.#language]) || this.#core.missingPart() !== undefined) return this.#goOn();
+    this.#stage = { kind: 'waiting' };
+    this.#tell({ kind: 'path', summary: this.#core.summary() });
+    this.#wantDraw('now');
+    setTimeout(() => this.#parts.release(), LOAD_PARTS_AFTER_MS);
+    this.#whenLoaded(['machine', this.#language], () => {
+      if (this.#stage.kind === 'waiting') this.#goOn();
+    });
+  }
+
+  /** Runs again with what has been loaded since; or, where nothing has, goes on with what comes after the path. */
+  #goOn(): void {
+    const setup = this.#unreadSetup;
+    if (setup !== undefined) this.#changeSetup(setup);
+    if (this.#core.beginAgain() || setup !== undefined) this.#advanceSoon();
+    else this.#toMachine();
+  }
+
+  #toMachine(): void {
+    const now = performance.now();
+    const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
+    this.#stage = machining;
+    this.#removeMaterial(machining);
+  }
+
+  /** Takes some more material off; the part, and what runs into what, are there when all of it is. */
+  #removeMaterial(machining: Stage & { kind: 'machining' }): void {
+    const enough = performance.now() + WAIT_FOR_PART_MS;
+    let done = false;
+    do done = this.#core.removeMaterial(MOTIONS_PER_SLICE);
+    while (!done && performance.now() < enough);
+    if (done) {
+      this.#stage = { kind: 'done' };
+      for (const late of this.#onceWhole.splice(0)) late();
+      this.#report(machining.pathTold ? 'part' : 'whole');
+      this.#wantDraw('now');
+      return;
+    }
+    // What takes longer than a blink is reported when it is there.
+    if (!machining.pathTold) {
+      machining.pathTold = true;
+      this.#report('path');
+    }
+    if (!machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) this.#wantDraw('now');
+    this.#tellProgress(machining, 'part', () => this.#core.machiningProgress());
+    this.#queueSlice();
+  }
+
+  /** The current run has been reported. */
+  #isTold(): boolean {
+    return this.#stage.kind === 'done' ? this.#run > 0 : this.#stage.kind === 'machining' && this.#stage.pathTold;
+  }
+
+  #report(told: Report['stage']): void {
+    this.#tell({
+      kind: 'report',
+      report: {
+        summary: this.#core.summary(),
+        diagnostics: this.#core.diagnostics(),
+        overview: this.#core.setupOverview(),
+        readAs: this.#core.readAs(),
+        decimal: this.#core.decimalNotice(),
+        stage: told,
+        setupRejected: this.#setupRejected,
+        views: this.#stage.kind === 'done' ? viewsState(this.#core) : undefined,
+        switches: this.#switches,
+      },
+    });
+  }
+
+  // ---- the rest -------------------------------------------------------------------------------------
+
+  #wantDraw(how: Exclude<Wanted, 'no'>): void {
+    if (this.#drawWanted !== 'now') this.#drawWanted = how;
+    if (this.#frameAsked) return;
+    this.#frameAsked = true;
+    requestAnimationFrame(() => {
+      this.#frameAsked = false;
+      const wanted = this.#drawWanted;
+      this.#drawWanted = 'no';
+      const ready = this.#stage.kind === 'done' || this.#stage.kind === 'waiting' || (this.#stage.kind === 'machining' && this.#stage.pathShown);
+      this.guarded(() => {
+        if (this.#stage.kind === 'lacking') this.#drawWanted = wanted;
+        else if (wanted === 'now' || (wanted === 'when-whole' && ready)) this.#draw();
+      });
+    });
+  }
+
+  #draw(): void {
+    if (this.#stage.kind === 'machining') this.#stage.pathShown = true;
+    const drawn = drawAll(this.#core);
+    this.#drawing = drawn === Drawn.Part;
+    if (this.#drawing) this.#queueSlice();
+    if (drawn === Drawn.Moved) this.#wantDraw('now');
+    this.#present();
+  }
+
+  /** Hands what was painted to the page, unless it has not shown the last picture yet. */
+  #present(): void {
+    if (this.#onTheWay) return;
+    const pictures = takePictures(this.#core);
+    if (pictures === undefined) return;
+    this.#onTheWay = true;
+    this.#tell({ kind: 'pictures', pictures }, Object.values(pictures));
+    this.#parts.release();
+  }
+
+  /** Whatever is reported of a run names it. */
+  #tell(event: RunEvent, images: ImageBitmap[] = []): void {
+    if (!this.#closed) this.#thread.tell({ ...event, run: this.#run }, images);
+  }
+
+  /** Once nothing is left to do, and the page has shown all there is. */
+  #settle(): void {
+    const waits = this.#stage.kind === 'waiting' || this.#stage.kind === 'lacking';
+    const atWork = waits ? !this.#parts.failed : this.#stage.kind !== 'done';
+    const busy = atWork || this.#drawing || (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') || this.#onTheWay || this.#looking !== undefined;
+    if (busy || this.#settledAt === this.#heard) return;
+    this.#settledAt = this.#heard;
+    this.#tell({ kind: 'settled', heard: this.#heard });
+  }
+}
+
+function describe(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
