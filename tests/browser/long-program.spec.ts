@@ -41,13 +41,13 @@ async function watch(page: ChromiumPage): Promise<void> {
     Reflect.set(window, 'answers', answers);
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { kind, run, text } = message as { kind?: string; run?: number; text?: { kind: string } };
+      const { kind, run, text } = (message as { what?: { kind?: string; run?: number; text?: { kind: string } } }).what ?? {};
       const sent = performance.now();
       if (kind === 'run' && text?.kind === 'edit') {
-        const heard = ({ data }: MessageEvent<{ kind: string; run: number }>): void => {
-          if (data.kind !== 'report') return;
+        const heard = ({ data: { event } }: MessageEvent<{ event?: { kind: string; run: number } }>): void => {
+          if (event?.kind !== 'report') return;
           this.removeEventListener('message', heard);
-          if (data.run === run) answers.push(performance.now() - sent);
+          if (event.run === run) answers.push(performance.now() - sent);
         };
         this.addEventListener('message', heard);
       }

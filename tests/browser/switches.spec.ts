@@ -18,7 +18,7 @@ async function listen(page: Page): Promise<() => Promise<Setup>> {
   await page.addInitScript(() => {
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
-      const { setup } = message as { setup?: string };
+      const { setup } = (message as { what?: { setup?: string } }).what ?? {};
       if (setup !== undefined) Reflect.set(window, 'lastSetup', setup);
       Reflect.apply(post, this, [message, ...rest]);
     };
@@ -111,14 +111,15 @@ test('lines taken out while a long text is still looked through hide no switch',
     const post = Worker.prototype.postMessage;
     Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
       Reflect.apply(post, this, [message, ...rest]);
-      const { run, text } = message as { run?: number; text?: { kind: string; pieces?: string[] } };
+      const { session, what } = message as { session?: number; what?: { run?: number; text?: { kind: string; pieces?: string[] } } };
+      const { run, text } = what ?? {};
       if (text?.kind !== 'text' || (text.pieces?.join('').length ?? 0) < 200_000) return;
-      this.addEventListener('message', ({ data }: MessageEvent<{ kind: string; inText?: unknown }>) => {
-        if (data.kind === 'switches') Reflect.set(window, 'switchesTold', data.inText);
+      this.addEventListener('message', ({ data: { event } }: MessageEvent<{ event?: { kind: string; inText?: unknown } }>) => {
+        if (event?.kind === 'switches') Reflect.set(window, 'switchesTold', event.inText);
       });
-      Reflect.apply(post, this, [{ kind: 'stop' }]);
+      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'stop' } }]);
       const edit = { kind: 'edit', changes: [{ from: 0, to: 99_000, insert: '' }] };
-      Reflect.apply(post, this, [{ kind: 'run', run, text: edit, framing: 'keep' }]);
+      Reflect.apply(post, this, [{ kind: 'say', session, what: { kind: 'run', run, text: edit, framing: 'keep' } }]);
     };
   });
   await open(page);

@@ -121,9 +121,9 @@ function watch() {
   window.Worker = class extends Own {
     constructor(...given) {
       super(...given);
-      this.addEventListener('message', ({ data }) => {
-        if (data.kind === 'path' || data.kind === 'report') seen.report ??= performance.now();
-        if (data.kind === 'pictures' && seen.picture === undefined) requestAnimationFrame(look);
+      this.addEventListener('message', ({ data: { event } }) => {
+        if (event?.kind === 'path' || event?.kind === 'report') seen.report ??= performance.now();
+        if (event?.kind === 'pictures' && seen.picture === undefined) requestAnimationFrame(look);
       });
     }
   };
