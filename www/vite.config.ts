@@ -39,7 +39,8 @@ export default defineConfig({
       preserveEntrySignatures: 'allow-extension',
     },
   },
-  worker: { format: 'es' },
+  // Classic: only such a worker starts from memory in a sandboxed frame.
+  worker: { format: 'iife' },
   // The gallery's programs stand in tests/programs, one level above this folder.
   server: { fs: { allow: ['..'] } },
 });

@@ -150,8 +150,8 @@ impl Module<'_> {
         for path in [self.compiled(), self.folder.join("Cargo.lock")] {
             fs::read(path).ok()?.hash(&mut hasher);
         }
-        (FEATURES, self.optimised, self.is_cut, include_str!("parts.js"), include_str!("parts.rs"))
-            .hash(&mut hasher);
+        let scripts = [include_str!("parts.js"), include_str!("part-files.js"), include_str!("parts.rs")];
+        (FEATURES, self.optimised, self.is_cut, scripts).hash(&mut hasher);
         Some(format!("{:016x}", hasher.finish()))
     }
 

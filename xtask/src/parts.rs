@@ -52,18 +52,20 @@ pub fn cut(setup: &Setup, module: &Path, name: &str) -> Result<Cut> {
 }
 
 impl Cut {
-    /// The script that loads the parts, and its types.
-    pub fn scripts(&self) -> [(&'static str, String); 2] {
+    /// The scripts that know the files of the parts and load them, and their types.
+    pub fn scripts(&self) -> [(&'static str, String); 4] {
         let row = |(part, files): (&String, &Vec<String>)| {
             let urls: Vec<String> =
-                files.iter().map(|file| format!("new URL('./{file}', import.meta.url)")).collect();
+                files.iter().map(|file| format!("new URL('./{file}', import.meta.url).href")).collect();
             format!("{part}: [{}],", urls.join(", "))
         };
         let rows: Vec<String> = self.parts.iter().map(row).collect();
         let names: Vec<String> = self.parts.keys().map(|part| format!("'{part}'")).collect();
         [
-            ("parts.js", include_str!("parts.js").replace("/* FILES */", &rows.join("\n  "))),
-            ("parts.d.ts", include_str!("parts.d.ts").replace("/* NAMES */", &names.join(" | "))),
+            ("part-files.js", include_str!("part-files.js").replace("/* FILES */", &rows.join("\n  "))),
+            ("part-files.d.ts", include_str!("part-files.d.ts").replace("/* NAMES */", &names.join(" | "))),
+            ("parts.js", include_str!("parts.js").to_owned()),
+            ("parts.d.ts", include_str!("parts.d.ts").to_owned()),
         ]
     }
 }

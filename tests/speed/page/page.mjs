@@ -1,7 +1,8 @@
 // What is measured in the page: `measure.mjs` calls `measure(program's address)`. It uses the
 // public wasm interface only.
 import init, { Drawn, Playground } from '../../../www/pkg/gcode_playground.js';
-import { loadPart, PART_FILES } from '../../../www/pkg/parts.js';
+import { PART_FILES } from '../../../www/pkg/part-files.js';
+import { loadPart } from '../../../www/pkg/parts.js';
 import { median, time } from '../stopwatch.mjs';
 
 const SIZE = { width: 1200, height: 800 };
@@ -12,7 +13,7 @@ const FRAMES = 7;
 /** Interpreting and drawing a program: milliseconds by name. */
 window.measure = async (address) => {
   const [text, wasm] = await Promise.all([fetch(address).then((response) => response.text()), init()]);
-  for (const part of Object.keys(PART_FILES)) await loadPart(part, wasm);
+  for (const [part, files] of Object.entries(PART_FILES)) await loadPart(part, wasm, files);
   const fresh = interpreted(text);
   const settled = median(Array.from({ length: 5 }, () => {
     const again = interpreted(text);

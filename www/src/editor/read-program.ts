@@ -5,6 +5,8 @@
 
 import { Text } from '@codemirror/state';
 import type { ReaderEvent } from '../files/file-reader';
+import script from '../files/file-reader.ts?worker&url';
+import { startWorker } from '../worker/start-worker';
 import { append } from './file';
 import type { ProgramFile, ProgramText } from './program-text';
 
@@ -19,11 +21,14 @@ export type Opened =
 export function readProgram(file: File): Promise<Opened> {
   const { name } = file;
   if (file.size > SIZE_LIMIT) return Promise.resolve({ kind: 'too-large', name });
-  const reader = new Worker(new URL('../files/file-reader.ts', import.meta.url), { type: 'module' });
-  const opened = new Promise<Opened>((resolve) => {
+  return new Promise<Opened>((resolve) => {
     let doc = Text.empty;
     const pieces: string[] = [];
-    reader.onmessage = ({ data: event }: MessageEvent<ReaderEvent>) => {
+    const end = (opened: Opened): void => {
+      reader.end();
+      resolve(opened);
+    };
+    const heard = (event: ReaderEvent): void => {
       switch (event.kind) {
         case 'piece':
           // Each piece is a task of its own, so that a long text does not make the page stand still.
@@ -32,15 +37,14 @@ export function readProgram(file: File): Promise<Opened> {
           return;
         case 'read': {
           const { ends, encoding, binary } = event;
-          resolve({ kind: 'text', program: { doc, pieces, ends }, file: { name, encoding }, binary });
+          end({ kind: 'text', program: { doc, pieces, ends }, file: { name, encoding }, binary });
           return;
         }
         case 'unreadable':
-          resolve({ kind: 'unreadable', name });
+          end({ kind: 'unreadable', name });
       }
     };
-    reader.onerror = () => resolve({ kind: 'unreadable', name });
+    const reader = startWorker(script, heard, () => end({ kind: 'unreadable', name }));
+    reader.post(file);
   });
-  reader.postMessage(file);
-  return opened.finally(() => reader.terminate());
 }

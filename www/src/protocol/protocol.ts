@@ -6,7 +6,7 @@
 // one place where it arrives. The interpreter's own types are taken from its generated package, never written
 // again. Must not know: how either side does its work.
 
-import type { PartName } from '../../pkg/parts.js';
+import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
   StepUnit, StopSwitch, Stroke, Summary, Totals,
@@ -36,7 +36,11 @@ export type CanvasCommand =
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };
 
-/** The first thing a worker hears: the compiled module of the interpreter. */
+export type { PartName };
+/** The addresses of the files of each part. */
+export type PartFiles = Readonly<Record<PartName, readonly string[]>>;
+
+/** The compiled module of the interpreter. */
 export interface Core {
   readonly kind: 'core';
   readonly module: WebAssembly.Module;
@@ -271,6 +275,8 @@ export type SessionEvent = RunEvent & { readonly run: number };
  * To the worker. Each element of the page has a session there, which begins with what is first said in it.
  */
 export type ToWorker =
+  /** The first thing a worker hears. */
+  | { readonly kind: 'files'; readonly files: PartFiles }
   | Core
   | { readonly kind: 'say'; readonly session: number; readonly what: Command | Question }
   | { readonly kind: 'close'; readonly session: number }

@@ -5,7 +5,10 @@
 // work for is to blame, the others are only its neighbours. A session that is begun after that goes to a
 // worker apart, so there are never more than two. Must not know: what is said in a session.
 
+import { PART_FILES } from '../../pkg/part-files.js';
 import { coreModule } from './core-module';
+import { startWorker, type StartedWorker } from './start-worker';
+import script from './worker.ts?worker&url';
 import type { Command, FromWorker, Question, SessionEvent, ToWorker } from '../protocol/protocol';
 
 const SILENCE_LIMIT_MS = 15_000;
@@ -41,7 +44,7 @@ export class CoreThread {
   static readonly #threads: Partial<Record<'with-others' | 'apart', CoreThread>> = {};
 
   readonly #where: 'with-others' | 'apart';
-  readonly #worker: Worker;
+  readonly #worker: StartedWorker;
   readonly #sessions = new Map<number, LineListener>();
   #ready = false;
   /** The session that the worker is at work for. */
@@ -55,9 +58,8 @@ export class CoreThread {
 
   private constructor(where: 'with-others' | 'apart') {
     this.#where = where;
-    this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
-    this.#worker.onmessage = (message: MessageEvent<FromWorker>) => this.#receive(message.data);
-    this.#worker.onerror = (error) => this.#loadFailed(error.message || 'worker');
+    this.#worker = startWorker<FromWorker>(script, (event) => this.#receive(event), (reason) => this.#loadFailed(reason));
+    this.#post({ kind: 'files', files: PART_FILES });
     coreModule().then(
       (module) => this.#post({ kind: 'core', module }),
       (reason: unknown) => this.#loadFailed(reason instanceof Error ? reason.message : String(reason)),
@@ -83,7 +85,7 @@ export class CoreThread {
   }
 
   #post(message: ToWorker): void {
-    this.#worker.postMessage(message);
+    this.#worker.post(message);
   }
 
   #receive(event: FromWorker): void {
@@ -138,7 +140,7 @@ export class CoreThread {
   #end(): readonly LineListener[] {
     clearTimeout(this.#watch);
     clearTimeout(this.#ending);
-    this.#worker.terminate();
+    this.#worker.end();
     if (CoreThread.#threads[this.#where] === this) delete CoreThread.#threads[this.#where];
     const listeners = [...this.#sessions.values()];
     this.#sessions.clear();

@@ -4,9 +4,9 @@
 // come, and hears of it when they do not. A part that could not be loaded is tried again when it is asked for again.
 // Must not know: what is in a part, or what waits for it.
 
-import { fetchPart, loadPart, type PartName } from '../../pkg/parts.js';
+import { loadPart } from '../../pkg/parts.js';
+import type { PartFiles, PartName } from '../protocol/protocol';
 
-export { fetchPart };
 export type { PartName };
 
 /** Who waits for parts. */
@@ -18,6 +18,7 @@ export interface Waiter {
 
 export class LateParts<W extends Waiter> {
   readonly #exports: object;
+  readonly #files: PartFiles;
   readonly #all: () => Iterable<W>;
   readonly #loaded = new Set<PartName>();
   readonly #loading = new Map<PartName, Promise<void>>();
@@ -26,8 +27,9 @@ export class LateParts<W extends Waiter> {
   #stage: 'held' | 'begun' | 'failed' = 'held';
 
   /** `exports`: of the module; `all` that may want parts. */
-  constructor(exports: object, all: () => Iterable<W>) {
+  constructor(exports: object, files: PartFiles, all: () => Iterable<W>) {
     this.#exports = exports;
+    this.#files = files;
     this.#all = all;
   }
 
@@ -80,7 +82,7 @@ export class LateParts<W extends Waiter> {
     if (this.#loaded.has(part)) return;
     const known = this.#loading.get(part);
     if (known !== undefined) return known;
-    const loading = loadPart(part, this.#exports);
+    const loading = loadPart(part, this.#exports, this.#files[part]);
     this.#loading.set(part, loading);
     try {
       await loading;

@@ -1,18 +1,21 @@
 // The interpreter's own thread, shared by all elements of a page: the module, and a session for each element.
 //
-// In: the module of the interpreter, then what the page says in its sessions. Out: what they report, and which of
+// In: where the files of its parts are, the module of the interpreter, then what the page says in its sessions. Out: what they report, and which of
 // them the thread is at work for: one that hangs or fails takes the others down with it, and the page has to know which
 // it was. Must not know: what is done in a session.
 
 import init, { Playground } from '../../pkg/gcode_playground.js';
-import type { FromWorker, SessionEvent, ToWorker } from '../protocol/protocol';
-import { fetchPart, LateParts } from './parts';
+import type { FromWorker, PartFiles, SessionEvent, ToWorker } from '../protocol/protocol';
+import { fetchPart } from '../../pkg/parts.js';
+import { LateParts } from './parts';
 import { mayNeedSetup, Session } from './session';
 
+/** The first thing heard. This script may have an address from which no other is found. */
+let files: PartFiles | undefined;
 let parts: LateParts<Session> | undefined;
 const sessions = new Map<number, Session>();
 /** What came before the interpreter was loaded. */
-const early: Exclude<ToWorker, { readonly kind: 'core' | 'ping' }>[] = [];
+const early: Exclude<ToWorker, { readonly kind: 'files' | 'core' | 'ping' }>[] = [];
 /** Sessions that go on after the messages that have come by then. */
 const slices = new MessageChannel();
 /** The session that the page was told of last. */
@@ -20,7 +23,8 @@ let atWork: number | undefined;
 let hasCrashed = false;
 
 self.onmessage = ({ data: message }: MessageEvent<ToWorker>) => {
-  if (message.kind === 'core') void load(message.module);
+  if (message.kind === 'files') files = message.files;
+  else if (message.kind === 'core') void load(message.module);
   else if (message.kind === 'ping') post({ kind: 'pong' });
   else if (parts === undefined) hearEarly(message);
   else hear(message, parts);
@@ -29,7 +33,8 @@ slices.port1.onmessage = ({ data }: MessageEvent<number>) => sessions.get(data)?
 
 async function load(module: WebAssembly.Module): Promise<void> {
   try {
-    parts = new LateParts(await init({ module_or_path: module }), () => sessions.values());
+    if (files === undefined) throw new Error('files');
+    parts = new LateParts(await init({ module_or_path: module }), files, () => sessions.values());
   } catch (error) {
     post({ kind: 'load-failed', reason: describe(error) });
     return;
@@ -41,7 +46,7 @@ async function load(module: WebAssembly.Module): Promise<void> {
 /** What is said to need another part has it fetched together with the interpreter. */
 function hearEarly(message: (typeof early)[number]): void {
   early.push(message);
-  if (message.kind === 'say' && mayNeedSetup(message.what)) fetchPart('setup');
+  if (message.kind === 'say' && files !== undefined && mayNeedSetup(message.what)) fetchPart(files.setup);
 }
 
 function hear(message: (typeof early)[number], late: LateParts<Session>): void {

@@ -1,0 +1,83 @@
+// Starts a worker, wherever the page around stands.
+//
+// In: the address of its script, which is a classic one. Out: what the worker says, or why it could not be started. A
+// script of another origin, or of any where the page is in a sandboxed frame, is fetched and started from memory: this needs
+// `worker-src blob:` where there is a policy, and is done only where the direct way is closed. Must not know: what the worker is for.
+
+export interface StartedWorker {
+  /** Kept until the worker is there. */
+  post(message: unknown): void;
+  end(): void;
+}
+
+/** A policy that requires trusted types has to allow one by this name. */
+const POLICY = 'gcode-playground';
+let policy: ScriptPolicy | undefined;
+
+/** What is used of Trusted Types, which the library of types does not have yet. */
+interface ScriptPolicy {
+  createScriptURL(address: string): unknown;
+}
+declare const trustedTypes: { createPolicy(name: string, rules: ScriptPolicy): ScriptPolicy } | undefined;
+
+/** Scripts that were fetched, as addresses in memory: one request for all workers of a page. */
+const inMemory = new Map<string, Promise<string>>();
+
+export function startWorker<Event>(script: string, heard: (event: Event) => void, failed: (reason: string) => void): StartedWorker {
+  let worker: Worker | undefined;
+  let early: unknown[] = [];
+  let ended = false;
+  const fail = (reason: unknown): void => {
+    if (!ended) failed(reason instanceof Error ? reason.message : String(reason));
+  };
+  const started = (begun: Worker): void => {
+    if (ended) {
+      begun.terminate();
+      return;
+    }
+    worker = begun;
+    begun.onmessage = ({ data }: MessageEvent<Event>) => heard(data);
+    begun.onerror = (error) => fail(error.message || `the worker ${script} could not be started`);
+    for (const message of early) begun.postMessage(message);
+    early = [];
+  };
+  try {
+    started(begin(script));
+  } catch {
+    fetched(script).then((copy) => started(begin(copy))).catch(fail);
+  }
+  return {
+    post: (message) => void (worker === undefined ? early.push(message) : worker.postMessage(message)),
+    end() {
+      ended = true;
+      worker?.terminate();
+    },
+  };
+}
+
+function begin(address: string): Worker {
+  // Only where the script is not built are there imports in it.
+  return new Worker(trusted(address), import.meta.env.DEV ? { type: 'module' } : undefined);
+}
+
+function trusted(address: string): string {
+  if (typeof trustedTypes === 'undefined') return address;
+  policy ??= trustedTypes.createPolicy(POLICY, { createScriptURL: (own) => own });
+  // `Worker` takes it where it is wanted; the type of its first parameter does not say so.
+  return policy.createScriptURL(address) as string;
+}
+
+function fetched(script: string): Promise<string> {
+  const known = inMemory.get(script);
+  if (known !== undefined) return known;
+  const copy = load(script);
+  inMemory.set(script, copy);
+  copy.catch(() => inMemory.delete(script));
+  return copy;
+}
+
+async function load(script: string): Promise<string> {
+  const response = await fetch(script, { mode: 'cors', credentials: 'same-origin' });
+  if (!response.ok) throw new Error(`${script}: ${response.status}`);
+  return URL.createObjectURL(new Blob([await response.text()], { type: 'text/javascript' }));
+}

@@ -1,0 +1,8 @@
+// Where the files of the parts are: src/parts.rs. Made by `cargo xtask`, which fills in the files.
+//
+// Apart from the script that loads them: the worker, which does, can have an address from which nothing is found.
+
+/** The files of each part, by its name; one that two parts need is in both lists. */
+export const PART_FILES = {
+  /* FILES */
+};
