@@ -12,7 +12,7 @@ export type Text = string | RegExp;
 export type Role =
   | 'alert' | 'button' | 'columnheader' | 'combobox' | 'dialog' | 'group' | 'heading' | 'img' | 'link' | 'list' | 'listitem' | 'log' | 'menu'
   | 'menuitem' | 'note' | 'option' | 'radio' | 'radiogroup' | 'region' | 'row' | 'rowheader' | 'searchbox' | 'slider' | 'status' | 'switch'
-  | 'table' | 'textbox' | 'tooltip';
+  | 'tab' | 'table' | 'tabpanel' | 'textbox' | 'tooltip';
 
 export interface Box {
   readonly x: number;
