@@ -38,7 +38,8 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
       const least = Math.min(240, height / 2);
       const measured: string[] = [];
       const measure = async (when: string): Promise<void> => {
-        await page.locator('gcode-playground').evaluate(async (element) => (element as unknown as { settled: Promise<number> }).settled);
+        // While it plays nothing settles.
+        if (when !== 'playing') await page.locator('gcode-playground').evaluate(async (element) => (element as unknown as { settled: Promise<number> }).settled);
         const box = await drawing(page).boundingBox();
         measured.push(`${when}: ${Math.round(box?.width ?? 0)} × ${Math.round(box?.height ?? 0)}`);
         expect(box?.height, when).toBeGreaterThanOrEqual(least);
@@ -76,3 +77,56 @@ for (const { name, width, height, by, ratio } of WINDOWS) {
     });
   }
 }
+
+/** How many colours the picture has. */
+function colours(page: ChromiumPage): Promise<number> {
+  return page.evaluate(() => {
+    const canvas = document.querySelector('gcode-playground')?.shadowRoot?.querySelector('canvas');
+    if (canvas === null || canvas === undefined) return -1;
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const found = new Set<number>();
+    for (let at = 0; at < data.length; at += 4) found.add((data[at]! << 16) | (data[at + 1]! << 8) | data[at + 2]!);
+    return found.size;
+  });
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`where the system asks for its own colours the picture has them: ${colorScheme}`, async ({ browser, baseURL }, info) => {
+    const context = await browser.newContext({ ...(baseURL === undefined ? {} : { baseURL }), forcedColors: 'active', colorScheme });
+    const page = (await context.newPage()) as ChromiumPage;
+    await open(page);
+    expect(await colours(page)).toBeGreaterThan(20);
+    await page.screenshot({ path: info.outputPath('forced.png') });
+    await context.close();
+  });
+}
+
+test('on paper there are drawing, problems, setup and all of the program, in light colours', async ({ browser, baseURL }, info) => {
+  const context = await browser.newContext({ ...(baseURL === undefined ? {} : { baseURL }), colorScheme: 'dark' });
+  const page = (await context.newPage()) as ChromiumPage;
+  await open(page);
+  const lines = Array.from({ length: 120 }, (_, at) => `G01 X${60 - at / 10} Z-${at} F0.2`);
+  await type(page, ['(STOCK D=70 LENGTH=150)', 'G00 X80 Z2', 'X', ...lines, 'M30'].join('\n'));
+  // The browser's own window to print is none of the test's.
+  await page.evaluate(() => {
+    window.print = () => Reflect.set(window, 'printed', true);
+  });
+  await page.keyboard.press('Control+p');
+  await page.waitForFunction(() => Reflect.get(window, 'printed') === true);
+  await page.emulateMedia({ media: 'print' });
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  const sheet = page.locator('.sheet');
+  await expect(sheet.getByRole('listitem').filter({ hasText: 'G01 X48.1 Z-119 F0.2' })).toBeVisible();
+  await expect(sheet.locator('.sheet-program > li')).toHaveCount(124);
+  await expect(sheet.locator('.sheet-problems')).toContainText('has no number');
+  await expect(sheet.locator('.sheet-setup')).toContainText('70');
+  await expect(sheet.locator('img')).toBeVisible();
+  await expect(editor(page)).toBeHidden();
+  await page.screenshot({ path: info.outputPath('paper.png'), fullPage: true });
+  expect(await sheet.evaluate((element) => getComputedStyle(element).color)).toBe('rgb(0, 0, 0)');
+  await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+  await expect(sheet.getByRole('listitem')).toHaveCount(0);
+  await context.close();
+});

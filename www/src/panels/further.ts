@@ -16,6 +16,9 @@ import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
+import { divider } from './divider';
+import { presentation } from './presentation';
+import { print } from './print';
 import { switches } from './switches';
 import { tabs } from './tabs';
 import { totals } from './totals';
@@ -24,8 +27,8 @@ import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
-  codes,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
+  codes, presentation, print,
 ];
 
 /** Of what stands beside them. */
