@@ -84,7 +84,7 @@ test('the keys of the playback work before anything has the focus', async ({ pag
 
 test('the text of all of the page can be larger, that of the drawing too', async ({ page }) => {
   await open(page);
-  const height = async (): Promise<number> => (await status(page).boundingBox())?.height ?? 0;
+  const height = async (): Promise<number> => (await page.locator('#language').boundingBox())?.height ?? 0;
   const before = await height();
   await page.locator('#text-size').selectOption('200');
   await expect.poll(height).toBeGreaterThan(before * 1.7);
