@@ -252,7 +252,7 @@ export class Editor implements TextHolder {
   }
 
   #languageExtension(language: Language): Extension {
-    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters' };
+    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters', tabindex: '0' };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 

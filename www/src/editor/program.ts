@@ -192,10 +192,12 @@ export class Program implements TextHolder {
   }
 
   nextProblem(direction: 'next' | 'previous'): void {
+    this.#events.wanted();
     this.#editor?.nextProblem(direction);
   }
 
   focus(): void {
+    this.#events.wanted();
     this.#focusWanted = this.#editor === undefined;
     this.#editor?.focus();
   }

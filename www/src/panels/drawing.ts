@@ -13,6 +13,8 @@ import type { Palette, Size, Stroke, Summary } from '../protocol/protocol';
 const CLICK_SLOP = { mouse: 4, touch: 10 };
 const KEY_PAN = 40;
 const KEY_ZOOM = 1.25;
+/** CSS pixels of the type's size for which the picture is as it is drawn. */
+const TYPE_AS_USUAL = 16;
 
 export interface DrawingEvents {
   resized(size: Size): void;
@@ -47,6 +49,9 @@ export class Drawing {
   readonly #empty = make('p', { className: 'empty', hidden: true });
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
+  /** As wide as the page's type is large. */
+  readonly #type = make('div', { className: 'type-size' });
+  #scale = 1;
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
   readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
   readonly #shown = this.#canvas.getContext('bitmaprenderer');
@@ -64,7 +69,13 @@ export class Drawing {
 
   constructor(language: Language, events: DrawingEvents) {
     this.#language = language;
-    this.#events = events;
+    this.#events = {
+      ...events,
+      pan: (dx, dy) => events.pan(dx / this.scale, dy / this.scale),
+      zoom: (factor, x, y) => events.zoom(factor, x / this.scale, y / this.scale),
+      pointed: (x, y) => events.pointed(x / this.scale, y / this.scale),
+      clicked: (x, y, keepFocus) => events.clicked(x / this.scale, y / this.scale, keepFocus),
+    };
     this.element = make(
       'section',
       { className: 'drawing', part: 'drawing' },
@@ -80,9 +91,10 @@ export class Drawing {
     this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
     this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
     this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
-    this.#holder.append(this.#canvas);
+    this.#holder.append(this.#canvas, this.#type);
     this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);
+    this.#sizes.observe(this.#type);
   }
 
   /** `label` is what it is for a reader who does not see it. */
@@ -104,12 +116,20 @@ export class Drawing {
 
   get size(): Size {
     const { width, height } = this.#holder.getBoundingClientRect();
-    return { width: Math.max(width, 1), height: Math.max(height, 1), pixelRatio: window.devicePixelRatio || 1 };
+    const scale = (this.#scale = Math.max(Number.parseFloat(getComputedStyle(this.#type).width) / TYPE_AS_USUAL, 1) || 1);
+    return { width: Math.max(width / scale, 1), height: Math.max(height / scale, 1), pixelRatio: (window.devicePixelRatio || 1) * scale };
+  }
+
+  /** CSS pixels for one of the picture's: its words and strokes grow with the reader's type. */
+  get scale(): number {
+    return this.#scale;
   }
 
   /** The colours as the style sheet resolves them now. */
   get palette(): Palette {
     const probe = make('span', { hidden: true });
+    // Colours of the system are named by the style sheet, not put in the place of these.
+    probe.style.setProperty('forced-color-adjust', 'none');
     this.element.append(probe);
     const style = getComputedStyle(probe);
     const colours = {} as Record<keyof Palette, string>;
@@ -192,7 +212,7 @@ export class Drawing {
   }
 
   #zoomMiddle(factor: number): void {
-    const { width, height } = this.size;
+    const { width, height } = this.#holder.getBoundingClientRect();
     this.#events.zoom(factor, width / 2, height / 2);
   }
 

@@ -16,15 +16,19 @@ import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
+import { divider } from './divider';
+import { presentation } from './presentation';
+import { print } from './print';
 import { switches } from './switches';
+import { tabs } from './tabs';
 import { totals } from './totals';
 import { views } from './views';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
-  codes,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
+  codes, presentation, print,
 ];
 
 /** Of what stands beside them. */

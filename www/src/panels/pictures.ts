@@ -139,8 +139,8 @@ class Pictures implements Panel {
   async #locate(picture: PictureName, x: number, other: number): Promise<ClientPlace> {
     const place = await this.#shell.ask('locate', { picture, x, other });
     if (place === undefined) throw new Error('the playground is not in a document');
-    const { origin } = this.#drawings[picture];
-    return { clientX: origin.x + place.x, clientY: origin.y + place.y };
+    const { origin, scale } = this.#drawings[picture];
+    return { clientX: origin.x + place.x * scale, clientY: origin.y + place.y * scale };
   }
 }
 

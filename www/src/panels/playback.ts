@@ -54,7 +54,12 @@ class Playback implements Panel {
   #take = 0;
   #doingShown = '';
   readonly places: Panel['places'];
-  readonly services: Partial<Services> = { play: () => this.#start(), pause: () => this.#stop() };
+  readonly services: Partial<Services> = {
+    play: () => this.#start(),
+    pause: () => this.#stop(),
+    playOrPause: () => this.#toggle(),
+    step: (unit, direction) => this.#step(unit, direction),
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -93,7 +98,7 @@ class Playback implements Panel {
     for (const option of this.#unit.options) option.textContent = texts.units[option.value as StepUnit];
     this.#unit.setAttribute('aria-label', texts.stepBy);
     this.#unit.title = texts.stepBy;
-    name(this.#optional, texts.optionalStops);
+    name(this.#optional, `M01: ${texts.optionalStops}`);
     this.#optional.title = texts.optionalStopsHint;
     name(this.#whole, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
