@@ -41,7 +41,7 @@ export const editorTheme: Extension = EditorView.theme({
   '.cm-lineNumbers .cm-gutterElement': { padding: '0 6px 0 4px', minWidth: '2.4em' },
   '.cm-gutter-lint': { width: '1.1em' },
   '.cm-gutter-lint .cm-gutterElement': { padding: '0 0 0 3px', display: 'flex', alignItems: 'center' },
-  '.cm-lint-marker': { width: '0.75em', height: '0.75em', borderRadius: '50%', content: 'none !important' },
+  '.cm-lint-marker': { width: '0.75em', height: '0.75em', borderRadius: '50%', content: 'none !important', forcedColorAdjust: 'none' },
   '.cm-lint-marker-error': { background: 'var(--playground-error)' },
   '.cm-lint-marker-warning': { background: 'var(--playground-warning)', borderRadius: '2px' },
   '.cm-lint-marker-info': { background: 'var(--playground-info)' },
