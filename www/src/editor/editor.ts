@@ -247,7 +247,7 @@ export class Editor implements TextHolder {
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
     else previousDiagnostic(this.#view);
-    announceProblem(this.#view, this.#diagnostics, this.#shownLanguage);
+    announceProblem(this.#view, this.#shownLanguage);
     return true;
   }
 

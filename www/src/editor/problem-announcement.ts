@@ -1,23 +1,27 @@
 // What a reader who does not see the editor hears of the problem that is selected there.
 //
-// In: the diagnostics, and the selection. Out: a sentence in the live region of the editor. Must not know: what a
-// diagnostic is about.
+// In: the diagnostics as they stand in the editor, and the selection. Out: a sentence in the live region of the
+// editor. Must not know: what a diagnostic is about.
 
+import { forEachDiagnostic } from '@codemirror/lint';
 import { EditorView } from '@codemirror/view';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
 import type { Diagnostic } from '../protocol/protocol';
 import { PROBLEM_WORDS } from './problem-words';
 
-export function announceProblem(view: EditorView, diagnostics: readonly Diagnostic[], language: Language): void {
+export function announceProblem(view: EditorView, language: Language): void {
   const { from, to } = view.state.selection.main;
-  const at = diagnostics.findIndex((one) => one.from === from && one.to === to);
-  const problem = diagnostics[at] ?? diagnostics.find((one) => one.from <= from && from <= one.to);
+  let [count, at, said] = [0, 0, ''];
+  forEachDiagnostic(view.state, ({ severity, message }, start, end) => {
+    count++;
+    if (at > 0 || start !== from || end !== to) return;
+    at = count;
+    said = `${PROBLEM_WORDS[language].severity[severity as Diagnostic['severity']]}: ${message.replaceAll('`', '')}`;
+  });
   const texts = WORDS[language];
-  const said = problem === undefined
-    ? texts.none
-    : texts.problem(diagnostics.indexOf(problem) + 1, diagnostics.length, problem.line, `${PROBLEM_WORDS[language].severity[problem.severity]}: ${problem.message.replaceAll('`', '')}`);
-  view.dispatch({ effects: EditorView.announce.of(said) });
+  const text = at === 0 ? texts.none : texts.problem(at, count, view.state.doc.lineAt(from).number, said);
+  view.dispatch({ effects: EditorView.announce.of(text) });
 }
 
 const WORDS = words({
