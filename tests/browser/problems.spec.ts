@@ -127,6 +127,16 @@ test('what a dot shows stands over its line, and its repair is made', async ({ p
   expect(shown!.y + shown!.height).toBeLessThan(own!.y + own!.height / 4);
   await popUp.getByRole('button').first().click();
   await expect.poll(() => value(page)).toContain('X60 Z-2');
+
+  await test.step('that of a word, in the first line too', async () => {
+    await type(page, 'G00 X60 Z–2\nG00 X50\nM30');
+    await settled(page);
+    const word = page.locator('.cm-lintRange').first();
+    await word.hover();
+    await expect(popUp.getByRole('button').first()).toBeVisible();
+    const [shown, own] = await Promise.all([popUp.boundingBox(), word.boundingBox()]);
+    expect(shown!.y + shown!.height).toBeLessThan(own!.y + own!.height / 2);
+  });
 });
 
 test('a problem that is chosen marks its stroke', async ({ page }) => {

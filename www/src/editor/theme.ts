@@ -66,12 +66,14 @@ export const editorTheme: Extension = EditorView.theme({
     boxShadow: 'var(--playground-shadow)',
     // Its size does not depend on its place, which is worked out from it.
     width: 'max-content',
-    maxWidth: 'min(30rem, 92vw)',
+    maxWidth: 'min(44rem, 92vw)',
     overflow: 'hidden',
     fontFamily: 'var(--playground-font)',
     fontSize: '0.875rem',
   },
-  '.cm-diagnostic': { padding: '10px 14px', border: 'none', whiteSpace: 'normal', marginLeft: '0' },
+  // Low, so that it finds room over the first lines as well: below it would cover the lines that are read next.
+  '.cm-diagnostic': { display: 'flex', flexWrap: 'wrap', alignItems: 'flex-end', gap: '4px 10px', padding: '8px 14px', border: 'none', whiteSpace: 'normal', marginLeft: '0' },
+  '.cm-diagnostic > :first-child': { flex: '1 1 16rem' },
   '.cm-diagnostic + .cm-diagnostic': { borderTop: '1px solid var(--playground-line)' },
   '.cm-diagnostic p': { margin: '0' },
   '.cm-diagnostic p + p': { marginTop: '4px' },
@@ -80,7 +82,7 @@ export const editorTheme: Extension = EditorView.theme({
   '.cm-diagnosticAction': {
     font: 'inherit',
     fontSize: '0.8125rem',
-    margin: '8px 8px 0 0',
+    margin: '0',
     padding: '5px 10px',
     borderRadius: '6px',
     color: 'var(--playground-on-accent)',
