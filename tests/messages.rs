@@ -116,6 +116,22 @@ fn a_comma_for_the_point_is_one_fault_and_what_its_word_switches_on_holds() {
 }
 
 #[test]
+fn a_feed_that_is_missing_after_a_broken_one_is_the_same_fault() {
+    let start = "G99 M3 S500\nG00 X50 Z2\n";
+    for (word, marks, code) in [
+        ("F0.2.", "^^^^^", "PS0007"),
+        ("F", "^", "PS0005"),
+        ("F-0.2", "^^^^^", "PS0006"),
+        ("F0..2", "^^^^^", "PS0007"),
+    ] {
+        check_with("{}", &format!("{start}G01 Z-5 {word}\n//      {marks} {code}\nX52\nG00 Z2"));
+        check_with("{}", &format!("{start}   {word}\n// {marks} {code}\nG01 Z-5\nX52\nG00 Z2"));
+    }
+    // Another broken word says nothing of the feed.
+    check_with("{}", &format!("{start}G01 Z-5.5.\n//  ^^^^^^ PS0007\n   X52\n// ^^^ PS0011\nG00 Z2"));
+}
+
+#[test]
 fn the_first_block_of_a_contour_with_a_pocket_keeps_both_axes() {
     let program = |first: &str, last: &str| {
         format!(
