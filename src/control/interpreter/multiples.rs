@@ -267,7 +267,7 @@ impl Interpreter {
         let place = place.filter(|_| !start_is_wrong);
         let mut message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
         let (own, other) = if turning { (shape.first.x_word, " W0") } else { (shape.first.z_word, " U0") };
-        if can_be_pocket && !second_named && own.len() > 0 {
+        if can_be_pocket && !second_named && !own.is_empty() {
             message = message.with(Fix::insert(own.end, other.to_owned()));
         }
         if self.dialect.strict {
