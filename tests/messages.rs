@@ -132,6 +132,21 @@ fn a_feed_that_is_missing_after_a_broken_one_is_the_same_fault() {
 }
 
 #[test]
+fn the_letter_of_a_code_is_e_for_errors_alone() {
+    let text = "(STOCK D=50 LENGTH=80)\nG99 T0101 M3 S800 M777\nG00 X60 Z2\nX40\nZ-20\nM30\n";
+    let codes = |setup: &str| -> Vec<(bool, String)> {
+        let mut analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("setup"));
+        analysis.check_at_machine();
+        let rows = analysis.diagnostics.iter().map(|found| (found.is_error(), found.code()));
+        rows.filter(|(_, code)| code.ends_with("-START-IN-STOCK") || code.ends_with("-M-UNKNOWN")).collect()
+    };
+    let of = |error: bool, code: &str| (error, code.to_owned());
+    assert_eq!(codes("{}"), [of(false, "W-M-UNKNOWN"), of(true, "E-START-IN-STOCK")]);
+    let graded = r#"{"rules": {"unknown-m-code": "error", "rapid-through-stock": "warning"}}"#;
+    assert_eq!(codes(graded), [of(true, "E-M-UNKNOWN"), of(false, "W-START-IN-STOCK")]);
+}
+
+#[test]
 fn the_first_block_of_a_contour_with_a_pocket_keeps_both_axes() {
     let program = |first: &str, last: &str| {
         format!(
