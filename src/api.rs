@@ -60,7 +60,7 @@ pub struct Diagnostic {
     pub from: u32,
     /// UTF-16 offset of the end.
     pub to: u32,
-    /// Stable code: `W-…`, `E-…` or an alarm number.
+    /// Code: an alarm number, or a name after a letter: `E-…` of errors, of no other `W-…`, `I-…` or `N-…`.
     pub code: String,
     /// Stable name of the fault.
     pub slug: String,
@@ -322,14 +322,19 @@ impl Summary {
         let stops = motions.stops(0..motions.len());
         summary.optional_stops = stops.filter(|(_, stop)| stop.kind == StopKind::Optional).count() as u32;
         for diagnostic in diagnostics {
-            match diagnostic.severity {
-                Severity::Error => summary.errors += 1,
-                Severity::Warning => summary.warnings += 1,
-                Severity::Info => summary.infos += 1,
-                Severity::Off => {}
-            }
+            summary.count(diagnostic.severity);
         }
         summary
+    }
+
+    /// Counts one more message.
+    pub fn count(&mut self, severity: Severity) {
+        match severity {
+            Severity::Error => self.errors += 1,
+            Severity::Warning => self.warnings += 1,
+            Severity::Info => self.infos += 1,
+            Severity::Off => {}
+        }
     }
 }
 
@@ -713,7 +718,7 @@ impl Places<'_> {
             end_column: end.1,
             from,
             to,
-            code: diagnostic.message.code().to_owned(),
+            code: diagnostic.code(),
             slug: diagnostic.message.slug().to_owned(),
             severity: diagnostic.severity.name().to_owned(),
             kind: diagnostic.message.kind().name().to_owned(),

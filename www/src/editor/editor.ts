@@ -7,7 +7,7 @@
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
-import { linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { linter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect, type TransactionSpec } from '@codemirror/state';
 import {
@@ -21,6 +21,8 @@ import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './
 import { Follower } from './follow';
 import type { Change, EditorEvents, ProgramContext, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
+import { announceProblem } from './problem-announcement';
+import { problemGutter } from './problem-gutter';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
@@ -70,12 +72,12 @@ export class Editor implements TextHolder {
       state: EditorState.create({
         doc: docOf(program),
         extensions: [
-          lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
+          lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
-            { key: 'F8', run: nextDiagnostic, shift: previousDiagnostic },
+            { key: 'F8', run: () => this.nextProblem('next'), shift: () => this.nextProblem('previous') },
             ...searchKeymap, ...historyKeymap, ...defaultKeymap,
           ]),
           this.#language.of(this.#languageExtension(language)),
@@ -240,11 +242,13 @@ export class Editor implements TextHolder {
     });
   }
 
-  nextProblem(direction: 'next' | 'previous'): void {
+  nextProblem(direction: 'next' | 'previous'): boolean {
     this.showNow();
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
     else previousDiagnostic(this.#view);
+    announceProblem(this.#view, this.#shownLanguage);
+    return true;
   }
 
   focus(): void {

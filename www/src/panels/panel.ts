@@ -9,7 +9,7 @@
 import type { Language } from '../dom/language';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
-import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
+import type { Answer, Command, Diagnostic, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
 /**
@@ -160,6 +160,8 @@ export interface Shell {
   cameAtOnce(): void;
   /** The reader has chosen a stroke: its block is selected. */
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
+  /** The reader has chosen a problem: its word is selected, its block and its stroke are marked. */
+  chooseProblem(problem: Diagnostic): void;
   /** Lets all panels know where the tool is. */
   toolMoved(place: Readout | undefined): void;
 

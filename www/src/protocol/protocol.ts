@@ -228,6 +228,8 @@ export interface Report {
   readonly overview: SetupOverview;
   /** Control, system, units and switches. */
   readonly readAs: ReadAs;
+  /** The rules that the setup switches off one by one. */
+  readonly rulesOff: readonly string[];
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
   /**
@@ -259,6 +261,8 @@ export type RunEvent =
   | { readonly kind: 'path'; readonly summary: Summary }
   /** What the run cannot be carried out without, or what only its part, messages or an answer need, could not be loaded. */
   | { readonly kind: 'part-failed'; readonly reason: string; readonly needed: 'by-the-run' | 'after-it' }
+  /** The picture on the page stays that of an earlier run: the block that is being typed is not whole yet. */
+  | { readonly kind: 'old-picture'; readonly of: number }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly work: Work; readonly done: number }

@@ -279,6 +279,11 @@ export class PlaygroundShell implements Shell {
     this.#events.fire('gcode-select', { stroke });
   }
 
+  chooseProblem(problem: Diagnostic): void {
+    this.editor.show(problem);
+    this.#runs.cursorAt(problem.from);
+  }
+
   toolMoved(place: Readout | undefined): void {
     this.#tell((panel) => panel.toolMoved?.(place));
   }

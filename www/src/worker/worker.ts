@@ -35,6 +35,13 @@ const LOAD_PARTS_AFTER_MS = 500;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
+/** Which run a picture is of, and what that run had. */
+interface Pictured {
+  readonly run: number;
+  readonly motions: number;
+  readonly errors: number;
+}
+
 /** How long something has been going on, and when that was reported last. */
 interface Going {
   readonly startedAt: number;
@@ -81,6 +88,12 @@ let frameAsked = false;
 let drawing = false;
 /** The page has not shown the last picture yet. */
 let onTheWay = false;
+/** The last picture that was painted of a whole path. */
+let pictured: Pictured | undefined;
+/** The line in which the current run was typed; undefined where its text came otherwise. */
+let typedLine: number | undefined;
+/** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
+let keepsOld: { readonly line: number } | undefined;
 /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
 let heard = 0;
 let settledAt = -1;
@@ -130,7 +143,44 @@ function receive(message: Command | Question): void {
   }
   const row = COMMANDS[message.kind] as CommandRow<Command['kind']>;
   row.act(core, message);
+  if (keepsOld !== undefined && oldPictureStays(core, message, keepsOld.line)) return;
   if (row.draws !== 'no') wantDraw(row.draws);
+}
+
+/** Whether an old picture is still the one to show: the reader has neither left the line nor moved the picture. */
+function oldPictureStays(playground: Playground, message: Command, line: number): boolean {
+  switch (message.kind) {
+    case 'cursor':
+      return message.offset !== undefined && playground.lineAt(message.offset) === line ? true : showCurrent();
+    case 'picture':
+      // What is said of the new run takes room.
+      return message.what.kind === 'resize' ? true : showCurrent();
+    case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
+      return true;
+    case 'palette': case 'language': case 'turret': case 'keep': case 'end-comparison':
+      return showCurrent();
+  }
+}
+
+/** The picture of the current run takes the place of an old one. */
+function showCurrent(): false {
+  keepsOld = undefined;
+  wantDraw('now');
+  return false;
+}
+
+/**
+ * A block that is being typed is half a word now and then, and a contour with a fault is not cut at all: the picture
+ * of before is of more use than an empty one, for as long as this run has more errors and fewer motions.
+ */
+function keepsOldPicture(playground: Playground): boolean {
+  keepsOld = undefined;
+  if (typedLine === undefined || pictured === undefined) return false;
+  const [motions = 0, errors = 0] = playground.motionsAndErrors();
+  if (motions >= pictured.motions || errors <= pictured.errors) return false;
+  keepsOld = { line: typedLine };
+  tell({ kind: 'old-picture', of: pictured.run });
+  return true;
 }
 
 interface CommandRow<K extends Command['kind']> {
@@ -195,6 +245,8 @@ function tellViews(playground: Playground): void {
   if (stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
 }
 
+const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
+
 function ask(playground: Playground, question: Question): void {
   const row = ANSWERS[question.about] as AnswerRow<QuestionKind>;
   const needs = (): readonly PartName[] => {
@@ -205,6 +257,9 @@ function ask(playground: Playground, question: Question): void {
   };
   const now = (): void => {
     if (!isLoaded(needs())) return whenLoaded(needs(), now);
+    // Nothing of this run lies under a pointer that is over the picture of an earlier one.
+    if (keepsOld !== undefined && OF_THE_PICTURE.has(question.about)) return void reply(question.id, undefined);
+    if (keepsOld !== undefined && row.draws !== undefined) showCurrent();
     void reply(question.id, row.answer(playground, question.ask));
     if (row.draws !== undefined) wantDraw(row.draws);
   };
@@ -267,15 +322,25 @@ function begin(playground: Playground, change: BeginRun): void {
   // A setup that is not taken leaves the run as it was, and so the tool in its place.
   playground.showWhole();
   if (change.framing === 'fit') fitAll(playground);
+  typedLine = undefined;
   if (change.setup !== undefined) changeSetup(playground, change.setup);
   if (change.text !== undefined) changeText(playground, change.text, change.came);
   playground.setCursor(change.cursor);
+  typedLine = lineTyped(playground, change);
   // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
   drawing = false;
   drawWanted = 'no';
   const missing = missingPart(playground);
   if (missing === undefined) advanceSoon();
   else waitFor(missing, playground);
+}
+
+/** The line of the reader's hand: one change of the text, with the cursor in it. */
+function lineTyped(playground: Playground, { setup, text, came, framing, cursor }: BeginRun): number | undefined {
+  if (setup !== undefined || text?.kind !== 'edit' || text.changes.length !== 1 || came !== 'typed' || framing === 'fit' || cursor === undefined) return undefined;
+  const [change] = text.changes;
+  const line = playground.lineAt(cursor);
+  return change !== undefined && playground.lineAt(change.from) === line ? line : undefined;
 }
 
 /** What the run cannot be carried out without, and is not there yet. */
@@ -407,6 +472,7 @@ function end(playground: Playground): void {
   const missing = missingPart(playground);
   if (missing !== undefined) return waitFor(missing, playground);
   if (isLoaded(['machine', language]) || playground.missingPart() !== undefined) return goOn(playground);
+  keepsOld = undefined;
   stage = { kind: 'waiting' };
   tell({ kind: 'path', summary: playground.summary() });
   wantDraw('now');
@@ -426,6 +492,7 @@ function goOn(playground: Playground): void {
 
 function toMachine(playground: Playground): void {
   const now = performance.now();
+  keepsOldPicture(playground);
   const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
   stage = machining;
   removeMaterial(playground, machining);
@@ -441,7 +508,7 @@ function removeMaterial(playground: Playground, machining: Stage & { kind: 'mach
     stage = { kind: 'done' };
     for (const late of onceWhole.splice(0)) late();
     report(playground, machining.pathTold ? 'part' : 'whole');
-    wantDraw('now');
+    if (keepsOld === undefined) wantDraw('now');
     return;
   }
   // What takes longer than a blink is reported when it is there.
@@ -449,7 +516,7 @@ function removeMaterial(playground: Playground, machining: Stage & { kind: 'mach
     machining.pathTold = true;
     report(playground, 'path');
   }
-  if (!machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) wantDraw('now');
+  if (keepsOld === undefined && !machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) wantDraw('now');
   tellProgress(machining, 'part', () => playground.machiningProgress());
   queueSlice();
 }
@@ -467,6 +534,7 @@ function report(playground: Playground, told: Report['stage']): void {
       diagnostics: playground.diagnostics(),
       overview: playground.setupOverview(),
       readAs: playground.readAs(),
+      rulesOff: playground.rulesOff(),
       decimal: playground.decimalNotice(),
       stage: told,
       setupRejected,
@@ -498,6 +566,10 @@ function draw(playground: Playground): void {
   if (stage.kind === 'machining') stage.pathShown = true;
   const drawn = drawAll(playground);
   drawing = drawn === Drawn.Part;
+  if (stage.kind !== 'running') {
+    const [motions = 0, errors = 0] = playground.motionsAndErrors();
+    pictured = { run, motions, errors };
+  }
   if (drawing) queueSlice();
   if (drawn === Drawn.Moved) wantDraw('now');
   present(playground);
