@@ -158,7 +158,7 @@ test('an edit keeps the tool at its block', async ({ page }) => {
 
 test('the legend names what is in the picture, and no button lies over it', async ({ page }) => {
   await open(page);
-  await load(page, '(STOCK D=60 LENGTH=90)\nM03 S500\nG00 X62 Z2\nG00 X50 Z-10\nG01 Z-30 F0.2\nG00 X100\nM30\n', 4);
+  await load(page, '(STOCK D=60 LENGTH=90)\nT0101\nM03 S500\nG00 X62 Z2\nG90 X56 Z-40 F0.2\nG00 X50 Z-10\nG00 X100\nM30\n', 7);
   const legend = page.locator('.legend');
   for (const what of ['rapid', 'cutting', 'cut off the blank', 'collision']) await expect(legend).toContainText(what);
   const picture = await page.locator('[part~=drawing]').first().boundingBox();
