@@ -19,7 +19,7 @@ use crate::machine::feature::{self, Feature};
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
-use crate::motion::Motions;
+use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
@@ -358,6 +358,21 @@ impl Current {
     pub fn put(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());
         self.section_mut().playhead = playhead;
+    }
+
+    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    pub fn put_at_block(&mut self, offset: u32) {
+        self.measure();
+        let motion = picked::first_motion(&self.run, self.lines(), &self.scene(), offset);
+        self.put(motion.map(|motion| Playhead { motion, share: 0.0 }));
+    }
+
+    /// A picture that the user has moved follows the tool while it cuts.
+    pub fn keep_tool_in_view(&mut self) {
+        let Some((playhead, place)) = self.place() else { return };
+        if self.run.motions().get(playhead.motion).kind != MotionKind::Rapid {
+            self.look(Plane::Section, |view, _| view.keep_in_view(place.at));
+        }
     }
 
     /// Where the tool is.

@@ -128,7 +128,8 @@ pub fn can_be_found(setup: &Setup) -> bool {
 /// Looks at motions, one after the other.
 #[derive(Clone, Debug)]
 pub struct DangerDetector {
-    jaws: Option<Region>,
+    /// The jaws, and the body of the chuck that they stand on.
+    jaws: Option<[Region; 2]>,
     tailstock: Option<Region>,
     stock: Option<Stock>,
     travel: Travel,
@@ -178,7 +179,12 @@ impl DangerDetector {
 
     /// What stands around the work: the chuck, the tailstock.
     pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        [&self.jaws, &self.tailstock].into_iter().flatten()
+        self.jaws.iter().flatten().chain(&self.tailstock)
+    }
+
+    /// Whether there is a chuck with jaws, and a tailstock.
+    pub fn has_chuck_and_tailstock(&self) -> [bool; 2] {
+        [self.jaws.is_some(), self.tailstock.is_some()]
     }
 
     /// Looks at the next motion, before its material is off.
@@ -253,10 +259,16 @@ impl DangerDetector {
     }
 
     fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
-        let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
-        let found = obstacles.map(|(danger, obstacle)| {
-            let obstacle = obstacle.as_ref()?;
-            Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
+        let obstacles: [(Danger, &[Region]); 2] = [
+            (Danger::IntoJaws, self.jaws.as_ref().map_or(&[], |jaws| &jaws[..])),
+            (Danger::IntoTailstock, self.tailstock.as_slice()),
+        ];
+        let found = obstacles.map(|(danger, obstacles)| {
+            let mut pairs = tool
+                .shape
+                .solids()
+                .flat_map(|outline| obstacles.iter().map(move |obstacle| (obstacle, outline)));
+            Some((danger, pairs.find_map(|(obstacle, outline)| hit(obstacle, outline, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
             self.tell(index, at, danger);
@@ -448,19 +460,16 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, and the chuck body.
-fn jaws(stock: &Stock) -> Option<Region> {
+/// The jaws around the end of the blank, and the chuck body behind them.
+fn jaws(stock: &Stock) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());
-    let corners = [
-        (outside, back),
-        (outside, back + grip),
-        (outside + JAW, back + grip),
-        (outside + JAW, back - JAW),
-        (stock.bore.radius(), back - JAW),
-        (stock.bore.radius(), back),
-    ];
-    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+    let block = |inner: f64, from: f64, to: f64| {
+        let outer = outside + JAW;
+        let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
+        Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
+    };
+    Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
 }
 
 /// The centre of the tailstock: a cone of 60°, and the quill.

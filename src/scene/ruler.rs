@@ -47,6 +47,14 @@ impl Axis {
         }
     }
 
+    /// What a place so many steps from zero reads: a diameter of a section is the same on both sides of the spindle axis.
+    fn read(self, steps: i64) -> i64 {
+        match self {
+            Self::X => steps.abs(),
+            Self::Z | Self::FaceX | Self::FaceC => steps,
+        }
+    }
+
     /// Least room for a labelled tick, CSS pixels.
     fn room(self) -> f64 {
         match self {
@@ -86,8 +94,8 @@ pub struct Tick {
     pub label: Option<String>,
 }
 
-/// Room for the name of Z at the right end of its ruler, CSS pixels.
-const NAME_ROOM: f64 = 60.0;
+/// Least distance of a label from the right end of its ruler, CSS pixels.
+const END_ROOM: f64 = 14.0;
 
 /// The ticks of an axis that are in view, from the lowest value to the highest.
 pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
@@ -118,11 +126,11 @@ pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
             let parts = i64::from(step.parts());
             let weight = if index % parts == 0 { TickWeight::Major } else { TickWeight::Minor };
             let free = match axis.is_level() {
-                true => LEFT_RULER + 8.0..size.width - NAME_ROOM,
+                true => LEFT_RULER + 13.0..size.width - END_ROOM,
                 false => 8.0..size.height - BOTTOM_RULER - 4.0,
             };
             let labelled = weight == TickWeight::Major && free.contains(&pixel);
-            Tick { pixel, weight, label: labelled.then(|| step.label(index / parts)) }
+            Tick { pixel, weight, label: labelled.then(|| step.label(axis.read(index / parts))) }
         })
         .collect()
 }
@@ -194,12 +202,19 @@ mod tests {
     }
 
     #[test]
+    fn a_diameter_is_the_same_on_both_sides_of_the_axis() {
+        let camera = camera((-30.0, -60.0), (30.0, 10.0), 500.0, 800.0);
+        assert_eq!(labels(Axis::X, &camera), "120 100 80 60 40 20 0 20 40 60 80 100 120");
+        assert!(labels(Axis::FaceX, &camera).starts_with('\u{2212}'));
+    }
+
+    #[test]
     fn x_reads_in_diameters() {
         let camera = camera((0.0, -60.0), (40.0, 10.0), 800.0, 500.0);
         assert_eq!(labels(Axis::X, &camera), "0 10 20 30 40 50 60 70 80");
         assert_eq!(
             labels(Axis::Z, &camera),
-            "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0"
+            "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0 10"
         );
         let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
         assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);

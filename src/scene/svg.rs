@@ -320,7 +320,7 @@ impl Drawing {
         self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
         self.text.push_str(&labels);
         self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
-        let (right, low) = (number(width - 8.0), number(height - 7.0));
+        let (right, low) = (number(LEFT_RULER - 4.0), number(height - 7.0));
         self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
     }
 

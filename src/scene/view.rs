@@ -17,6 +17,9 @@ use super::steps::StepLabel;
 /// The longest side of a picture, CSS pixels and device pixels: no canvas is larger.
 const LONGEST_SIDE: f64 = 16_384.0;
 
+/// How far from the edge of the picture the tool is kept, CSS pixels.
+const IN_VIEW: f64 = 40.0;
+
 /// Whether the camera still shows the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Framing {
@@ -144,6 +147,20 @@ impl View {
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.camera.pan(dx, dy);
         self.framing = Framing::Moved;
+    }
+
+    /// Moves a picture that the user has moved so far that a place is in it, as the tool that cuts.
+    pub fn keep_in_view(&mut self, at: Point) {
+        if self.framing == Framing::Fitted {
+            return;
+        }
+        let (at, inside) = (self.camera.to_screen(at), self.camera.inside(IN_VIEW));
+        let back =
+            |at: f64, [least, most]: [f64; 2]| if least < most { within(at, least, most) - at } else { 0.0 };
+        let (dx, dy) = (back(at.x, inside[0]), back(at.y, inside[1]));
+        if dx != 0.0 || dy != 0.0 {
+            self.pan(dx, dy);
+        }
     }
 
     /// Makes the picture `factor` times as large about a place in it.

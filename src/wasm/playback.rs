@@ -71,6 +71,12 @@ impl Playground {
         play(&mut self.current, seconds, stops);
     }
 
+    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    #[wasm_bindgen(js_name = seekBlock)]
+    pub fn seek_block(&mut self, offset: u32) {
+        put_at_block(&mut self.current, offset);
+    }
+
     /// Puts the tool at the end of the step before or after it.
     pub fn step(&mut self, unit: StepUnit, direction: StepDirection) {
         let unit = match unit {
@@ -116,12 +122,19 @@ in_part! {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let place = current.clock().play(current.motions(), from, seconds, stops);
         current.put(Some(place));
+        current.keep_tool_in_view();
     }
 
     Machine "0044"
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
         current.put(Some(place));
+    }
+
+    Machine "0046"
+    fn put_at_block(current: &mut Current, offset: u32) {
+        current.put_at_block(offset);
+        current.keep_tool_in_view();
     }
 
     Machine "0045"

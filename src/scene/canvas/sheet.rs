@@ -177,7 +177,8 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
         pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
     };
     name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
-    name(level, "right", Pixel::new(width - 8.0, height - 10.0))
+    // In the corner of the rulers it takes the place of no label.
+    name(level, "right", Pixel::new(left - 4.0, height - 10.0))
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {

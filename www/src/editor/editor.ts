@@ -15,7 +15,7 @@ import {
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
 import { applyFix, areShown, lintDiagnostics } from './lint';
-import { marks, showHovered, showRunning, showTokens } from './marks';
+import { marks, runningLine, showHovered, showRunning, showTokens } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
@@ -150,7 +150,7 @@ export class Editor implements TextHolder {
 
   #replace(program: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
     this.#view.dispatch({
-      effects,
+      effects: [...effects, showRunning.of(undefined)],
       changes: { from: 0, to: this.length, insert: docOf(program) },
       selection: { anchor: 0 },
       annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
@@ -210,6 +210,11 @@ export class Editor implements TextHolder {
   /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
   follow(): void {
     this.#follower.resume();
+  }
+
+  /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
+  get runningLine(): number | undefined {
+    return runningLine(this.#view.state);
   }
 
   /** The block the tool is in; it is kept in sight. */

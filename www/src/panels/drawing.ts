@@ -7,7 +7,7 @@
 import { icon, make, name, perFrame, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Palette, Size, Stroke, Summary } from '../protocol/protocol';
+import type { Palette, Size, Stroke, Summary, WorkShown } from '../protocol/protocol';
 
 /** A pointer that moved less than this, in CSS pixels, has clicked. */
 const CLICK_SLOP = { mouse: 4, touch: 10 };
@@ -58,6 +58,7 @@ export class Drawing {
   #language: Language;
   #label: (motions: number) => string = () => '';
   #summary: Summary | undefined;
+  #work: readonly WorkShown[] = [];
   #stroke: Stroke | undefined;
   #edge: string | undefined;
   #legendShown = '';
@@ -111,6 +112,12 @@ export class Drawing {
 
   set summary(summary: Summary | undefined) {
     this.#summary = summary;
+    this.#showSummary();
+  }
+
+  /** What the picture shows beside strokes. */
+  set work(work: readonly WorkShown[]) {
+    this.#work = work;
     this.#showSummary();
   }
 
@@ -201,6 +208,7 @@ export class Drawing {
       [(summary?.rapids ?? 0) > 0, 'rapid', COMMON[this.#language].rapid],
       [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
       [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
+      ...this.#work.map((what): [boolean, string, string] => [true, what, WORDS[this.#language][what]]),
     ];
     const present = kinds.filter(([present]) => present);
     const shown = present.map(([, , text]) => text).join();
@@ -334,6 +342,10 @@ const WORDS = words({
     zoomOut: 'Zoom out (−)',
     feed: 'cutting',
     thread: 'thread',
+    blank: 'cut off the blank',
+    chuck: 'chuck',
+    tailstock: 'tailstock',
+    collision: 'collision',
   },
   zh: {
     nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
@@ -342,6 +354,10 @@ const WORDS = words({
     zoomOut: '缩小 (−)',
     feed: '切削进给',
     thread: '螺纹切削',
+    blank: '毛坯切除部分',
+    chuck: '卡盘',
+    tailstock: '尾座',
+    collision: '碰撞',
   },
   ru: {
     nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
@@ -350,5 +366,9 @@ const WORDS = words({
     zoomOut: 'Мельче (−)',
     feed: 'рабочий ход',
     thread: 'резьба',
+    blank: 'снято с заготовки',
+    chuck: 'патрон',
+    tailstock: 'задняя бабка',
+    collision: 'столкновение',
   },
 });

@@ -76,6 +76,7 @@ class Pictures implements Panel {
     if (this.#oldRun !== undefined && event.kind === 'report') this.#coming = event.report.summary;
     if (this.#oldRun !== undefined) return;
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
+    if (event.kind === 'report' && event.report.views !== undefined) this.#drawings.section.work = event.report.views.work;
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
     for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();

@@ -32,6 +32,7 @@ class Playback implements Panel {
   readonly #playText = make('span', { className: 'play-text' });
   readonly #back = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
   readonly #forward = make('button', { type: 'button', className: 'quiet' }, icon('next'));
+  readonly #here = make('button', { type: 'button' }, icon('from-here'));
   readonly #unit = make('select', { className: 'speed unit' });
   readonly #whole = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
@@ -71,7 +72,7 @@ class Playback implements Panel {
     this.#unit.append(...UNITS.map((unit) => make('option', { value: unit })));
     this.places = {
       playback: [
-        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward),
+        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward, this.#here),
         this.#unit,
         this.#slider,
         make('div', { className: 'place' }, this.#optional, this.#speed, this.#whole),
@@ -80,6 +81,7 @@ class Playback implements Panel {
       ],
     };
     this.#play.addEventListener('click', () => this.#toggle());
+    this.#here.addEventListener('click', () => void this.#playFromHere());
     this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
     this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
     this.#unit.addEventListener('change', () => this.#nameSteps());
@@ -98,6 +100,7 @@ class Playback implements Panel {
     for (const option of this.#unit.options) option.textContent = texts.units[option.value as StepUnit];
     this.#unit.setAttribute('aria-label', texts.stepBy);
     this.#unit.title = texts.stepBy;
+    name(this.#here, `${texts.fromHere} (Ctrl Shift Enter)`);
     name(this.#optional, `M01: ${texts.optionalStops}`);
     this.#optional.title = texts.optionalStopsHint;
     name(this.#whole, texts.wholePath);
@@ -114,8 +117,11 @@ class Playback implements Panel {
     const { stage, summary } = event.report;
     // The path was there before, and the reader may be playing it.
     if (stage === 'whole' || stage === 'path') {
+      const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
       this.#program(summary.motions, summary.optionalStops);
-      this.#showTool(undefined);
+      // After an edit the tool stands at the block that it was in.
+      if (line === undefined) this.#showTool(undefined);
+      else void this.#shell.ask('seek-block', { offset: line }).then((place) => this.#showTool(place));
     } else if (stage === 'again' && this.#place !== undefined) {
       void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
     }
@@ -123,7 +129,8 @@ class Playback implements Panel {
 
   pressed({ event }: Key): 'own' | 'not-own' {
     const control = event.ctrlKey || event.metaKey;
-    if (event.key === 'Enter' && control) this.#toggle();
+    if (event.key === 'Enter' && control && event.shiftKey) void this.#playFromHere();
+    else if (event.key === 'Enter' && control) this.#toggle();
     else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else return 'not-own';
     return 'own';
@@ -148,7 +155,7 @@ class Playback implements Panel {
   /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#stop();
-    for (const control of [this.#play, this.#back, this.#forward, this.#slider]) control.disabled = motions <= 0;
+    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider]) control.disabled = motions <= 0;
     this.#optional.hidden = optionalStops <= 0;
     this.#show(undefined);
   }
@@ -187,6 +194,16 @@ class Playback implements Panel {
     this.#take++;
     this.#frame = requestAnimationFrame(this.#tick);
     this.#showPlaying();
+  }
+
+  /** From the block that the cursor is in. */
+  async #playFromHere(): Promise<void> {
+    if (this.#play.disabled) return;
+    this.#stop();
+    this.#shell.flush();
+    const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
+    this.#showTool(place);
+    if (place !== undefined) this.#start();
   }
 
   #step(unit: StepUnit, direction: StepDirection): void {
@@ -312,6 +329,7 @@ const WORDS = words({
     speed: 'Speed',
     previous: { motion: 'Previous motion', block: 'Previous block', pass: 'Previous pass' },
     next: { motion: 'Next motion', block: 'Next block', pass: 'Next pass' },
+    fromHere: 'Play from the block at the cursor',
     stepBy: 'Step by',
     units: { motion: 'motion', block: 'block', pass: 'pass' },
     wholeIn: (seconds: number) => `all in ${seconds} s`,
@@ -329,6 +347,7 @@ const WORDS = words({
     speed: '速度',
     previous: { motion: '上一段运动', block: '上一程序段', pass: '上一次走刀' },
     next: { motion: '下一段运动', block: '下一程序段', pass: '下一次走刀' },
+    fromHere: '从光标所在程序段播放',
     stepBy: '步进单位',
     units: { motion: '运动', block: '程序段', pass: '走刀' },
     wholeIn: (seconds) => `全程 ${seconds} 秒`,
@@ -346,6 +365,7 @@ const WORDS = words({
     speed: 'Скорость',
     previous: { motion: 'Предыдущее перемещение', block: 'Предыдущий кадр', pass: 'Предыдущий проход' },
     next: { motion: 'Следующее перемещение', block: 'Следующий кадр', pass: 'Следующий проход' },
+    fromHere: 'Пуск с кадра у курсора',
     stepBy: 'Шаг',
     units: { motion: 'перемещение', block: 'кадр', pass: 'проход' },
     wholeIn: (seconds) => `всё за ${seconds} с`,

@@ -28,7 +28,7 @@ class Views implements Panel {
   readonly #keep = make('button', { type: 'button', className: 'small' });
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
-  #state: ViewsState = { face: false, turret: 'rear', comparison: undefined };
+  #state: ViewsState = { work: [], face: false, turret: 'rear', comparison: undefined };
   /** The page ends a comparison of its own, not the reader's. */
   #keptBy: 'reader' | 'page' = 'reader';
   #wanted: Pictures = 'both';

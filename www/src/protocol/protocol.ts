@@ -131,6 +131,8 @@ export interface Questions {
    * that, the whole path is shown.
    */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
+  /** The tool is put at the start of the block at this offset, or of the next one that moves it. */
+  'seek-block': { ask: { readonly offset: number }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
   /** One row for each tool in the order in which they are first used, then one for the whole program. */
   totals: { ask: undefined; answer: readonly Totals[] };
@@ -181,7 +183,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
+  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
   ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
@@ -196,8 +198,12 @@ export interface Question<K extends QuestionKind = QuestionKind> {
   readonly ask: Questions[K]['ask'];
 }
 
+export type WorkShown = 'blank' | 'chuck' | 'tailstock' | 'collision';
+
 /** What there is to see beside the section. */
 export interface ViewsState {
+  /** What the pictures show beside strokes. */
+  readonly work: readonly WorkShown[];
   /** Something moves on the end face. */
   readonly face: boolean;
   readonly turret: TurretSide;
