@@ -15,6 +15,7 @@ use crate::scene::camera::XPlus;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
+use crate::units::Unit;
 
 /// The language of a file; an error where one is chosen for a format without texts.
 pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Result<Language, String> {
@@ -76,6 +77,10 @@ impl Exportable for Ran<'_> {
     fn expanded(&self) -> Vec<u8> {
         let Program { text, analysis, .. } = self.program;
         encoded(self.program, &crate::expand::write_out(text, analysis)).into_owned()
+    }
+
+    fn unit(&self) -> Unit {
+        self.program.analysis.unit
     }
 
     fn x_plus(&self) -> XPlus {

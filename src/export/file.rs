@@ -10,11 +10,12 @@ use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::scene::camera::XPlus;
+use crate::scene::ruler::Scale;
 use crate::scene::svg::{Ground, SvgOptions, section};
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
-use crate::setup::fields::Unit;
+use crate::units::Unit;
 
 /// What can be written as a file. Its name on the command line and in JavaScript is
 /// the variant in lower case.
@@ -80,6 +81,8 @@ pub trait Exportable {
     fn simulation(&self) -> Option<&SimulationResult>;
     /// The program with every cycle expanded, in the encoding of the file to be written.
     fn expanded(&self) -> Vec<u8>;
+    /// The unit its lengths are shown in; a table of numbers has mm all the same.
+    fn unit(&self) -> Unit;
     /// Which way X+ is drawn.
     fn x_plus(&self) -> XPlus;
 }
@@ -105,14 +108,16 @@ fn card(program: &impl Exportable, language: Language) -> String {
         motions,
         setup: program.setup(),
         codes: program.codes(),
+        unit: program.unit(),
         drawing: drawing.as_deref(),
     };
     card.html(language)
 }
 
 fn drawing(program: &impl Exportable, ground: Ground, language: Language) -> String {
-    let millimetre = labels::unit(Unit::Millimetre, language);
-    let options = SvgOptions { ground, x_plus: program.x_plus(), millimetre, ..SvgOptions::default() };
+    let unit = program.unit();
+    let scale = Scale { unit, symbol: labels::unit_of_ruler(unit, language) };
+    let options = SvgOptions { ground, x_plus: program.x_plus(), scale, ..SvgOptions::default() };
     section(program.motions(), program.simulation(), &options)
 }
 

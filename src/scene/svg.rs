@@ -17,7 +17,7 @@ use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
 use super::path_index::PathIndex;
-use super::ruler::{MILLIMETRE, Tick, TickWeight, ticks};
+use super::ruler::{Scale, Tick, TickWeight, ticks};
 use super::work::{Outlines, Work, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 
@@ -34,8 +34,8 @@ pub struct SvgOptions {
     pub ground: Ground,
     /// Which way X+ is drawn.
     pub x_plus: XPlus,
-    /// The unit symbol of the rulers, in the language of the picture.
-    pub millimetre: &'static str,
+    /// What the rulers count.
+    pub scale: Scale,
     /// What the two colours of a comparison mean.
     pub legend: Vec<(Side, String)>,
 }
@@ -57,7 +57,7 @@ impl Default for SvgOptions {
             height: None,
             ground: Ground::default(),
             x_plus: XPlus::Up,
-            millimetre: MILLIMETRE,
+            scale: Scale::default(),
             legend: Vec::new(),
         }
     }
@@ -108,7 +108,7 @@ impl Drawing {
         self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
-        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera));
+        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
         self.grid(&along, &across);
         self.work(scene);
         self.compared(scene);
@@ -121,7 +121,7 @@ impl Drawing {
         self.dangers(scene);
         self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(scene.plane().axes().map(|axis| axis.name(options.millimetre)), &along, &across);
+        self.rulers(scene.plane().axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
         self.line("</svg>");
     }
 
@@ -494,7 +494,8 @@ mod tests {
     fn rulers_name_the_unit_in_the_language_of_the_picture() {
         let motions = Path::from(100.0, 20.0).motions();
         let path_index = PathIndex::of(&motions);
-        let options = SvgOptions { millimetre: "мм", ..SvgOptions::default() };
+        let options =
+            SvgOptions { scale: Scale { symbol: "мм", ..Scale::default() }, ..SvgOptions::default() };
         let scene = Scene::new(&motions, &path_index, None);
         let names = |file: &str| -> Vec<String> {
             let names = file.lines().filter(|line| line.contains(r#"class="name"#));

@@ -140,6 +140,14 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
+/// How a unit of length is written on a ruler.
+pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["in", "in", "дюйм"],
+    })
+}
+
 /// How a unit of length is written after a number.
 pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
@@ -236,6 +244,14 @@ pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'sta
         (FeedMode::PerTurn, units::Unit::Inch) => ["in/rev", "in/r", "дюйм/об"],
         (FeedMode::PerMinute, units::Unit::Millimetre) => ["mm/min", "mm/min", "мм/мин"],
         (FeedMode::PerMinute, units::Unit::Inch) => ["in/min", "in/min", "дюйм/мин"],
+    })
+}
+
+/// How a cutting speed is written: metres a minute, under G20 feet.
+pub fn surface_speed(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["m/min", "m/min", "м/мин"],
+        units::Unit::Inch => ["ft/min", "ft/min", "фут/мин"],
     })
 }
 

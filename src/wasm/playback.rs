@@ -137,6 +137,7 @@ in_part! {
             places: playground.places(),
             motions: playground.current.motions(),
             clock: playground.current.clock(),
+            unit: playground.current.unit(),
             resolved: playground.current.resolved_setup(),
         };
         to_js(&Readout::new(&shown, playhead, place.at, playground.language))

@@ -22,12 +22,13 @@ import { print } from './print';
 import { switches } from './switches';
 import { tabs } from './tabs';
 import { totals } from './totals';
+import { units } from './units';
 import { views } from './views';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, units, paste, solid, exports, rewrite, writtenOut, help,
   codes, presentation, print,
 ];
 

@@ -9,10 +9,10 @@
 import type { PartName } from '../../pkg/parts.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  StepUnit, StopSwitch, Stroke, Summary, Totals,
+  StepUnit, StopSwitch, Stroke, Summary, Totals, Units,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals };
+export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
@@ -42,11 +42,15 @@ export interface Core {
   readonly module: WebAssembly.Module;
 }
 
+export type LengthUnit = Units['shown'];
+
 export type Command =
   /** What happens to one of the pictures. */
   | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: Extract<PartName, 'en' | 'zh' | 'ru'> }
+  /** The unit in which lengths are shown; that of the program where nothing is said. */
+  | { readonly kind: 'unit'; readonly unit: LengthUnit | undefined }
   | BeginRun
   /** The last picture is on the page: there is room for the next one. */
   | { readonly kind: 'shown' }
@@ -230,11 +234,13 @@ export interface Report {
   readonly readAs: ReadAs;
   /** The rules that the setup switches off one by one. */
   readonly rulesOff: readonly string[];
+  /** All lengths that cross are mm; this is what they are shown in. */
+  readonly units: Units;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
   /**
    * The whole report; or the path, as the part takes longer; or the part that belongs to the path reported
-   * before; or what was reported, in another language.
+   * before; or what was reported, in another language or unit.
    */
   readonly stage: 'whole' | 'path' | 'part' | 'again';
   /** Why the setup that was sent last is not the one it ran under. */
