@@ -16,9 +16,20 @@ pub struct Scale {
     pub symbol: &'static str,
 }
 
+impl Scale {
+    /// A unit with its international symbol.
+    pub fn of(unit: Unit) -> Self {
+        let symbol = match unit {
+            Unit::Millimetre => "mm",
+            Unit::Inch => "in",
+        };
+        Self { unit, symbol }
+    }
+}
+
 impl Default for Scale {
     fn default() -> Self {
-        Self { unit: Unit::Millimetre, symbol: "mm" }
+        Self::of(Unit::Millimetre)
     }
 }
 

@@ -85,6 +85,20 @@ impl Playground {
         step_on(&mut self.current, unit, direction);
     }
 
+    /// Puts the tool at the end of a motion.
+    #[wasm_bindgen(js_name = goTo)]
+    pub fn go_to(&mut self, motion: u32) {
+        let motion = motion as usize;
+        let there = motion < self.current.motions().len();
+        self.current.put(there.then_some(Playhead { motion, share: 1.0 }));
+    }
+
+    /// The motions `first..end` in words, the tool at the end of each.
+    #[wasm_bindgen(unchecked_return_type = "Stroke[]")]
+    pub fn strokes(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        strokes(self, first, end)
+    }
+
     /// Time, paths and extents of each tool in the order in which they are first used, then of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
@@ -128,6 +142,16 @@ in_part! {
     fn totals_of(current: &Current) -> Result<JsValue, JsValue> {
         let (tools, all) = totals::totals(current.motions(), &current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(Totals::new).collect::<Vec<_>>())
+    }
+
+    Machine "0841"
+    fn strokes(playground: &Playground, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        let motions = playground.current.motions();
+        let rows = js_sys::Array::new();
+        for motion in first as usize..motions.len().min(end as usize) {
+            rows.push(&playground.stroke(motion, motions.get(motion).to)?);
+        }
+        Ok(rows.into())
     }
 
     Machine "0040"

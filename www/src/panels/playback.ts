@@ -61,6 +61,7 @@ class Playback implements Panel {
     pause: () => this.#stop(),
     playOrPause: () => this.#toggle(),
     step: (unit, direction) => this.#step(unit, direction),
+    goTo: (motion) => this.#goTo(motion),
   };
 
   constructor(shell: Shell) {
@@ -199,6 +200,12 @@ class Playback implements Panel {
     // The block is shown even if it is the same one.
     this.#running = undefined;
     void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+  }
+
+  #goTo(motion: number): void {
+    this.#stop();
+    this.#shell.editor.follow();
+    void this.#shell.ask('go-to', { motion }).then((place) => this.#showTool(place));
   }
 
   #showWholePath(): void {

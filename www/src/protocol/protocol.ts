@@ -136,6 +136,10 @@ export interface Questions {
    */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  /** The tool is put at the end of a motion. */
+  'go-to': { ask: { readonly motion: number }; answer: Readout | undefined };
+  /** Motions in words: from one, up to another. */
+  strokes: { ask: { readonly first: number; readonly end: number }; answer: readonly Stroke[] };
   /** One row for each tool in the order in which they are first used, then one for the whole program. */
   totals: { ask: undefined; answer: readonly Totals[] };
   /** Where the tool is, in the language of now. */
@@ -185,7 +189,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
+  tokens: true, pick: true, play: true, seek: true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
   ping: false, locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,

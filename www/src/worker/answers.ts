@@ -34,6 +34,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
   seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
   step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
+  'go-to': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['go-to'] },
+  strokes: { needs: IN_WORDS, answer: (core, { first, end }) => core.strokes(first, end) },
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
   totals: { needs: ['machine'], answer: (core) => core.totals() },
   locate: {
