@@ -184,7 +184,7 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let scale = Scale::of(program.analysis.unit);
     match view {
         ViewName::Section => {
-            let options = SvgOptions { x_plus: turret.into(), scale, ..SvgOptions::default() };
+            let options = SvgOptions { x_plus: turret.into(), ..export::svg_options(program) };
             Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {

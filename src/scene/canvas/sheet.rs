@@ -113,6 +113,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.basis))?;
         pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
         pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &seen(&work.milled_lines()), 0.75, Dash::Solid)?;
         let [first, second] =
             work.compared.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
         for (only, colour, slant) in
