@@ -13,6 +13,7 @@ mod rewrite;
 mod rules;
 mod settings;
 pub mod setup;
+mod units;
 
 use serde::Serialize;
 
@@ -22,6 +23,7 @@ pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 pub use rules::Rule;
+pub use units::Units;
 
 use crate::control::codes;
 use crate::geometry::Point;
@@ -38,7 +40,7 @@ use crate::sentences::{Language, describe_motion};
 use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
 use crate::source::{LineIndex, Span};
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
@@ -732,8 +734,15 @@ impl Places<'_> {
         }
     }
 
-    /// The stroke of a motion, the tool standing at `at`.
-    pub fn stroke(&self, motions: &Motions, index: usize, at: Point, language: Language) -> Stroke {
+    /// The stroke of a motion, the tool standing at `at`; its words name lengths in `unit`.
+    pub fn stroke(
+        &self,
+        motions: &Motions,
+        index: usize,
+        at: Point,
+        unit: Unit,
+        language: Language,
+    ) -> Stroke {
         let motion = motions.get(index);
         let (from, to) = self.offsets(motions.span(index));
         Stroke {
@@ -746,7 +755,7 @@ impl Places<'_> {
             z: rounded(motion.to.z),
             at_x: diameter(at.x),
             at_z: rounded(at.z),
-            text: describe_motion(&motion, passes(motions, index), language),
+            text: describe_motion(&motion, passes(motions, index), unit, language),
         }
     }
 

@@ -36,8 +36,8 @@ use crate::parts::{Part, in_part};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
-use crate::setup::fields::Unit;
 use crate::text::highlight::highlight;
+use crate::units::Unit;
 
 /// A program, its run and its picture.
 #[wasm_bindgen]
@@ -135,7 +135,24 @@ impl Playground {
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
-        self.current.set_unit_symbol(labels::unit(Unit::Millimetre, self.language));
+        let symbols = [Unit::Millimetre, Unit::Inch];
+        self.current.set_unit_symbols(symbols.map(|unit| labels::unit_of_ruler(unit, self.language)));
+    }
+
+    /// Chooses the unit in which lengths are shown: `mm` or `inch`. Anything else takes that of the program.
+    #[wasm_bindgen(js_name = setUnit)]
+    pub fn set_unit(&mut self, name: &str) {
+        self.current.set_unit(match name {
+            "mm" => Some(Unit::Millimetre),
+            "inch" => Some(Unit::Inch),
+            _ => None,
+        });
+    }
+
+    /// The unit in which lengths are to be shown, and that of the program.
+    #[wasm_bindgen(unchecked_return_type = "Units")]
+    pub fn units(&self) -> Result<JsValue, JsValue> {
+        units(self)
     }
 
     /// Runs at most so many blocks; true when the run has ended.
@@ -250,6 +267,9 @@ in_part! {
         let places = playground.places();
         let mut all = playground.current.run().diagnostics().to_vec();
         all.extend(playground.findings());
+        if let Some(chosen) = playground.current.chosen_unit() {
+            all.iter_mut().for_each(|found| found.unit = chosen);
+        }
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
         to_js(&rows.collect::<Vec<_>>())
@@ -265,6 +285,12 @@ in_part! {
     Machine "0067"
     fn rules_off(playground: &Playground) -> Vec<String> {
         playground.current.run().setup().rules.rules_off().map(str::to_owned).collect()
+    }
+
+    Machine "0840"
+    fn units(playground: &Playground) -> Result<JsValue, JsValue> {
+        let current = &playground.current;
+        to_js(&api::Units::new(current.unit(), current.run().state().unit))
     }
 
     Machine "0064"
@@ -328,7 +354,7 @@ impl Playground {
     }
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
-        to_js(&self.places().stroke(self.current.motions(), motion, at, self.language))
+        to_js(&self.places().stroke(self.current.motions(), motion, at, self.current.unit(), self.language))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::playback::clock::Playhead;
 use super::Scene;
 use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
-use super::ruler::MILLIMETRE;
+use super::ruler::Scale;
 use super::steps::StepLabel;
 
 /// The longest side of a picture, CSS pixels and device pixels: no canvas is larger.
@@ -46,8 +46,8 @@ pub struct View {
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
-    /// The unit symbol of the rulers, in the language of the picture.
-    pub millimetre: &'static str,
+    /// What the rulers count.
+    pub scale: Scale,
     /// Motions of the selected block or blocks.
     pub highlight: Vec<Range<usize>>,
     /// Named places of the selected cycle.
@@ -70,7 +70,7 @@ impl View {
             framing: Framing::Fitted,
             pixel_ratio: 1.0,
             palette: Palette::default(),
-            millimetre: MILLIMETRE,
+            scale: Scale::default(),
             highlight: Vec::new(),
             marks: Vec::new(),
             steps: Vec::new(),
@@ -104,9 +104,9 @@ impl View {
 
     /// Whether it differs by nothing but what is picked out.
     pub fn shows_same_ground(&self, other: &View) -> bool {
-        let Self { camera, framing, pixel_ratio, palette, millimetre, playhead, .. } = self;
+        let Self { camera, framing, pixel_ratio, palette, scale, playhead, .. } = self;
         (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
-            && (palette, millimetre, playhead) == (&other.palette, &other.millimetre, &other.playhead)
+            && (palette, scale, playhead) == (&other.palette, &other.scale, &other.playhead)
     }
 
     /// The same view with nothing picked out, and the tool somewhere else.

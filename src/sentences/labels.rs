@@ -140,12 +140,47 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
+/// How a unit of length is written on a ruler.
+pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["in", "in", "дюйм"],
+    })
+}
+
 /// How a unit of length is written after a number.
 pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
         units::Unit::Inch => ["in", "in", "дюйма"],
     })
+}
+
+/// What the lines of a drawing are called: rapids, cuts, threads.
+pub fn strokes(language: Language) -> [&'static str; 3] {
+    [["rapid", "快速移动", "ускоренный ход"], ["cut", "切削", "рабочий ход"], ["thread", "螺纹", "резьба"]]
+        .map(|words| language.among(words))
+}
+
+/// What its areas are called: blank, part, chuck and tailstock; and the mark of a collision.
+pub fn areas(language: Language) -> [&'static str; 4] {
+    [
+        ["blank", "毛坯", "заготовка"],
+        ["part", "零件", "деталь"],
+        ["chuck, tailstock", "卡盘、尾座", "патрон, задняя бабка"],
+        ["collision", "碰撞", "столкновение"],
+    ]
+    .map(|words| language.among(words))
+}
+
+/// What is milled on the end face.
+pub fn milled(language: Language) -> &'static str {
+    language.among(["milled, see the end face", "铣削，见端面视图", "фрезеруется, см. торец"])
+}
+
+/// That passes which lie on one another are drawn beside their places.
+pub fn passes_apart(language: Language) -> &'static str {
+    language.among(["passes drawn apart", "各次走刀分开绘制", "проходы разведены на рисунке"])
 }
 
 /// What a kind of tool is called, wherever it is named: form, readout, setup sheet.
@@ -236,6 +271,14 @@ pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'sta
         (FeedMode::PerTurn, units::Unit::Inch) => ["in/rev", "in/r", "дюйм/об"],
         (FeedMode::PerMinute, units::Unit::Millimetre) => ["mm/min", "mm/min", "мм/мин"],
         (FeedMode::PerMinute, units::Unit::Inch) => ["in/min", "in/min", "дюйм/мин"],
+    })
+}
+
+/// How a cutting speed is written: metres a minute, under G20 feet.
+pub fn surface_speed(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["m/min", "m/min", "м/мин"],
+        units::Unit::Inch => ["ft/min", "ft/min", "фут/мин"],
     })
 }
 

@@ -91,6 +91,20 @@ impl Playground {
         step_on(&mut self.current, unit, direction);
     }
 
+    /// Puts the tool at the end of a motion.
+    #[wasm_bindgen(js_name = goTo)]
+    pub fn go_to(&mut self, motion: u32) {
+        let motion = motion as usize;
+        let there = motion < self.current.motions().len();
+        self.current.put(there.then_some(Playhead { motion, share: 1.0 }));
+    }
+
+    /// The motions `first..end` in words, the tool at the end of each.
+    #[wasm_bindgen(unchecked_return_type = "Stroke[]")]
+    pub fn strokes(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        strokes(self, first, end)
+    }
+
     /// Time, paths and extents of each tool in the order in which they are first used, then of the whole program.
     #[wasm_bindgen(unchecked_return_type = "Totals[]")]
     pub fn totals(&self) -> Result<JsValue, JsValue> {
@@ -143,6 +157,16 @@ in_part! {
         to_js(&tools.iter().chain([&all]).map(Totals::new).collect::<Vec<_>>())
     }
 
+    Machine "0841"
+    fn strokes(playground: &Playground, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        let motions = playground.current.motions();
+        let rows = js_sys::Array::new();
+        for motion in first as usize..motions.len().min(end as usize) {
+            rows.push(&playground.stroke(motion, motions.get(motion).to)?);
+        }
+        Ok(rows.into())
+    }
+
     Machine "0040"
     fn readout(playground: &mut Playground) -> Result<JsValue, JsValue> {
         let Some((playhead, place)) = playground.current.place() else { return Ok(JsValue::UNDEFINED) };
@@ -150,6 +174,7 @@ in_part! {
             places: playground.places(),
             motions: playground.current.motions(),
             clock: playground.current.clock(),
+            unit: playground.current.unit(),
             resolved: playground.current.resolved_setup(),
         };
         to_js(&Readout::new(&shown, playhead, place.at, playground.language))

@@ -102,6 +102,8 @@ export interface Services {
   playOrPause(): void;
   /** The tool goes on, or back, by one of these. */
   step(unit: StepUnit, direction: StepDirection): void;
+  /** Puts the tool at the end of a motion. */
+  goTo(motion: number): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
   locate(x: number, z: number): Promise<ClientPlace>;

@@ -7,7 +7,7 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { CanvasCommand, Command, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
+import type { CanvasCommand, Command, LengthUnit, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
@@ -34,13 +34,14 @@ class Pictures implements Panel {
   #coming: Summary | undefined;
   /** The run of the old picture. */
   #oldRun: number | undefined;
+  #unit: LengthUnit = 'mm';
   /** The motion under the pointer. */
   #hovered: number | undefined;
 
   constructor(shell: Shell) {
     this.#shell = shell;
     const edge = shell.newest('dimension', (edge) =>
-      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge)));
+      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)));
     const onSection = this.#events('section');
     const section = new Drawing(shell.language, {
       ...onSection,
@@ -79,6 +80,7 @@ class Pictures implements Panel {
     if (event.kind === 'report' && event.report.views !== undefined) this.#drawings.section.work = event.report.views.work;
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
+    this.#unit = event.report.units.shown;
     for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();
   }
 

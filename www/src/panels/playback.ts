@@ -7,11 +7,12 @@
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
+import type { LengthUnit, Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
+import { place as shownPlace } from './lengths';
 import playbackStyles from './playback.css?inline';
-import { millimetres, ReadoutBoard } from './readout';
+import { ReadoutBoard } from './readout';
 
 /** Seconds in which the whole program is shown, the first one unless another is chosen. */
 const WHOLE: readonly number[] = [20, 60];
@@ -54,12 +55,14 @@ class Playback implements Panel {
   /** Counts what has been played, so that an answer can be too late. */
   #take = 0;
   #doingShown = '';
+  #lengths: LengthUnit = 'mm';
   readonly places: Panel['places'];
   readonly services: Partial<Services> = {
     play: () => this.#start(),
     pause: () => this.#stop(),
     playOrPause: () => this.#toggle(),
     step: (unit, direction) => this.#step(unit, direction),
+    goTo: (motion) => this.#goTo(motion),
   };
 
   constructor(shell: Shell) {
@@ -114,7 +117,8 @@ class Playback implements Panel {
 
   heard(event: Heard): void {
     if (event.kind !== 'report') return;
-    const { stage, summary } = event.report;
+    const { stage, summary, units } = event.report;
+    this.#lengths = this.#board.unit = units.shown;
     // The path was there before, and the reader may be playing it.
     if (stage === 'whole' || stage === 'path') {
       const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
@@ -172,7 +176,7 @@ class Playback implements Panel {
     if (this.#playing) return;
     const stroke = place?.stroke;
     const spoken =
-      stroke === undefined ? '–' : this.#words.positionText(millimetres(stroke.atX), millimetres(stroke.atZ));
+      stroke === undefined ? '–' : this.#words.positionText(shownPlace(stroke.atX, this.#lengths), shownPlace(stroke.atZ, this.#lengths));
     this.#slider.setAttribute('aria-valuetext', spoken);
   }
 
@@ -213,6 +217,12 @@ class Playback implements Panel {
     // The block is shown even if it is the same one.
     this.#running = undefined;
     void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+  }
+
+  #goTo(motion: number): void {
+    this.#stop();
+    this.#shell.editor.follow();
+    void this.#shell.ask('go-to', { motion }).then((place) => this.#showTool(place));
   }
 
   #showWholePath(): void {

@@ -44,8 +44,8 @@
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals written-out
-// rewrite codes solid export-menu paste help read-as profiles.
+// drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
+// motions written-out rewrite codes solid export-menu paste help read-as profiles.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 

@@ -35,6 +35,8 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
   'seek-block': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['seek-block'] },
   step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
+  'go-to': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['go-to'] },
+  strokes: { needs: IN_WORDS, answer: (core, { first, end }) => core.strokes(first, end) },
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
   totals: { needs: ['machine'], answer: (core) => core.totals() },
   locate: {

@@ -5,7 +5,7 @@
 import type { Playground, Readout } from '../../pkg/gcode_playground.js';
 import type { Questions } from '../protocol/protocol';
 
-type About = 'play' | 'seek' | 'seek-block' | 'step' | 'readout';
+type About = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
 
 export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Readout | undefined } = {
   play(core, { from, seconds, pace, stops }) {
@@ -25,6 +25,10 @@ export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Quest
   },
   step(core, { unit, direction }) {
     core.step(unit, direction);
+    return core.readout();
+  },
+  'go-to'(core, { motion }) {
+    core.goTo(motion);
     return core.readout();
   },
   readout: (core) => core.readout(),

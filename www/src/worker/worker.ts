@@ -197,10 +197,14 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
     act(playground, { tag }) {
       language = tag;
       playground.setLanguage(tag);
-      const reportAgain = (): void => {
-        if (isTold()) report(playground, 'again');
-      };
-      if (isTold()) whenLoaded(['machine', language], reportAgain);
+      reportAgain(playground);
+    },
+  },
+  unit: {
+    draws: 'when-whole',
+    act(playground, { unit }) {
+      playground.setUnit(unit ?? '');
+      reportAgain(playground);
     },
   },
   run: { draws: 'no', act: begin },
@@ -240,6 +244,14 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
   },
   'leave-edge': { draws: 'when-whole', act: (playground) => playground.leaveEdge() },
 };
+
+/** What was reported is reported in other words. */
+function reportAgain(playground: Playground): void {
+  const again = (): void => {
+    if (isTold()) report(playground, 'again');
+  };
+  if (isTold()) whenLoaded(['machine', language], again);
+}
 
 function tellViews(playground: Playground): void {
   if (stage.kind === 'done') tell({ kind: 'views', views: viewsState(playground) });
@@ -535,6 +547,7 @@ function report(playground: Playground, told: Report['stage']): void {
       overview: playground.setupOverview(),
       readAs: playground.readAs(),
       rulesOff: playground.rulesOff(),
+      units: playground.units(),
       decimal: playground.decimalNotice(),
       stage: told,
       setupRejected,
