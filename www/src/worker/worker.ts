@@ -157,7 +157,7 @@ function oldPictureStays(playground: Playground, message: Command, line: number)
       return message.what.kind === 'resize' ? true : showCurrent();
     case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
       return true;
-    case 'palette': case 'language': case 'turret': case 'keep': case 'end-comparison':
+    case 'palette': case 'language': case 'unit': case 'turret': case 'keep': case 'end-comparison':
       return showCurrent();
   }
 }
