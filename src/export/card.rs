@@ -114,7 +114,7 @@ impl Card<'_> {
     fn program_number(&self) -> String {
         let first = || blocks(self.text).find_map(|block| block.program);
         let number = self.setup.program.or_else(|| first().map(|program| program.0));
-        number.map(|number| format!("O{number:04}")).unwrap_or_default()
+        number.map(program_name).unwrap_or_default()
     }
 
     fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
@@ -333,8 +333,13 @@ impl Page {
     }
 }
 
+/// An O number as it is written.
+pub(super) fn program_name(number: u32) -> String {
+    format!("O{number:04}")
+}
+
 /// The blocks of a text, one after the other.
-fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
+pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
     let mut parser = Parser::new(text);
     std::iter::from_fn(move || {
         let mut block = Block::default();
@@ -383,7 +388,7 @@ fn as_written(text: &[u8], block: &Block) -> (String, String) {
     (sequence.to_owned(), rest.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-fn remark(text: &[u8], comment: Span) -> String {
+pub(super) fn remark(text: &[u8], comment: Span) -> String {
     comment.quote(text).trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace()).to_owned()
 }
 

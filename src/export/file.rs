@@ -15,8 +15,6 @@ use crate::scene::svg::{Caption, Ground, Passes, SvgOptions, section};
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
-use crate::text::block::Block;
-use crate::text::parser::Parser;
 use crate::units::Unit;
 
 /// What can be written as a file. Its name on the command line and in JavaScript is
@@ -140,25 +138,19 @@ pub fn svg_options(program: &impl Exportable, language: Language) -> SvgOptions 
 
 /// What stands under a drawing.
 pub fn caption(title: String, language: Language) -> Caption {
-    let (strokes, work) = (labels::strokes(language), labels::areas(language));
-    Caption { title, strokes, work, milled: labels::milled(language), apart: labels::passes_apart(language) }
+    Caption { title, legend: labels::legend(language) }
 }
 
 /// The number of the program that is run, and what its first comment calls it.
 fn title(program: &impl Exportable) -> String {
-    let mut parser = Parser::new(program.text());
-    let mut block = Block::default();
-    while parser.next_block(&mut block) {
-        let Some((number, _)) = block.program else { continue };
-        if program.setup().program.is_some_and(|chosen| chosen != number) {
-            continue;
-        }
-        let comment = block.comments.first().map(|comment| comment.quote(program.text()));
-        let name = comment.as_deref().unwrap_or_default();
-        let name = name.trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace());
-        return format!("O{number:04} {name}").trim_end().to_owned();
-    }
-    String::new()
+    let (text, chosen) = (program.text(), program.setup().program);
+    let head = card::blocks(text).find_map(|block| {
+        let (number, _) =
+            block.program.filter(|(number, _)| chosen.is_none_or(|chosen| chosen == *number))?;
+        let name = block.comments.first().map(|comment| card::remark(text, *comment));
+        Some(card::program_name(number) + " " + &name.unwrap_or_default())
+    });
+    head.unwrap_or_default().trim_end().to_owned()
 }
 
 fn part(program: &impl Exportable) -> Option<Region> {

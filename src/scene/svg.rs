@@ -27,7 +27,7 @@ mod caption;
 mod compared;
 
 use apart::Apart;
-pub use caption::Caption;
+pub use caption::{Caption, LEGEND};
 
 /// How the file is to look.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,7 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let camera = Camera::fit_with(bounds, Size { width, height }, options.x_plus);
     let apart = match (options.passes, scene.plane()) {
         (Passes::Apart, Plane::Section) => Apart::of(scene, 1.0 / camera.scale()),
-        (Passes::InPlace, _) | (_, Plane::Face) => Apart::nothing(),
+        (Passes::InPlace, _) | (_, Plane::Face) => Apart::default(),
     };
     let mut drawing = Drawing { text: String::new(), camera, apart };
     drawing.all(scene, options);

@@ -156,31 +156,44 @@ pub fn length(unit: units::Unit, language: Language) -> &'static str {
     })
 }
 
-/// What the lines of a drawing are called: rapids, cuts, threads.
-pub fn strokes(language: Language) -> [&'static str; 3] {
-    [["rapid", "快速移动", "ускоренный ход"], ["cut", "切削", "рабочий ход"], ["thread", "螺纹", "резьба"]]
-        .map(|words| language.among(words))
-}
-
-/// What its areas are called: blank, part, chuck and tailstock; and the mark of a collision.
-pub fn areas(language: Language) -> [&'static str; 4] {
-    [
-        ["blank", "毛坯", "заготовка"],
-        ["part", "零件", "деталь"],
-        ["chuck, tailstock", "卡盘、尾座", "патрон, задняя бабка"],
-        ["collision", "碰撞", "столкновение"],
-    ]
-    .map(|words| language.among(words))
-}
-
-/// What is milled on the end face.
-pub fn milled(language: Language) -> &'static str {
-    language.among(["milled, see the end face", "铣削，见端面视图", "фрезеруется, см. торец"])
-}
-
-/// That passes which lie on one another are drawn beside their places.
-pub fn passes_apart(language: Language) -> &'static str {
-    language.among(["passes drawn apart", "各次走刀分开绘制", "проходы разведены на рисунке"])
+/// What the lines and areas of a drawing are called: rapids, cuts, threads; blank, part, chuck and tailstock,
+/// a collision, what is milled; and that passes which lie on one another are drawn beside their places.
+pub fn legend(language: Language) -> [&'static str; 9] {
+    match language {
+        Language::English => [
+            "rapid",
+            "cut",
+            "thread",
+            "blank",
+            "part",
+            "chuck, tailstock",
+            "collision",
+            "milled, see the end face",
+            "passes drawn apart",
+        ],
+        Language::Chinese => [
+            "快速移动",
+            "切削",
+            "螺纹",
+            "毛坯",
+            "零件",
+            "卡盘、尾座",
+            "碰撞",
+            "铣削，见端面视图",
+            "各次走刀分开绘制",
+        ],
+        Language::Russian => [
+            "ускоренный ход",
+            "рабочий ход",
+            "резьба",
+            "заготовка",
+            "деталь",
+            "патрон, задняя бабка",
+            "столкновение",
+            "фрезеруется, см. торец",
+            "проходы разведены на рисунке",
+        ],
+    }
 }
 
 /// What a kind of tool is called, wherever it is named: form, readout, setup sheet.

@@ -3,9 +3,11 @@
 //! In: the motions of a scene, how large a pixel is. Out: where a stroke is drawn. The way of the tool stays one line: where a
 //! pass leaves its place, the strokes before and after it lead there.
 
+use std::ops::Range;
+
 use super::super::{Scene, Stroke, StrokeShape};
 use crate::geometry::Point;
-use crate::motion::{Cycle, CycleFamily, Motion, Step};
+use crate::motion::{Cycle, CycleFamily, Motions, Step};
 
 /// From one pass to the next, and from one peck to the next, CSS pixels, while there is room.
 const GAP: f64 = 3.0;
@@ -14,46 +16,44 @@ const PECK_GAP: f64 = 5.0;
 /// All passes of a cycle are within this, CSS pixels.
 const ROOM: f64 = 36.0;
 
-/// How far the start and the end of each motion are from their places, mm.
+/// How far the start and the end of each motion are from their places, mm; nothing where all are in their places.
 #[derive(Default)]
 pub(super) struct Apart(Vec<[Point; 2]>);
 
-impl Apart {
-    /// Nothing is moved.
-    pub(super) fn nothing() -> Self {
-        Self::default()
-    }
+const IN_PLACE: Point = Point { x: 0.0, z: 0.0 };
 
+impl Apart {
     /// Of a scene, where a CSS pixel is so many mm.
     pub(super) fn of(scene: &Scene, pixel: f64) -> Self {
-        let none = Point::new(0.0, 0.0);
-        let mut places = vec![[none; 2]; scene.len()];
-        let all: Vec<(Motion, u32)> =
-            scene.strokes().map(|stroke| (scene.motions.get(stroke.motion), stroke.line)).collect();
+        let motions = scene.motions;
+        let mut places = Vec::new();
         let mut first = 0;
-        while first < all.len() {
-            let call = |(motion, line): &(Motion, u32)| Some((motion.cycle?.cycle, *line));
-            let own = call(&all[first]);
-            let count = all[first..].iter().take_while(|other| call(other) == own).count().max(1);
-            let (motions, places) = (&all[first..first + count], &mut places[first..first + count]);
-            match own.map(|(cycle, _)| cycle) {
-                Some(Cycle::MultiThreading) => thread(motions, pixel, places),
-                Some(cycle) => match cycle.family() {
-                    CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole => {
-                        pecks(motions, pixel, places);
-                    }
-                    CycleFamily::Turning | CycleFamily::Threading | CycleFamily::Contour => {}
-                },
-                None => {}
+        while first < scene.len() {
+            let own = motions.get(first).cycle.map(|step| step.cycle);
+            let line = motions.line(first);
+            let mut end = first + 1;
+            while own.is_some()
+                && end < scene.len()
+                && motions.line(end) == line
+                && motions.get(end).cycle.map(|step| step.cycle) == own
+            {
+                end += 1;
             }
-            first += count;
+            match own.map(|cycle| (cycle, cycle.family())) {
+                Some((Cycle::MultiThreading, _)) => thread(motions, first..end, pixel, &mut places),
+                Some((_, CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole)) => {
+                    pecks(motions, first..end, pixel, &mut places);
+                }
+                _ => {}
+            }
+            first = end;
         }
         Self(places)
     }
 
     /// Whether any pass is drawn beside its place.
     pub(super) fn is_any(&self) -> bool {
-        self.0.iter().flatten().any(|by| by.x != 0.0 || by.z != 0.0)
+        !self.0.is_empty()
     }
 
     /// Where a stroke is drawn.
@@ -77,48 +77,65 @@ fn moved(at: Point, by: &Point) -> Point {
     Point::new(at.x + by.x, at.z + by.z)
 }
 
+/// Says where a motion is drawn.
+fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
+    if places.len() <= motion {
+        places.resize(motion + 1, [IN_PLACE; 2]);
+    }
+    places[motion] = [start, end];
+}
+
 /// The last pass of a thread is in its place, those before it farther out of the work.
-fn thread(motions: &[(Motion, u32)], pixel: f64, places: &mut [[Point; 2]]) {
-    let passes = motions.iter().filter_map(|(motion, _)| motion.cycle).map(|step| step.pass);
-    let last = passes.max().unwrap_or(0);
+fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
+    let home = motions.get(call.start).from.x;
+    let mut last = 0;
+    for motion in call.clone() {
+        last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
+    }
     let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
-    let home = motions[0].0.from.x;
-    for ((motion, _), place) in motions.iter().zip(places) {
-        let Some(step) = motion.cycle.filter(|step| step.pass > 0) else { continue };
+    for index in call {
+        let motion = motions.get(index);
+        let Some(step) = motion.cycle.filter(|step| step.pass > 0 && step.pass < last) else { continue };
         let deep = if step.step == Step::Infeed { motion.to.x } else { motion.from.x };
-        let out = Point::new((home - deep).signum() * gap * f64::from(last - step.pass), 0.0);
-        let none = Point::new(0.0, 0.0);
-        *place = match step.step {
-            Step::Infeed => [none, out],
-            Step::Cut | Step::PullOut => [out, out],
-            Step::Retract => [out, none],
-            _ => [none, none],
-        };
+        let out = Point { x: (home - deep).signum() * gap * f64::from(last - step.pass), z: 0.0 };
+        match step.step {
+            Step::Infeed => put(places, index, IN_PLACE, out),
+            Step::Cut | Step::PullOut => put(places, index, out, out),
+            Step::Retract => put(places, index, out, IN_PLACE),
+            _ => {}
+        }
     }
 }
 
 /// Pecks on one line go to and fro beside one another; what leads to the next line ends in its place.
-fn pecks(motions: &[(Motion, u32)], pixel: f64, places: &mut [[Point; 2]]) {
-    let along = |motion: &Motion| {
-        let step = motion.cycle.map(|step| step.step);
+fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
+    let along = |motion: usize| {
+        let step = motions.get(motion).cycle.map(|step| step.step);
         !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
     };
-    let mut first = 0;
-    while first < motions.len() {
-        let column = motions[first..].iter().take_while(|(motion, _)| along(motion)).count();
+    let mut first = call.start;
+    while first < call.end {
+        let mut end = first;
+        while end < call.end && along(end) {
+            end += 1;
+        }
         // A cut and the way back are two lines at most: nothing lies on them.
-        let gap = if column > 2 { PECK_GAP.min(ROOM / column as f64) * pixel } else { 0.0 };
-        let is_along_z = motions[first].0.from.x == motions[first].0.to.x;
-        let at = |index: usize| {
-            let by = gap * index as f64;
-            if is_along_z { Point::new(by, 0.0) } else { Point::new(0.0, by) }
-        };
-        for index in 0..column {
-            places[first + index] = [at(index), at(index + 1)];
+        let column = end - first;
+        if column > 2 {
+            let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
+            let motion = motions.get(first);
+            let is_along_z = motion.from.x == motion.to.x;
+            let at = |count: usize| {
+                let by = gap * count as f64;
+                if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
+            };
+            for index in 0..column {
+                put(places, first + index, at(index), at(index + 1));
+            }
+            if end < call.end {
+                put(places, end, at(column), IN_PLACE);
+            }
         }
-        if let Some(place) = places.get_mut(first + column) {
-            place[0] = at(column);
-        }
-        first += column + 1;
+        first = end + 1;
     }
 }

@@ -11,96 +11,91 @@ const LEADING: f64 = 20.0;
 const SAMPLE: f64 = 30.0;
 /// Between two entries, CSS pixels.
 const BETWEEN: f64 = 18.0;
+/// Of the rows, CSS pixels.
+const MARGIN: f64 = 12.0;
 
 /// What stands under a drawing, in its language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Caption {
     /// What the drawing shows, such as the number and the name of the program.
     pub title: String,
-    /// Rapids, cuts, threads.
-    pub strokes: [&'static str; 3],
-    /// The blank, where material is gone from it; what is left of it; chuck and tailstock; a collision.
-    pub work: [&'static str; 4],
-    /// What is milled under G12.1.
-    pub milled: &'static str,
-    /// That passes are drawn beside their places.
-    pub apart: &'static str,
+    /// What each entry is called, in the order of [`LEGEND`].
+    pub legend: [&'static str; LEGEND.len()],
 }
 
-/// What explains a class of the drawing.
-struct Entry {
-    sample: String,
-    text: &'static str,
-}
+/// The entries of a legend: how the sample begins, and how it goes on from its middle at the left.
+///
+/// Rapids, cuts, threads; the blank, where material is gone from it, what is left of it, chuck and tailstock, a
+/// collision, what is milled under G12.1; that passes are drawn beside their places.
+pub const LEGEND: [[&str; 2]; 9] = [
+    [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
+    [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
+    [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
+    [r#"<path class="blank blank-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="part part-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="obstacle" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="danger" d="M"#, r#"m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#],
+    [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
+    ["", ""],
+];
 
 impl Drawing {
     /// The rows, from `top` down; the answer is their height.
     pub(super) fn caption(&mut self, scene: &Scene, caption: &Caption, top: f64) -> f64 {
-        let width = self.camera.size().width;
-        let mut y = top + LEADING - 4.0;
+        let right = self.camera.size().width - MARGIN;
+        let (mut x, mut y) = (MARGIN, top + LEADING - 4.0);
         if !caption.title.is_empty() {
-            self.text.push_str(&format!(
-                r#"<text class="name" x="12" y="{}">{}</text>"#,
-                number(y),
-                escaped(&caption.title)
-            ));
-            self.text.push('\n');
+            self.key(["name", &escaped(&caption.title)], x, y);
             y += LEADING;
         }
-        let mut x = 12.0;
-        for Entry { sample, text } in self.entries(scene, caption) {
-            let start = if sample.is_empty() { 0.0 } else { SAMPLE };
-            let wide = start + wide(text);
-            if x > 12.0 && x + wide > width - 12.0 {
-                (x, y) = (12.0, y + LEADING);
+        let there = self.there(scene);
+        for (index, text) in caption.legend.into_iter().enumerate() {
+            if !there[index] {
+                continue;
             }
-            let at = sample.replace("{x}", &number(x)).replace("{y}", &number(y - 4.0));
-            let at = at.replace("{top}", &number(y - 10.0));
-            self.text.push_str(&at);
-            self.line(&format!(
-                r#"<text class="key" x="{}" y="{}">{text}</text>"#,
-                number(x + start),
-                number(y)
-            ));
+            let [begin, end] = LEGEND[index];
+            let sample = if begin.is_empty() { 0.0 } else { SAMPLE };
+            let wide = sample + wide(text);
+            if x > MARGIN && x + wide > right {
+                (x, y) = (MARGIN, y + LEADING);
+            }
+            if !begin.is_empty() {
+                let line = [begin, &number(x), " ", &number(y - 4.0), end].concat();
+                self.line(&line);
+            }
+            self.key(["key", text], x + sample, y);
             x += wide + BETWEEN;
         }
         y + 10.0 - top
     }
 
-    /// What is in the drawing, and nothing else.
-    fn entries(&self, scene: &Scene, caption: &Caption) -> Vec<Entry> {
-        let mut entries = Vec::new();
-        let styles = [StrokeStyle::Rapid, StrokeStyle::Feed, StrokeStyle::Thread];
-        for (style, text) in styles.into_iter().zip(caption.strokes) {
-            if scene.strokes().any(|stroke| stroke.style == style) {
-                let name = style.name();
-                entries.push(Entry {
-                    sample: [r#"<g><path class=""#, name, r#"" d="M{x} {y}h24"/></g>"#].concat(),
-                    text,
-                });
+    fn key(&mut self, [class, text]: [&str; 2], x: f64, y: f64) {
+        let (x, y) = (number(x), number(y));
+        let line =
+            [r#"<text class=""#, class, r#"" x=""#, &x, r#"" y=""#, &y, r#"">"#, text, "</text>"].concat();
+        self.line(&line);
+    }
+
+    /// What is in the drawing.
+    fn there(&self, scene: &Scene) -> [bool; LEGEND.len()] {
+        let mut there = [false; LEGEND.len()];
+        for stroke in scene.strokes() {
+            match stroke.style {
+                StrokeStyle::Rapid => there[0] = true,
+                StrokeStyle::Feed => there[1] = true,
+                StrokeStyle::Thread => there[2] = true,
+                StrokeStyle::Dwell => {}
             }
         }
         if let Some(work) = scene.work() {
-            let there = [true, !work.part.is_empty(), !work.obstacles.is_empty(), !work.dangers.is_empty()];
-            let classes = ["blank blank-frame", "part part-frame", "obstacle"];
-            for (index, text) in caption.work.into_iter().enumerate().filter(|(index, _)| there[*index]) {
-                let sample = match classes.get(index) {
-                    Some(class) => {
-                        [r#"<path class=""#, class, r#"" d="M{x} {top}h24v12h-24z"/>"#].concat()
-                    }
-                    None => r#"<path class="danger" d="M{x} {y}m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#.to_owned(),
-                };
-                entries.push(Entry { sample, text });
-            }
+            there[3] = true;
+            there[4] = !work.part.is_empty();
+            there[5] = !work.obstacles.is_empty();
+            there[6] = !work.dangers.is_empty();
+            there[7] = work.milled.is_some();
         }
-        if scene.work().is_some_and(|work| work.milled.is_some()) {
-            let sample = r#"<path class="milled" d="M{x} {top}h24v12h-24zl24 12m0 -12l-24 12"/>"#.to_owned();
-            entries.push(Entry { sample, text: caption.milled });
-        }
-        if self.apart.is_any() {
-            entries.push(Entry { sample: String::new(), text: caption.apart });
-        }
-        entries
+        there[8] = self.apart.is_any();
+        there
     }
 }
 
@@ -111,6 +106,15 @@ fn wide(text: &str) -> f64 {
 
 /// A text as XML has it.
 pub(super) fn escaped(text: &str) -> String {
-    let text: String = text.chars().filter(|c| !c.is_control()).collect();
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            c if c.is_control() => {}
+            c => escaped.push(c),
+        }
+    }
+    escaped
 }
