@@ -460,7 +460,7 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, and the chuck body behind them.
+/// The jaws around the end of the blank, and the chuck body they stand on.
 fn jaws(stock: &Stock) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());

@@ -358,7 +358,8 @@ fn head_towards(view: &View, at: Point, size: f64) -> Option<[Pixel; 3]> {
     let tip = Pixel::new(within(at.x, across[0], across[1]), within(at.y, down[0], down[1]));
     let far = tip.distance(at).max(1e-9);
     let (x, y) = (size * (at.x - tip.x) / far, size * (at.y - tip.y) / far);
-    let side = |turn: f64| Pixel::new(tip.x - 2.0 * x - turn * y, tip.y - 2.0 * y + turn * x);
+    let foot = Pixel::new(tip.x - x - x, tip.y - y - y);
+    let side = |turn: f64| Pixel::new(foot.x - turn * y, foot.y + turn * x);
     Some([tip, side(1.0), side(-1.0)])
 }
 

@@ -257,7 +257,7 @@ mod tests {
         assert_eq!(inches(Axis::X), "0.0 0.5 1.0 1.5 2.0");
         assert_eq!(
             inches(Axis::Z),
-            "\u{2212}2.0 \u{2212}1.8 \u{2212}1.6 \u{2212}1.4 \u{2212}1.2 \u{2212}1.0 \u{2212}0.8 \u{2212}0.6 \u{2212}0.4 \u{2212}0.2 0.0"
+            "\u{2212}2.0 \u{2212}1.8 \u{2212}1.6 \u{2212}1.4 \u{2212}1.2 \u{2212}1.0 \u{2212}0.8 \u{2212}0.6 \u{2212}0.4 \u{2212}0.2 0.0 0.2"
         );
         let mut ticks = ticks(Axis::Z, &camera, Unit::Inch).into_iter();
         let tick = ticks.find(|tick| tick.label.as_deref() == Some("\u{2212}1.0"));

@@ -135,7 +135,7 @@ test('it plays from the block at the cursor', async ({ page }) => {
   await expect(running(page)).toHaveText('X45');
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
   await page.getByRole('button', { name: 'Pause' }).click();
-  await page.getByRole('button', { name: /^Play from the block/ }).click();
+  await page.getByRole('button', { name: /^Start at the block/ }).click();
   await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
 });
 

@@ -120,14 +120,14 @@ const WORDS = words({
   },
   zh: {
     present: '演示',
-    presentHint: '大字显示；Page Down 和 Page Up 逐程序段，方向键逐段运动，空格播放，Esc 结束',
+    presentHint: '大字显示；Page Down 和 Page Up 逐程序段，方向键逐段运动，空格播放，Escape 结束',
     end: '结束演示',
     whole: '图形全屏显示',
     window: '退出全屏',
   },
   ru: {
     present: 'Показ',
-    presentHint: 'Крупный шрифт; Page Down и Page Up — по кадрам, стрелки — по перемещениям, пробел — пуск, Esc — конец',
+    presentHint: 'Крупный шрифт; Page Down и Page Up — по кадрам, стрелки — по перемещениям, пробел — пуск, Escape — конец',
     end: 'Закончить показ',
     whole: 'Чертёж на весь экран',
     window: 'Вернуться в окно',

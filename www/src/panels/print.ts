@@ -22,7 +22,7 @@ class Print implements Panel {
   readonly #sheet = make('div', { className: 'sheet' });
   readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
   #diagnostics: readonly Diagnostic[] = [];
-  /** What was asked for before the browser was told to print. */
+  /** What was asked for before printing began. */
   #prepared: { readonly setup: SetupForm | undefined } | undefined;
   readonly places = { dialogs: [this.#sheet] };
 
