@@ -128,8 +128,10 @@ pub fn can_be_found(setup: &Setup) -> bool {
 /// Looks at motions, one after the other.
 #[derive(Clone, Debug)]
 pub struct DangerDetector {
-    /// The jaws, and the body of the chuck that they stand on.
-    jaws: Option<[Region; 2]>,
+    /// The jaws and the body of the chuck, as one: what meets both meets one thing.
+    jaws: Option<Region>,
+    /// The same as two, as they are drawn.
+    chuck: Option<[Region; 2]>,
     tailstock: Option<Region>,
     stock: Option<Stock>,
     travel: Travel,
@@ -165,6 +167,7 @@ impl DangerDetector {
         let stock = resolved.stock().and_then(given);
         Self {
             jaws: stock.and_then(|stock| jaws(&stock)),
+            chuck: stock.and_then(|stock| chuck(&stock)),
             tailstock: setup.tailstock.map(|tailstock| center(&tailstock)),
             stock,
             travel: setup.machine.travel,
@@ -179,7 +182,7 @@ impl DangerDetector {
 
     /// What stands around the work: the chuck, the tailstock.
     pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        self.jaws.iter().flatten().chain(&self.tailstock)
+        self.chuck.iter().flatten().chain(&self.tailstock)
     }
 
     /// Whether there is a chuck with jaws, and a tailstock.
@@ -259,16 +262,10 @@ impl DangerDetector {
     }
 
     fn hit_obstacles(&mut self, index: usize, motion: &Motion, tool: &ResolvedTool) {
-        let obstacles: [(Danger, &[Region]); 2] = [
-            (Danger::IntoJaws, self.jaws.as_ref().map_or(&[], |jaws| &jaws[..])),
-            (Danger::IntoTailstock, self.tailstock.as_slice()),
-        ];
-        let found = obstacles.map(|(danger, obstacles)| {
-            let mut pairs = tool
-                .shape
-                .solids()
-                .flat_map(|outline| obstacles.iter().map(move |obstacle| (obstacle, outline)));
-            Some((danger, pairs.find_map(|(obstacle, outline)| hit(obstacle, outline, motion))?))
+        let obstacles = [(Danger::IntoJaws, &self.jaws), (Danger::IntoTailstock, &self.tailstock)];
+        let found = obstacles.map(|(danger, obstacle)| {
+            let obstacle = obstacle.as_ref()?;
+            Some((danger, tool.shape.solids().find_map(|outline| hit(obstacle, outline, motion))?))
         });
         for (danger, at) in found.into_iter().flatten() {
             self.tell(index, at, danger);
@@ -460,8 +457,23 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, and the chuck body they stand on.
-fn jaws(stock: &Stock) -> Option<[Region; 2]> {
+/// The jaws around the end of the blank, with the chuck body.
+fn jaws(stock: &Stock) -> Option<Region> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outside, back) = (stock.diameter.radius(), stock.back());
+    let corners = [
+        (outside, back),
+        (outside, back + grip),
+        (outside + JAW, back + grip),
+        (outside + JAW, back - JAW),
+        (stock.bore.radius(), back - JAW),
+        (stock.bore.radius(), back),
+    ];
+    Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+}
+
+/// The jaws, and the body that they stand on.
+fn chuck(stock: &Stock) -> Option<[Region; 2]> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());
     let block = |inner: f64, from: f64, to: f64| {

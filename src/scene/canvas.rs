@@ -120,6 +120,11 @@ impl Painter {
         Ok(progress)
     }
 
+    /// The last image was not shown: the next one is painted even if it is the same.
+    pub fn paint_again(&mut self) {
+        self.painted = None;
+    }
+
     /// Takes what was painted since the last time off the canvas; nothing where nothing was.
     pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
         std::mem::take(&mut self.is_new).then(|| self.screen.take_image()).transpose()

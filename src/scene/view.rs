@@ -177,3 +177,30 @@ impl View {
         self.follow(scene);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motions;
+    use crate::scene::Scene;
+    use crate::scene::path_index::PathIndex;
+
+    #[test]
+    fn a_picture_that_was_moved_follows_the_tool_and_a_fitted_one_stays() {
+        let (motions, path_index) = (Motions::default(), PathIndex::new());
+        let scene = Scene::new(&motions, &path_index, None);
+        let mut view = View::new(&scene, Size { width: 800.0, height: 500.0 });
+        let fitted = *view.camera();
+        let outside = Point::new(40.0, -300.0);
+        view.keep_in_view(outside);
+        assert_eq!(*view.camera(), fitted);
+        view.zoom(4.0, Pixel::new(400.0, 250.0));
+        view.keep_in_view(outside);
+        let at = view.camera().to_screen(outside);
+        let [across, down] = view.camera().inside(IN_VIEW - 0.1);
+        assert!(across[0] <= at.x && at.x <= across[1] && down[0] <= at.y && at.y <= down[1], "{at:?}");
+        let moved = *view.camera();
+        view.keep_in_view(outside);
+        assert_eq!(*view.camera(), moved);
+    }
+}

@@ -72,6 +72,16 @@ impl Playground {
         Ok(())
     }
 
+    /// The last images were not shown: the next ones are painted even if they are the same.
+    #[wasm_bindgen(js_name = paintAgain)]
+    pub fn paint_again(&mut self) {
+        for plane in [Plane::Section, Plane::Face] {
+            if let Some(painter) = &mut self.painters[plane] {
+                painter.paint_again();
+            }
+        }
+    }
+
     /// Shows everything worth looking at.
     pub fn fit(&mut self, picture: PictureName) {
         self.current.look(picture.into(), |view, scene| view.fit(scene));

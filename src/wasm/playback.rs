@@ -129,6 +129,7 @@ in_part! {
         let clock = current.clock();
         let place = clock.place(current.motions(), share * clock.whole().pace);
         current.put(Some(place));
+        current.keep_tool_in_view();
     }
 
     Machine "0043"
@@ -143,6 +144,7 @@ in_part! {
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
         current.put(Some(place));
+        current.keep_tool_in_view();
     }
 
     Machine "0046"

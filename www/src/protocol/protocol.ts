@@ -52,8 +52,8 @@ export type Command =
   /** The unit in which lengths are shown; that of the program where nothing is said. */
   | { readonly kind: 'unit'; readonly unit: LengthUnit | undefined }
   | BeginRun
-  /** The last picture is on the page: there is room for the next one. */
-  | { readonly kind: 'shown' }
+  /** The last picture is on the page, or was dropped as one of an earlier run: there is room for the next one. */
+  | { readonly kind: 'shown'; readonly dropped: boolean }
   /** Ends the run under way. */
   | { readonly kind: 'stop' }
   /** Tries again to load what could not be loaded. */

@@ -210,9 +210,13 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
   run: { draws: 'no', act: begin },
   shown: {
     draws: 'no',
-    act(playground) {
+    act(playground, { dropped }) {
       onTheWay = false;
-      present(playground);
+      if (dropped) {
+        // It was of an earlier run, and nothing else may have changed since.
+        playground.paintAgain();
+        if (keepsOld === undefined) wantDraw('when-whole');
+      } else present(playground);
     },
   },
   stop: { draws: 'when-whole', act: stop },
