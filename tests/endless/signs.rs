@@ -5,8 +5,8 @@ use super::{Hostile, case, megabyte};
 /// All of them.
 pub fn one_sign() -> Vec<Hostile> {
     let signs = [
-        ("E-PLAIN-TEXT", "[]:,+-*=NOGMXL"),
-        ("PS0009", "){}<>.!?&|\"'\\@$^_~外"),
+        ("E-PLAIN-TEXT", "[]:+NOGMXL"),
+        ("PS0009", ",-*=){}<>.!?&|\"'\\@$^_~外"),
         ("I-EMPTY", ";/% \t"),
         ("W-COMMENT-OPEN", "("),
         ("PS0114", "#"),
