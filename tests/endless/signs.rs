@@ -6,7 +6,8 @@ use super::{Hostile, case, megabyte};
 pub fn one_sign() -> Vec<Hostile> {
     let signs = [
         ("E-PLAIN-TEXT", "[]:+NOGMXL"),
-        ("PS0009", ",-*=){}<>.!?&|\"'\\@$^_~外"),
+        ("W-PLAIN-TEXT", ",-*="),
+        ("PS0009", "){}<>.!?&|\"'\\@$^_~外"),
         ("I-EMPTY", ";/% \t"),
         ("W-COMMENT-OPEN", "("),
         ("PS0114", "#"),
