@@ -13,6 +13,7 @@ mod rewrite;
 mod rules;
 mod settings;
 pub mod setup;
+mod units;
 
 use serde::Serialize;
 
@@ -22,6 +23,7 @@ pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};
 pub use rewrite::Rewriting;
 pub use rules::Rule;
+pub use units::Units;
 
 use crate::control::codes;
 use crate::geometry::Point;
@@ -38,7 +40,7 @@ use crate::sentences::{Language, describe_motion};
 use crate::setup::Machine;
 use crate::setup::dialect::CodeList;
 use crate::source::{LineIndex, Span};
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
@@ -60,7 +62,7 @@ pub struct Diagnostic {
     pub from: u32,
     /// UTF-16 offset of the end.
     pub to: u32,
-    /// Stable code: `W-…`, `E-…` or an alarm number.
+    /// Code: an alarm number, or a name after a letter: `E-…` of errors, of no other `W-…`, `I-…` or `N-…`.
     pub code: String,
     /// Stable name of the fault.
     pub slug: String,
@@ -322,14 +324,19 @@ impl Summary {
         let stops = motions.stops(0..motions.len());
         summary.optional_stops = stops.filter(|(_, stop)| stop.kind == StopKind::Optional).count() as u32;
         for diagnostic in diagnostics {
-            match diagnostic.severity {
-                Severity::Error => summary.errors += 1,
-                Severity::Warning => summary.warnings += 1,
-                Severity::Info => summary.infos += 1,
-                Severity::Off => {}
-            }
+            summary.count(diagnostic.severity);
         }
         summary
+    }
+
+    /// Counts one more message.
+    pub fn count(&mut self, severity: Severity) {
+        match severity {
+            Severity::Error => self.errors += 1,
+            Severity::Warning => self.warnings += 1,
+            Severity::Info => self.infos += 1,
+            Severity::Off => {}
+        }
     }
 }
 
@@ -713,7 +720,7 @@ impl Places<'_> {
             end_column: end.1,
             from,
             to,
-            code: diagnostic.message.code().to_owned(),
+            code: diagnostic.code(),
             slug: diagnostic.message.slug().to_owned(),
             severity: diagnostic.severity.name().to_owned(),
             kind: diagnostic.message.kind().name().to_owned(),
@@ -727,8 +734,15 @@ impl Places<'_> {
         }
     }
 
-    /// The stroke of a motion, the tool standing at `at`.
-    pub fn stroke(&self, motions: &Motions, index: usize, at: Point, language: Language) -> Stroke {
+    /// The stroke of a motion, the tool standing at `at`; its words name lengths in `unit`.
+    pub fn stroke(
+        &self,
+        motions: &Motions,
+        index: usize,
+        at: Point,
+        unit: Unit,
+        language: Language,
+    ) -> Stroke {
         let motion = motions.get(index);
         let (from, to) = self.offsets(motions.span(index));
         Stroke {
@@ -741,7 +755,7 @@ impl Places<'_> {
             z: rounded(motion.to.z),
             at_x: diameter(at.x),
             at_z: rounded(at.z),
-            text: describe_motion(&motion, passes(motions, index), language),
+            text: describe_motion(&motion, passes(motions, index), unit, language),
         }
     }
 

@@ -19,7 +19,7 @@ use crate::machine::feature::{self, Feature};
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedSetup;
 use crate::machine::{Simulation, SimulationResult, SimulationStep};
-use crate::motion::Motions;
+use crate::motion::{MotionKind, Motions};
 use crate::parts::{Part, in_part};
 use crate::playback::clock::{Clock, Playhead};
 use crate::run::{Run, TextEdit};
@@ -27,12 +27,14 @@ use crate::scene::camera::{Pixel, Size, XPlus};
 use crate::scene::face::Face;
 use crate::scene::path_index::PathIndex;
 use crate::scene::pick::pick;
+use crate::scene::ruler::Scale;
 use crate::scene::source::{Picture, Source, Stage};
 use crate::scene::steps::labels;
 use crate::scene::view::View;
 use crate::scene::{Place, Plane, Scene};
 use crate::setup::{Setup, Turret};
 use crate::source::LineIndex;
+use crate::units::Unit;
 use machined::{Kept, Machined};
 use per_plane::PerPlane;
 
@@ -68,6 +70,10 @@ struct ViewState {
     turret: Option<Turret>,
     /// The part that later ones are laid over.
     kept: Option<Kept>,
+    /// The unit the reader has chosen; that of the program where nothing is chosen.
+    unit: Option<Unit>,
+    /// How millimetre and inch are written in the reader's language.
+    unit_symbols: [&'static str; 2],
 }
 
 /// What has become of the blank.
@@ -94,7 +100,14 @@ impl Current {
             };
             View::new(&scene.on(plane), Size { width: 300.0, height })
         });
-        let view_state = ViewState { views, cursor: None, turret: None, kept: None };
+        let view_state = ViewState {
+            views,
+            cursor: None,
+            turret: None,
+            kept: None,
+            unit: None,
+            unit_symbols: ["mm", "in"],
+        };
         Self { run, lines: OnceCell::new(), path_index, derived: Derived::default(), view_state }
     }
 
@@ -347,17 +360,56 @@ impl Current {
         }
     }
 
-    /// Chooses the unit symbol of the rulers, that of the reader's language.
-    pub fn set_unit_symbol(&mut self, millimetre: &'static str) {
+    /// Chooses the symbols of millimetre and inch on the rulers, those of the reader's language.
+    pub fn set_unit_symbols(&mut self, symbols: [&'static str; 2]) {
+        self.view_state.unit_symbols = symbols;
+        self.count_in_unit();
+    }
+
+    /// Chooses the unit in which lengths are shown; nothing takes that of the program.
+    pub fn set_unit(&mut self, unit: Option<Unit>) {
+        self.view_state.unit = unit;
+        self.count_in_unit();
+    }
+
+    /// The unit the reader has chosen.
+    pub fn chosen_unit(&self) -> Option<Unit> {
+        self.view_state.unit
+    }
+
+    /// The unit in which lengths are shown.
+    pub fn unit(&self) -> Unit {
+        self.view_state.unit.unwrap_or(self.run.state().unit)
+    }
+
+    /// The rulers count in the unit that is shown.
+    fn count_in_unit(&mut self) {
+        let unit = self.unit();
+        let scale = Scale { unit, symbol: self.view_state.unit_symbols[unit as usize] };
         // The face follows the section, but only once something moves on it.
         let (section, face) = self.view_state.views.both_mut();
-        (section.millimetre, face.millimetre) = (millimetre, millimetre);
+        (section.scale, face.scale) = (scale, scale);
     }
 
     /// Puts the tool somewhere; nothing shows all strokes and no tool.
     pub fn put(&mut self, playhead: Option<Playhead>) {
         let playhead = playhead.filter(|_| !self.run.motions().is_empty());
         self.section_mut().playhead = playhead;
+    }
+
+    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    pub fn put_at_block(&mut self, offset: u32) {
+        self.measure();
+        let motion = picked::first_motion(&self.run, self.lines(), &self.scene(), offset);
+        self.put(motion.map(|motion| Playhead { motion, share: 0.0 }));
+    }
+
+    /// A picture that the user has moved follows the tool while it cuts.
+    pub fn keep_tool_in_view(&mut self) {
+        let Some((playhead, place)) = self.place() else { return };
+        if self.run.motions().get(playhead.motion).kind != MotionKind::Rapid {
+            self.look(Plane::Section, |view, _| view.keep_in_view(place.at));
+        }
     }
 
     /// Where the tool is.
@@ -486,6 +538,7 @@ impl Current {
         // Until then the picture that is shown is of the last run, or moved by the reader.
         if self.run.is_finished() {
             self.path_index.settle();
+            self.count_in_unit();
             let (scene, view) = self.looked_at(Plane::Section);
             view.follow(&scene);
         }

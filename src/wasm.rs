@@ -30,14 +30,14 @@ use crate::findings;
 use crate::geometry::Point;
 use crate::limits;
 use crate::machine::region::Region;
-use crate::message::sort_by_place;
+use crate::message::{Diagnostic, sort_by_place};
 use crate::motion::Chunk;
 use crate::parts::{Part, in_part};
 use crate::scene::canvas::Painter;
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
-use crate::setup::fields::Unit;
 use crate::text::highlight::highlight;
+use crate::units::Unit;
 
 /// A program, its run and its picture.
 #[wasm_bindgen]
@@ -135,7 +135,24 @@ impl Playground {
     #[wasm_bindgen(js_name = setLanguage)]
     pub fn set_language(&mut self, tag: &str) {
         self.language = Language::from_tag(tag);
-        self.current.set_unit_symbol(labels::unit(Unit::Millimetre, self.language));
+        let symbols = [Unit::Millimetre, Unit::Inch];
+        self.current.set_unit_symbols(symbols.map(|unit| labels::unit_of_ruler(unit, self.language)));
+    }
+
+    /// Chooses the unit in which lengths are shown: `mm` or `inch`. Anything else takes that of the program.
+    #[wasm_bindgen(js_name = setUnit)]
+    pub fn set_unit(&mut self, name: &str) {
+        self.current.set_unit(match name {
+            "mm" => Some(Unit::Millimetre),
+            "inch" => Some(Unit::Inch),
+            _ => None,
+        });
+    }
+
+    /// The unit in which lengths are to be shown, and that of the program.
+    #[wasm_bindgen(unchecked_return_type = "Units")]
+    pub fn units(&self) -> Result<JsValue, JsValue> {
+        units(self)
     }
 
     /// Runs at most so many blocks; true when the run has ended.
@@ -174,21 +191,39 @@ impl Playground {
         self.current.stop(seconds);
     }
 
-    /// Counts of what has run so far.
+    /// Counts of what has run so far; its messages are those of [`Self::diagnostics`]. Where the part that finds
+    /// what happens at the machine has not been loaded, they are those of the path.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
-        to_js(&Summary {
+        let mut summary = Summary {
             blocks: self.current.run().blocks() as u32,
             lines: self.current.lines().len(),
             finished: self.current.run().is_finished(),
             ..Summary::new(self.current.motions(), self.current.run().diagnostics())
-        })
+        };
+        if Part::Machine.is_loaded() {
+            count_findings(self, &mut summary);
+        }
+        to_js(&summary)
+    }
+
+    /// How many motions there are so far, and how many errors of the path.
+    #[wasm_bindgen(js_name = motionsAndErrors)]
+    pub fn motions_and_errors(&self) -> Vec<u32> {
+        let errors = self.current.run().diagnostics().iter().filter(|told| told.is_error()).count();
+        vec![self.current.motions().len() as u32, errors as u32]
     }
 
     /// The messages so far.
     #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
     pub fn diagnostics(&self) -> Result<JsValue, JsValue> {
         diagnostics(self)
+    }
+
+    /// The names of the rules that the setup switches off, one by one.
+    #[wasm_bindgen(js_name = rulesOff)]
+    pub fn rules_off(&self) -> Vec<String> {
+        rules_off(self)
     }
 
     /// Classed pieces of the lines `first..end` (from 0): triples of offset, end offset and class.
@@ -230,17 +265,32 @@ in_part! {
     Machine "0060"
     fn diagnostics(playground: &Playground) -> Result<JsValue, JsValue> {
         let places = playground.places();
-        let (run, motions) = (playground.current.run(), playground.current.motions());
-        let (levels, told) = (&run.setup().rules, run.diagnostics());
-        let simulation = playground.current.simulation().into_iter();
-        let findings =
-            simulation.flat_map(|simulation| findings::diagnostics(simulation, motions, levels, told));
-        let unit = run.state().unit;
-        let findings = findings.map(|found| found.in_unit(unit));
-        let mut all: Vec<_> = told.iter().cloned().chain(findings).collect();
+        let mut all = playground.current.run().diagnostics().to_vec();
+        all.extend(playground.findings());
+        if let Some(chosen) = playground.current.chosen_unit() {
+            all.iter_mut().for_each(|found| found.unit = chosen);
+        }
         sort_by_place(&mut all);
         let rows = all.iter().map(|found| places.diagnostic(found, playground.language));
         to_js(&rows.collect::<Vec<_>>())
+    }
+
+    Machine "0066"
+    fn count_findings(playground: &Playground, summary: &mut Summary) {
+        for found in playground.findings() {
+            summary.count(found.severity);
+        }
+    }
+
+    Machine "0067"
+    fn rules_off(playground: &Playground) -> Vec<String> {
+        playground.current.run().setup().rules.rules_off().map(str::to_owned).collect()
+    }
+
+    Machine "0840"
+    fn units(playground: &Playground) -> Result<JsValue, JsValue> {
+        let current = &playground.current;
+        to_js(&api::Units::new(current.unit(), current.run().state().unit))
     }
 
     Machine "0064"
@@ -289,12 +339,22 @@ impl Playground {
         self.current.set_text(text, self.setup.clone());
     }
 
+    /// What the machine found, in the unit of the program.
+    fn findings(&self) -> impl Iterator<Item = Diagnostic> {
+        let (run, motions) = (self.current.run(), self.current.motions());
+        let (levels, told, unit) = (&run.setup().rules, run.diagnostics(), run.state().unit);
+        let simulation = self.current.simulation().into_iter();
+        let found =
+            simulation.flat_map(|simulation| findings::diagnostics(simulation, motions, levels, told));
+        found.map(move |found| found.in_unit(unit))
+    }
+
     fn places(&self) -> Places<'_> {
         Places { text: self.current.run().text(), lines: self.current.lines() }
     }
 
     fn stroke(&self, motion: usize, at: Point) -> Result<JsValue, JsValue> {
-        to_js(&self.places().stroke(self.current.motions(), motion, at, self.language))
+        to_js(&self.places().stroke(self.current.motions(), motion, at, self.current.unit(), self.language))
     }
 }
 

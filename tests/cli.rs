@@ -84,7 +84,7 @@ fn check_prints_one_object_a_line() {
     assert_eq!((&row["column"], &row["endColumn"]), (&json!(6), &json!(9)));
     assert_eq!(
         (&row["severity"], &row["code"], &row["alarm"]),
-        (&json!("error"), &json!("W-OCR"), &json!("PS0005"))
+        (&json!("error"), &json!("E-OCR"), &json!("PS0005"))
     );
     assert!(row["slug"].is_string() && row["message"].is_string() && row["help"].is_string());
     let edit = &row["fixes"][0]["edits"][0];

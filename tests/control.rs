@@ -286,7 +286,7 @@ fn a_retreat_at_the_end_of_a_contour_is_no_part_of_it() {
     let strict = Setup::from_json(r#"{"dialect": {"strict": true}}"#).expect("setup");
     let refused = analyze(program("N20 G01 Z2").as_bytes(), &strict);
     assert!(
-        refused.diagnostics.iter().any(|found| found.is_error() && found.message.code() == "W-NOT-MONOTONE")
+        refused.diagnostics.iter().any(|found| found.is_error() && found.message.code() == "E-NOT-MONOTONE")
     );
     assert_eq!(run("N20 G00 Z2").motions.len(), run("N20 M8").motions.len());
 }

@@ -6,9 +6,11 @@ use gcode_playground::machine::SimulationResult;
 use gcode_playground::playback::clock::Playhead;
 use gcode_playground::scene::Plane;
 use gcode_playground::scene::camera::{Pixel, Size};
+use gcode_playground::scene::ruler::Scale;
 use gcode_playground::scene::source::{Picture, Stage};
 use gcode_playground::scene::view::View;
 use gcode_playground::setup::{Setup, Turret};
+use gcode_playground::units::Unit;
 use proptest::prelude::*;
 
 const SIZE: Size = Size { width: 800.0, height: 600.0 };
@@ -130,14 +132,38 @@ fn an_edited_comment_describes_another_tool() {
 fn the_unit_symbol_stays_from_run_to_run() {
     let (text, setup) = program("s003-g71");
     let mut current = fresh(&text, &setup);
-    current.set_unit_symbol("мм");
+    current.set_unit_symbols(["мм", "дюйм"]);
     current.edit(0, 0, "(A)\n");
     run(&mut current);
-    assert_eq!(section(&mut current).view.millimetre, "мм");
+    assert_eq!(section(&mut current).view.scale.symbol, "мм");
     let before = section(&mut current).view.clone();
-    current.set_unit_symbol("mm");
+    current.set_unit_symbols(["mm", "in"]);
     assert!(!section(&mut current).view.shows_same_ground(&before));
-    assert_eq!(current.view(Plane::Face).millimetre, "mm");
+    assert_eq!(current.view(Plane::Face).scale.symbol, "mm");
+}
+
+/// An inch program has rulers in inches, until the reader chooses another unit; that choice stays.
+#[test]
+fn the_rulers_count_in_the_unit_of_the_program_or_the_chosen_one() {
+    let inches = "O1\nG20 G99 G97 S800 M3\nT0101\nG0 X2. Z.1\nG1 Z-1. F.01\nM30\n";
+    let mut current = fresh(inches, &Setup::default());
+    let scale = |current: &mut Current| {
+        let Scale { unit, symbol } = section(current).view.scale;
+        (unit, symbol)
+    };
+    assert_eq!(scale(&mut current), (Unit::Inch, "in"));
+    let before = section(&mut current).view.clone();
+    current.set_unit(Some(Unit::Millimetre));
+    assert_eq!(scale(&mut current), (Unit::Millimetre, "mm"));
+    assert!(!section(&mut current).view.shows_same_ground(&before));
+    current.set_text(inches.into(), Setup::default());
+    run(&mut current);
+    assert_eq!(scale(&mut current), (Unit::Millimetre, "mm"));
+    current.set_unit(None);
+    assert_eq!(scale(&mut current), (Unit::Inch, "in"));
+    current.set_text(b"O1\nG0 X50 Z2\nM30\n".to_vec(), Setup::default());
+    run(&mut current);
+    assert_eq!((current.unit(), scale(&mut current)), (Unit::Millimetre, (Unit::Millimetre, "mm")));
 }
 
 /// A program whose run was stopped has a clock of all motions that it has.

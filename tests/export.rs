@@ -6,10 +6,14 @@ use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 
 use gcode_playground::analyze;
+use gcode_playground::export::file::caption;
 use gcode_playground::export::{dxf, stl};
 use gcode_playground::geometry::Point;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::machine::region::Region;
+use gcode_playground::scene::palette::Palette;
+use gcode_playground::scene::svg::{Passes, SvgOptions, section};
+use gcode_playground::sentences::Language;
 use gcode_playground::setup::Setup;
 
 #[allow(dead_code, reason = "the fixtures are shared with tests that look at more of them")]
@@ -265,4 +269,78 @@ fn flats_follow_the_size_of_the_part() {
     let flats = |radius: f64| stl::triangles(&ring(radius)).len() / 8;
     assert_eq!(flats(2.0), (PI / (1.0 - stl::FLATNESS / 2.0).acos()).ceil() as usize);
     assert_eq!((flats(1.0), flats(1000.0)), (24, 360));
+}
+
+/// A file looks as the page does, but for its paper, which is white.
+#[test]
+fn the_colours_of_files_are_those_of_the_page() {
+    let sheet = std::fs::read_to_string("www/src/colours.css").expect("the style sheet");
+    let (mut light, mut dark) = (Palette::light(), Palette::dark());
+    for ((name, on_paper), (_, on_dark)) in light.by_name().zip(dark.by_name()) {
+        let dashed: String = name.chars().fold(String::new(), |dashed, c| match c.is_uppercase() {
+            true => dashed + "-" + &c.to_lowercase().to_string(),
+            false => dashed + &c.to_string(),
+        });
+        let paper = if name == "background" { "#fcfcfa" } else { on_paper.as_ref() };
+        let row = format!("--playground-{dashed}: light-dark({paper}, {on_dark});");
+        assert!(sheet.contains(&row), "{row}");
+    }
+}
+
+/// A drawing as the page and the command line export it.
+fn drawing(id: &str, language: Language) -> String {
+    let read =
+        |file: &str| std::fs::read_to_string(format!("tests/programs/{id}/{file}")).expect("a fixture");
+    let analysis =
+        analyze(read("program.nc").as_bytes(), &Setup::from_json(&read("setup.json")).expect("setup"));
+    let options = SvgOptions {
+        caption: Some(caption("O0001 <PIN & CAP>".into(), language)),
+        passes: Passes::Apart,
+        ..SvgOptions::default()
+    };
+    section(&analysis.motions, Some(&analysis.simulate()), &options)
+}
+
+#[test]
+fn a_drawing_has_its_title_and_a_legend_of_what_is_in_it() {
+    let turned = drawing("s001-o6003", Language::English);
+    assert!(turned.contains("<title>O0001 &lt;PIN &amp; CAP&gt;</title>"), "{turned}");
+    assert!(turned.contains(">O0001 &lt;PIN &amp; CAP&gt;</text>"));
+    for (text, is_there) in [
+        ("rapid", true),
+        ("cut", true),
+        ("thread", false),
+        ("blank", true),
+        ("part", true),
+        ("milled, see the end face", false),
+    ] {
+        assert_eq!(turned.contains(&format!(">{text}</text>")), is_there, "{text} in {turned}");
+    }
+    assert!(drawing("s001-o6003", Language::Chinese).contains(">快速移动</text>"));
+    assert!(drawing("s001-o6003", Language::Russian).contains(">ускоренный ход</text>"));
+    assert!(drawing("s002-g121-square", Language::English).contains(">milled, see the end face</text>"));
+}
+
+/// Every pass of a thread and every peck is a line of its own, 2 pixels or more from the next one.
+#[test]
+fn passes_that_lie_on_one_another_are_drawn_apart() {
+    for (id, class) in [("s003-g76", "thread"), ("s003-g74", "feed")] {
+        let file = drawing(id, Language::English);
+        assert!(file.contains(">passes drawn apart</text>"), "{file}");
+        let path = file
+            .lines()
+            .find(|line| line.contains(&format!(r#"class="{class}" d="#)) && line.contains("data-line"));
+        let d = path.and_then(|path| path.split(" d=\"").nth(1)).expect("the passes");
+        // The heights at which the passes begin; pecks go on where the one before ends.
+        let begins: &[char] = if class == "thread" { &['M'] } else { &['M', 'L'] };
+        let places = d.split(begins).filter_map(|place| place.split([' ', '"', 'L']).nth(1)?.parse().ok());
+        let heights: Vec<f64> = places.collect();
+        let mut levels = heights;
+        levels.sort_by(f64::total_cmp);
+        levels.dedup_by(|a, b| (*a - *b).abs() < 0.02);
+        assert!(levels.len() >= 3, "{id}: {levels:?}");
+        assert!(levels.windows(2).all(|pair| pair[1] - pair[0] > 2.0), "{id}: {levels:?} {d}");
+    }
+    let plain = drawing("s001-frag-g90-cyl", Language::English);
+    assert!(!plain.contains("passes drawn apart"), "{plain}");
 }

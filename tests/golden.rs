@@ -11,11 +11,8 @@ use fixtures::gallery;
 use gcode_playground::analyze;
 use gcode_playground::machine::SimulationResult;
 use gcode_playground::run::Analysis;
-use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
-use gcode_playground::scene::path_index::PathIndex;
-use gcode_playground::scene::svg::{SvgOptions, svg};
-use gcode_playground::scene::work::Work;
+use gcode_playground::scene::svg::{SvgOptions, section as section_of, svg};
 use gcode_playground::setup::Setup;
 
 /// No picture of the gallery is larger, bytes.
@@ -31,10 +28,9 @@ fn analysis(id: &str) -> Analysis {
 }
 
 fn section(Analysis { motions, setup, .. }: &Analysis) -> String {
-    let path_index = PathIndex::of(motions);
-    let work = Work::of(&SimulationResult::of(motions, setup), motions, None);
     let x_plus = setup.machine.turret.into();
-    svg(&Scene::new(motions, &path_index, work.as_ref()), &SvgOptions { x_plus, ..SvgOptions::default() })
+    let simulation = SimulationResult::of(motions, setup);
+    section_of(motions, Some(&simulation), &SvgOptions { x_plus, ..SvgOptions::default() })
 }
 
 fn face(Analysis { motions, setup, .. }: &Analysis) -> Option<String> {

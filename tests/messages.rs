@@ -29,7 +29,7 @@ fn check_with(setup: &str, annotated: &str) {
     let place = |found: &Diagnostic| {
         let at = lines.line_column(program.as_bytes(), found.span.start);
         let length = found.span.quote(program.as_bytes()).chars().count();
-        (at.line as usize + 1, at.column as usize, length, found.message.code().to_owned())
+        (at.line as usize + 1, at.column as usize, length, found.code())
     };
     let found: Vec<_> = analysis.diagnostics.iter().map(place).filter(|row| row.3 != "W-NO-END").collect();
     assert_eq!(found, expected, "\n{program}");
@@ -100,10 +100,87 @@ fn writing() {
     check("G00 X12.8. Z5\n//  ^^^^^^ PS0007");
     check("G00 X50 Z\n//      ^ PS0005");
     check("G00 X50 ?\n//      ^ PS0009");
-    check("G00 X50 Z,15\n//      ^^^^ W-OCR");
-    check("   GO1 X50\n// ^^^ W-OCR");
-    check("   hello world\n// ^^^^^^^^^^^ W-PLAIN-TEXT");
+    check("G00 X50 Z,15\n//      ^^^^ E-OCR");
+    check("   GO1 X50\n// ^^^ E-OCR");
+    check("   hello world\n// ^^^^^^^^^^^ E-PLAIN-TEXT");
     check("G00 (open\n//  ^ W-COMMENT-OPEN");
+}
+
+#[test]
+fn a_comma_for_the_point_is_one_fault_and_what_its_word_switches_on_holds() {
+    let start = "G99 M3 S500\nG00 X50 Z2\n";
+    check_with("{}", &format!("{start}G01 Z-5 F0,2\n//      ^^^^ E-OCR\nX52\nG00 Z2"));
+    check_with("{}", &format!("{start}G01 Z-5 F,2\n//      ^^^ E-OCR\nX52\nG00 Z2"));
+    check_with("{}", &format!("{start}G32 Z-5 F1,5\n//      ^^^^ E-OCR\nZ-8\nG00 X60"));
+    check_with("{}", &format!("{start}G01 Z-20,5 F0.2\n//  ^^^^^^ E-OCR\nX52\nG00 Z2"));
+}
+
+#[test]
+fn a_feed_that_is_missing_after_a_broken_one_is_the_same_fault() {
+    let start = "G99 M3 S500\nG00 X50 Z2\n";
+    for (word, marks, code) in [
+        ("F0.2.", "^^^^^", "PS0007"),
+        ("F", "^", "PS0005"),
+        ("F-0.2", "^^^^^", "PS0006"),
+        ("F0..2", "^^^^^", "PS0007"),
+    ] {
+        check_with("{}", &format!("{start}G01 Z-5 {word}\n//      {marks} {code}\nX52\nG00 Z2"));
+        check_with("{}", &format!("{start}   {word}\n// {marks} {code}\nG01 Z-5\nX52\nG00 Z2"));
+    }
+    // Another broken word says nothing of the feed.
+    check_with("{}", &format!("{start}G01 Z-5.5.\n//  ^^^^^^ PS0007\n   X52\n// ^^^ PS0011\nG00 Z2"));
+}
+
+#[test]
+fn the_letter_of_a_code_is_e_for_errors_alone() {
+    let text = "(STOCK D=50 LENGTH=80)\nG99 T0101 M3 S800 M777\nG00 X60 Z2\nX40\nZ-20\nM30\n";
+    let codes = |setup: &str| -> Vec<(bool, String)> {
+        let mut analysis = analyze(text.as_bytes(), &Setup::from_json(setup).expect("setup"));
+        analysis.check_at_machine();
+        let rows = analysis.diagnostics.iter().map(|found| (found.is_error(), found.code()));
+        rows.filter(|(_, code)| code.ends_with("-START-IN-STOCK") || code.ends_with("-M-UNKNOWN")).collect()
+    };
+    let of = |error: bool, code: &str| (error, code.to_owned());
+    assert_eq!(codes("{}"), [of(false, "W-M-UNKNOWN"), of(true, "E-START-IN-STOCK")]);
+    let graded = r#"{"rules": {"unknown-m-code": "error", "rapid-through-stock": "warning"}}"#;
+    assert_eq!(codes(graded), [of(true, "E-M-UNKNOWN"), of(false, "W-START-IN-STOCK")]);
+}
+
+#[test]
+fn the_first_block_of_a_contour_with_a_pocket_keeps_both_axes() {
+    let program = |first: &str, last: &str| {
+        format!(
+            "G99 M3 S800\nG00 X52 Z2\nG71 U2 R0.5\nG71 P10 Q20 U0.4 W0.1 F0.25\nN10 G00 {first}\nG01 Z-10 F0.2\n\
+             X30 Z-15\n{last}N20 G01 X50\nG70 P10 Q20\nG00 X100 Z100\nM30\n"
+        )
+    };
+    let pocket = "X24 Z-20\nX30 Z-25\n";
+    let told = |text: &str| -> Vec<&'static str> {
+        let analysis = analyze(text.as_bytes(), &Setup::default());
+        analysis.diagnostics.iter().map(|found| found.message.slug()).collect()
+    };
+    // With a pocket the word selects type II: nothing to leave out.
+    assert_eq!(told(&program("X16 Z2", pocket)), [] as [&str; 0]);
+    assert_eq!(told(&program("X16", pocket)), ["contour-turns-back"]);
+    check_fix(&program("X16", pocket), &program("X16 W0", pocket));
+    assert_eq!(told(&program("X16 W0", pocket)), [] as [&str; 0]);
+    // Without one it is needless, and goes.
+    assert_eq!(told(&program("X16 Z2", "")), ["contour-names-both-axes"]);
+    check_fix(&program("X16 Z2", ""), &program("X16", ""));
+    assert_eq!(told(&program("X16", "")), [] as [&str; 0]);
+}
+
+#[test]
+fn a_taper_with_the_wrong_sign_keeps_its_end_point() {
+    let program = |pass: &str| format!("G99 M3 S800\nG00 X60 Z2\n{pass}\nG00 X100 Z100\nM30\n");
+    for (wrong, right) in [
+        ("G90 U-10 W-30 R8 F0.2", "G90 U-10 W-30 R-8 F0.2"),
+        ("G90 X50 Z-30 R+8. F0.2", "G90 X50 Z-30 R-8. F0.2"),
+        ("G92 X58 Z-30 R1.5 F2", "G92 X58 Z-30 R-1.5 F2"),
+        ("G94 X30 Z0 R5 F0.2", "G94 X30 Z0 R-5 F0.2"),
+    ] {
+        check_fix(&program(wrong), &program(right));
+    }
 }
 
 #[test]
@@ -228,9 +305,9 @@ fn cycles_and_corners() {
     let contour = "N1 G0 X20\nG1 Z-10\nN2 X50";
     check(&format!("{start}G71 U2 R1\nG71 X20 P1 Q2 U0 W0\n//  ^^^ PS0066\n{contour}"));
     check(&format!("{start}G71 U2 R1\nG71 P1 Q2 U0 W0\n{contour}\nG70 P1 Q2"));
-    check(&format!("{start}   G71 P1 Q2 U0 W0\n// ^^^^^^^^^^^^^^^ W-G71-U-ROLE\n{contour}"));
-    check(&format!("{start}G71 U-2 R1\n//  ^^^ W-G71-U-SIGN\nG71 P1 Q2\n{contour}"));
-    check(&format!("{start}G71 U2 R1\nG71 P1 Q9\n//     ^^ W-NS-NOT-FOUND\n{contour}"));
+    check(&format!("{start}   G71 P1 Q2 U0 W0\n// ^^^^^^^^^^^^^^^ E-G71-U-ROLE\n{contour}"));
+    check(&format!("{start}G71 U-2 R1\n//  ^^^ E-G71-U-SIGN\nG71 P1 Q2\n{contour}"));
+    check(&format!("{start}G71 U2 R1\nG71 P1 Q9\n//     ^^ E-NS-NOT-FOUND\n{contour}"));
     check(&format!("{start}G17\nG71 U2 R1\n   G71 P1 Q2\n// ^^^^^^^^^ PS0327\n{contour}"));
     check(&format!("{start}G90 X40 C20 Z-20\n//      ^^^ PS0330"));
     check(&format!("{start}{contour}\n   G70 P1 Q2\n// ^^^^^^^^^ W-G70-NO-ROUGH"));
@@ -397,7 +474,7 @@ fn numbers_and_words_are_named_as_they_are_written() {
         let said = said(program);
         assert!(said.iter().any(|own| own == sentence), "{program}\n{said:?}");
     };
-    check(&format!("{start}G71 P1 Q2 D-2\n//        ^^^ W-G71-U-SIGN\n{contour}"));
+    check(&format!("{start}G71 P1 Q2 D-2\n//        ^^^ E-G71-U-SIGN\n{contour}"));
     has(&format!("{start}G71 P1 Q2 D-2\n{contour}"), "The depth of cut -2 of G71 must be larger than zero.");
     has(
         "G30 P2",

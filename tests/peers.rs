@@ -122,38 +122,38 @@ fn linuxcnc_1146_no_g71_runs_for_ever() {
     let depth = |words: &str| format!("G71 {words}\nG71 P1 Q2 U0.4 W0.1\n{good}");
     for (program, code) in [
         (depth("U0.001 R0.5").replace("X20", "X-900"), "E-TOO-MANY-PASSES"),
-        (depth("U0.0001 R0.5"), "W-G71-U-SIGN"),
-        (depth("U0 R0.5"), "W-G71-U-SIGN"),
-        (depth("U-2 R0.5"), "W-G71-U-SIGN"),
-        (depth("R0.5"), "W-G71-U-ROLE"),
+        (depth("U0.0001 R0.5"), "E-G71-U-SIGN"),
+        (depth("U0 R0.5"), "E-G71-U-SIGN"),
+        (depth("U-2 R0.5"), "E-G71-U-SIGN"),
+        (depth("R0.5"), "E-G71-U-ROLE"),
         // The contour goes back on itself, in Z and in both.
-        (cycle("N1 G0 X20\nG1 Z-20\nZ-10\nN2 X60 Z-30"), "W-NOT-MONOTONE"),
-        (cycle("N1 G0 X20\nG1 Z-20\nX40\nX20\nN2 Z2"), "W-NOT-MONOTONE"),
-        (cycle("N1 G0 X20\nG1 Z-20\nX30\nX20\nX30\nN2 X20"), "W-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nZ-10\nN2 X60 Z-30"), "E-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nX40\nX20\nN2 Z2"), "E-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nX30\nX20\nX30\nN2 X20"), "E-NOT-MONOTONE"),
         // It leads nowhere.
         (cycle("N1 G0 X60\nN2 X60"), "PS0322"),
         (cycle("N1 G0 X20\nN2 X20"), "PS0322"),
         (cycle("N1 G0 X70\nN2 G1 Z-20"), "W-ALLOWANCE-SIGN"),
         // Arcs nearly closed, closed, and of no size.
-        (cycle("N1 G0 X20\nG1 Z-20\nG3 X20.002 Z-20.001 I5 K0\nN2 G1 X60 Z-30"), "W-NOT-MONOTONE"),
-        (cycle("N1 G0 X20\nG1 Z-20\nG2 I5 K0\nN2 G1 X60 Z-30"), "W-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nG3 X20.002 Z-20.001 I5 K0\nN2 G1 X60 Z-30"), "E-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nG2 I5 K0\nN2 G1 X60 Z-30"), "E-NOT-MONOTONE"),
         (cycle("N1 G0 X20\nG1 Z-20\nG2 X20 Z-20 R0\nN2 G1 X60 Z-30"), "W-ARC-NOWHERE"),
-        (cycle("N1 G0 X20\nG1 Z-20\nG3 X60 Z-30 R-25\nN2 G1 Z-31"), "W-NOT-MONOTONE"),
+        (cycle("N1 G0 X20\nG1 Z-20\nG3 X60 Z-30 R-25\nN2 G1 Z-31"), "E-NOT-MONOTONE"),
         // P and Q.
         ("N1 G71 P1 Q1".to_owned(), "PS0325"),
         ("N1 G71 P2 Q2\nN2 G71 P1 Q1".to_owned(), "PS0325"),
         ("G71 U2 R0.5\nN1 G71 P2 Q1\nN2 G71 P1 Q2".to_owned(), "PS0325"),
-        (format!("G71 U2 R0.5\nG71 P2 Q1\n{good}"), "W-NS-NOT-FOUND"),
+        (format!("G71 U2 R0.5\nG71 P2 Q1\n{good}"), "E-NS-NOT-FOUND"),
         (format!("G71 U2 R0.5\nG71 P1\n{good}"), "PS0061"),
-        (format!("G71 U2 R0.5\nG71 P99999999 Q99999999\n{good}"), "W-NS-NOT-FOUND"),
-        (format!("G71 U2 R0.5\nG71 P1 Q99999999\n{good}"), "W-NS-NOT-FOUND"),
-        (format!("{good}\nG71 U2 R0.5\nG71 P1 Q2"), "W-NOT-MONOTONE"),
+        (format!("G71 U2 R0.5\nG71 P99999999 Q99999999\n{good}"), "E-NS-NOT-FOUND"),
+        (format!("G71 U2 R0.5\nG71 P1 Q99999999\n{good}"), "E-NS-NOT-FOUND"),
+        (format!("{good}\nG71 U2 R0.5\nG71 P1 Q2"), "E-NOT-MONOTONE"),
         // Another cycle, a call and an end of program inside.
         (cycle("N1 G0 X20\nG71 P1 Q2 U0.4\nN2 G1 X60 Z-30"), "PS0325"),
         (cycle("N1 G0 X20\nG70 P1 Q2\nN2 G1 X60 Z-30"), "PS0325"),
         (cycle("N1 G0 X20\nM98 P1\nN2 G1 X60 Z-30"), "E-SUB-IN-CONTOUR"),
         (cycle("N1 G0 X20\nM30\nN2 G1 X60 Z-30"), "PS0325"),
-        (cycle("N1 G0 X20\nO2\nN2 G1 X60 Z-30"), "W-NS-NOT-FOUND"),
+        (cycle("N1 G0 X20\nO2\nN2 G1 X60 Z-30"), "E-NS-NOT-FOUND"),
     ] {
         let strict = r#"{"dialect": {"strict": true}}"#;
         let analysis = run_with(strict, &format!("G0 X60 Z2\n{program}"));

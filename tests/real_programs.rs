@@ -104,8 +104,8 @@ fn slips_of_the_hand_are_told_at_their_word_and_nothing_else_is_lost() {
     for (slip, code) in [
         ("X-12.8.", "PS0007"),
         ("X-11.Z", "PS0005"),
-        ("G1 Z,15", "W-OCR"),
-        ("GO1 X5", "W-OCR"),
+        ("G1 Z,15", "E-OCR"),
+        ("GO1 X5", "E-OCR"),
         ("Z\u{2013}7", "W-OCR"),
         ("M08.", "PS0007"),
     ] {
@@ -150,7 +150,7 @@ fn sequence_numbers_may_be_bare_twice_or_out_of_order() {
     check("N30 G0 X50 Z5\nN10\nN20 X40\nN20 X30", &[], (30.0, 5.0));
     let contour = "N1 G0 X20\nG1 Z-20\nX40\nN2 X60";
     let head = "M3 S500 F.2\nG0 X60 Z2\nG71 U2 R1\n";
-    check(&format!("{head}G71 P1 Q9\n{contour}\nG0 X90"), &["W-NS-NOT-FOUND"], (90.0, -20.0));
+    check(&format!("{head}G71 P1 Q9\n{contour}\nG0 X90"), &["E-NS-NOT-FOUND"], (90.0, -20.0));
     // The profile before its cycle was run on its own already; then the cycle.
     check(
         &format!("M3 S500 F.2\nG0 X60 Z2\n{contour}\nG0 X60 Z2\nG71 U2 R1\nG71 P1 Q2\nG0 X90"),
@@ -160,7 +160,7 @@ fn sequence_numbers_may_be_bare_twice_or_out_of_order() {
     // One cycle in the profile of another.
     let reaches = format!("{head}G71 P1 Q4 U.4\n{contour}\nG0 X60 Z2\nN3 G71 P1 Q2\nN4 G0 X90");
     check(&reaches, &["PS0325"], (90.0, 2.0));
-    check(&format!("{head}G71 P1 Q2\n{contour}\nG70 P1 Q5\nG0 X90"), &["W-NS-NOT-FOUND"], (90.0, 2.0));
+    check(&format!("{head}G71 P1 Q2\n{contour}\nG70 P1 Q5\nG0 X90"), &["E-NS-NOT-FOUND"], (90.0, 2.0));
     // A number that appears twice: G70 follows what roughing found.
     check(&format!("N1 T0101\n{head}G71 P1 Q2\n{contour}\nG70 P1 Q2"), &[], (60.0, 2.0));
 }
@@ -175,9 +175,9 @@ fn real_profiles_run() {
     check(&program("N1 G0 G42 X20\nG1 Z-20\nG0 X40\nG1 Z-25\nN2 G40 X60 Z-30"), &[], ends);
     check(&program("(FINISH PASS)\n\nN1 G0 X20\n(STEP)\nG1 Z-20\nN2 X60 Z-30"), &[], ends);
     // X turns back in a relief groove: many machines run it, some raise an alarm.
-    check(&program("N1 G0 X20\nG1 Z-10\nX18\nZ-14\nX30\nZ-20\nN2 X60 Z-30"), &["W-NOT-MONOTONE"], ends);
+    check(&program("N1 G0 X20\nG1 Z-10\nX18\nZ-14\nX30\nZ-20\nN2 X60 Z-30"), &["E-NOT-MONOTONE"], ends);
     // The last block goes back to the face.
-    check(&program("N1 G0 X20\nG1 Z-20\nX58\nN2 G1 X59 Z2"), &["W-NOT-MONOTONE"], ends);
+    check(&program("N1 G0 X20\nG1 Z-20\nX58\nN2 G1 X59 Z2"), &["E-NOT-MONOTONE"], ends);
     check(&program("N1 G0 X20\nG1 Z-20\nX58\nN2 G0 Z2"), &[], ends);
     // The end lies a little beyond the start point.
     check(&program("N1 G0 X20\nG1 Z-20\nN2 X61"), &["PS0322"], ends);
@@ -196,13 +196,13 @@ fn drawing_dimensions_and_corners_without_commas() {
 fn remarks_in_all_their_forms() {
     check("G0 X50 Z5 (NOT CLOSED\nX40", &["W-COMMENT-OPEN"], (40.0, 5.0));
     check("G0 X50 (A (B) C) Z5", &["W-COMMENT-NESTED"], (50.0, 5.0));
-    check("(FACE) ROUGH), (TURN)\nG0 X50 Z5", &["W-PLAIN-TEXT"], (50.0, 5.0));
-    check("FACE AND TURN\nG0 X50 Z5", &["W-PLAIN-TEXT"], (50.0, 5.0));
+    check("(FACE) ROUGH), (TURN)\nG0 X50 Z5", &["E-PLAIN-TEXT"], (50.0, 5.0));
+    check("FACE AND TURN\nG0 X50 Z5", &["E-PLAIN-TEXT"], (50.0, 5.0));
     check("G0 X50 Z5; to the start\nG0 X40;", &["W-TEXT-AFTER-EOB"], (40.0, 5.0));
     check("G0 X50;Z5;\nX40", &[], (40.0, 5.0));
     check("N1 粗车外圆\nG0 X50 Z5 (精车)", &["PS0009"], (50.0, 5.0));
     check("(ЧЕРНОВАЯ)\nG0 X50 Z5", &[], (50.0, 5.0));
-    check("(FACE), (TURN).\n----------\nG0 X50 Z5", &["PS0009", "W-PLAIN-TEXT"], (50.0, 5.0));
+    check("(FACE), (TURN).\n----------\nG0 X50 Z5", &["PS0009", "E-PLAIN-TEXT"], (50.0, 5.0));
     check("\u{feff}G0 X50\r\nZ5\rX40\n", &[], (40.0, 5.0));
 }
 

@@ -12,6 +12,7 @@ use crate::playback::clock::{Clock, Playhead, stop_at};
 use crate::playback::timing::{self, Total};
 use crate::sentences::{Language, labels};
 use crate::setup::ToolKind;
+use crate::units::Unit;
 
 #[cfg(target_arch = "wasm32")]
 use tsify::Tsify;
@@ -103,6 +104,8 @@ pub struct Shown<'a> {
     pub motions: &'a Motions,
     /// Their clock.
     pub clock: &'a Clock,
+    /// The unit lengths are shown in.
+    pub unit: Unit,
     /// The tools; nothing before the run has ended.
     pub resolved: Option<&'a ResolvedSetup>,
 }
@@ -110,7 +113,7 @@ pub struct Shown<'a> {
 impl Readout {
     /// The readout at a place of the program, where the tip is at `at`.
     pub fn new(shown: &Shown, playhead: Playhead, at: Point, language: Language) -> Self {
-        let Shown { places, motions, clock, resolved } = shown;
+        let Shown { places, motions, clock, unit, resolved } = shown;
         let motion = motions.get(playhead.motion);
         let (reading, whole) = (clock.at(motions, playhead), clock.whole());
         let machine = clock.machine();
@@ -118,7 +121,7 @@ impl Readout {
         let resolved_tool = resolved.map(|resolved| resolved.tool(&motion));
         Self {
             share: if whole.pace > 0.0 { reading.pace / whole.pace } else { playhead.share },
-            stroke: places.stroke(motions, playhead.motion, at, language),
+            stroke: places.stroke(motions, playhead.motion, at, *unit, language),
             c: motion.rotary.and(motion.first_part(playhead.share).rotary).map(|own| rounded(own.to)),
             feed: timing::feed_at(&motion, machine, at.x).map(rounded),
             feed_per_turn: per_turn(&motion).map(rounded),

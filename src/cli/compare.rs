@@ -13,6 +13,7 @@ use crate::motion::Motions;
 use crate::scene::Scene;
 use crate::scene::camera::XPlus;
 use crate::scene::path_index::PathIndex;
+use crate::scene::ruler::Scale;
 use crate::scene::svg::{SvgOptions, svg};
 use crate::scene::work::Work;
 use crate::units::Diameter;
@@ -97,7 +98,8 @@ impl<'a> Compared<'a> {
         let (none, path_index) = (Motions::default(), PathIndex::new());
         let scene = Scene::new(&none, &path_index, work.as_ref());
         let x_plus = XPlus::from(analysis.setup.machine.turret);
-        svg(&scene, &SvgOptions { legend, x_plus, ..SvgOptions::default() })
+        let scale = Scale::of(self.programs[1].analysis.unit);
+        svg(&scene, &SvgOptions { legend, x_plus, scale, ..SvgOptions::default() })
     }
 }
 

@@ -8,13 +8,15 @@ use clap::ValueEnum;
 
 use super::options::LanguageName;
 use super::{Program, encoded};
-use crate::export::file::{Exportable, FileFormat, file as export};
+use crate::export::file::{self, Exportable, FileFormat, file as export};
 use crate::machine::SimulationResult;
 use crate::motion::Motions;
 use crate::scene::camera::XPlus;
+use crate::scene::svg::SvgOptions;
 use crate::sentences::Language;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
+use crate::units::Unit;
 
 /// The language of a file; an error where one is chosen for a format without texts.
 pub(super) fn language(format: FileFormat, chosen: Option<LanguageName>) -> Result<Language, String> {
@@ -44,6 +46,11 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
     let ran = Ran { program, simulation: OnceCell::new() };
     export(format, &ran, language)
         .ok_or_else(|| format!("{}: no blank is given, or nothing is left of it", program.name))
+}
+
+/// How the drawing of a program looks.
+pub(super) fn svg_options(program: &Program) -> SvgOptions {
+    file::svg_options(&Ran { program, simulation: OnceCell::new() }, Language::English)
 }
 
 /// A program that was run, and what is left of its blank once that is asked for.
@@ -76,6 +83,10 @@ impl Exportable for Ran<'_> {
     fn expanded(&self) -> Vec<u8> {
         let Program { text, analysis, .. } = self.program;
         encoded(self.program, &crate::expand::write_out(text, analysis)).into_owned()
+    }
+
+    fn unit(&self) -> Unit {
+        self.program.analysis.unit
     }
 
     fn x_plus(&self) -> XPlus {

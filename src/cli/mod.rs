@@ -29,6 +29,7 @@ use crate::message::{Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene;
 use crate::scene::face::Face;
+use crate::scene::ruler::Scale;
 use crate::scene::svg::SvgOptions;
 use crate::sentences::Language;
 use crate::setup::Setup;
@@ -180,9 +181,10 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let Analysis { motions, setup, .. } = &program.analysis;
     let turret = turret.map_or(setup.machine.turret, TurretName::turret);
     let simulation = program.analysis.simulate();
+    let scale = Scale::of(program.analysis.unit);
     match view {
         ViewName::Section => {
-            let options = SvgOptions { x_plus: turret.into(), ..SvgOptions::default() };
+            let options = SvgOptions { x_plus: turret.into(), ..export::svg_options(program) };
             Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {
@@ -192,7 +194,7 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
             let work = face.work(&simulation, None);
             Ok(scene::svg::svg(
                 &face.scene(work.as_ref()),
-                &SvgOptions { width: 720.0, ..SvgOptions::default() },
+                &SvgOptions { width: 720.0, scale, ..SvgOptions::default() },
             ))
         }
     }

@@ -50,11 +50,12 @@ fn render_one(
         .line_start(line as usize + 1)
         .path(name)
         .annotation(AnnotationKind::Primary.span(range));
+    let code = diagnostic.code();
     let title = match diagnostic.message.alarm() {
-        Some(alarm) if alarm != diagnostic.message.code() => format!("{} ({alarm})", sentence.message),
+        Some(alarm) if alarm != code => format!("{} ({alarm})", sentence.message),
         _ => sentence.message,
     };
-    let mut group = level.primary_title(title.as_str()).id(diagnostic.message.code()).element(snippet);
+    let mut group = level.primary_title(title.as_str()).id(code.as_str()).element(snippet);
     if let Some(help) = &sentence.help {
         group = group.element(Level::HELP.message(help.as_str()));
     }

@@ -119,7 +119,9 @@ in_part! {
     Machine "0091"
     fn show(machined: &mut Machined, motions: &Motions, moment: Option<Moment>, place: Option<Place>) {
         let work = Work::of(&machined.simulation, motions, moment);
-        let work = work.map(|work| match &machined.comparison {
+        let until = moment.map_or(usize::MAX, |at| at.motion);
+        let milled = machined.face.as_ref().and_then(|face| face.milled(until));
+        let work = work.map(|work| work.with_milled(milled)).map(|work| match &machined.comparison {
             Some(comparison) if moment.is_none() => work.compared_with(comparison),
             _ => work,
         });

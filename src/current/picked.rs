@@ -11,13 +11,29 @@ use crate::source::{LineIndex, Span};
 
 /// The motions of the block at a UTF-16 offset, and the places of its cycle.
 pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (Vec<Range<usize>>, Vec<Mark>) {
-    let text = run.text();
-    let byte = lines.byte_at_utf16(text, offset);
-    let line = lines.line(text, lines.line_of(byte.min(text.len() as u32)));
-    let block = block_at(text, line, byte);
+    let block = block(run, lines, offset);
     let motions = scene.motions_of(block);
     let marks = marks(run, block, motions.first());
     (motions, marks)
+}
+
+/// The first motion of the block at a UTF-16 offset, or of the next one in the text that has any.
+pub(super) fn first_motion(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> Option<usize> {
+    let block = block(run, lines, offset);
+    let own = scene.motions_of(block).first().map(|range| range.start);
+    let motions = run.motions();
+    own.or_else(|| {
+        (0..motions.len())
+            .filter(|&motion| motions.span(motion).start >= block.end)
+            .min_by_key(|&motion| motions.span(motion).start)
+    })
+}
+
+fn block(run: &Run, lines: &LineIndex, offset: u32) -> Span {
+    let text = run.text();
+    let byte = lines.byte_at_utf16(text, offset);
+    let line = lines.line(text, lines.line_of(byte.min(text.len() as u32)));
+    block_at(text, line, byte)
 }
 
 /// The places of a cycle that is called in a block: A, and A′ and B of its contour.

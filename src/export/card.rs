@@ -14,15 +14,15 @@ use crate::machine::resolved_setup::{Basis, ResolvedSetup, ResolvedTool};
 use crate::motion::{Feed, Motion, Motions, SpindleSpeed, Step};
 use crate::playback::timing::Total;
 use crate::playback::totals::{ToolTotals, totals};
-use crate::sentences::{Language, describe_motion};
-use crate::setup::dialect::CodeList;
+use crate::sentences::{Language, describe_motion, labels};
+use crate::setup::dialect::{CodeList, FeedMode};
 use crate::setup::{Setup, Stock};
 use crate::source::Span;
 use crate::text::block::{Block, BlockKind, Value, Word};
 use crate::text::parser::Parser;
-use crate::units::number;
+use crate::units::{Unit, number};
 use here::here;
-use words::{Words, one_of, tool_kind, words};
+use words::{one_of, tool_kind, words};
 
 /// Blocks on a card, at most: about a hundred pages.
 const MOST_BLOCKS: usize = 4000;
@@ -46,6 +46,8 @@ pub struct Card<'a> {
     pub setup: &'a Setup,
     /// The G codes it is written in.
     pub codes: CodeList,
+    /// The unit its lengths are shown in.
+    pub unit: Unit,
     /// The drawing on white paper, as SVG.
     pub drawing: Option<&'a str>,
 }
@@ -83,7 +85,7 @@ impl Card<'_> {
             w.date,
         );
         let resolved = ResolvedSetup::new(self.motions, self.setup);
-        self.metadata(&mut page, &resolved, w);
+        self.metadata(&mut page, &resolved, language);
         if let Some(drawing) = self.drawing {
             let _ = writeln!(page.html, "<figure>{drawing}</figure>");
         }
@@ -112,13 +114,14 @@ impl Card<'_> {
     fn program_number(&self) -> String {
         let first = || blocks(self.text).find_map(|block| block.program);
         let number = self.setup.program.or_else(|| first().map(|program| program.0));
-        number.map(|number| format!("O{number:04}")).unwrap_or_default()
+        number.map(program_name).unwrap_or_default()
     }
 
-    fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, w: &Words) {
+    fn metadata(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
+        let w = words(language);
         let mut metadata = vec![(w.control, self.codes.name().to_owned())];
         if let Some((stock, basis)) = resolved.stock() {
-            metadata.push((w.blank, blank(&stock, basis, w)));
+            metadata.push((w.blank, blank(&stock, basis, Measures { unit: self.unit, language })));
         }
         let (_, all) = totals(self.motions, &self.setup.machine);
         metadata.push((w.time, clock(&all.time)));
@@ -130,7 +133,7 @@ impl Card<'_> {
     }
 
     fn tools(&self, page: &mut Page, resolved: &ResolvedSetup, language: Language) {
-        let w = words(language);
+        let (w, measures) = (words(language), Measures { unit: self.unit, language });
         let (tools, all) = totals(self.motions, &self.setup.machine);
         if tools.is_empty() {
             return;
@@ -144,8 +147,8 @@ impl Card<'_> {
             let mut cuts = self.motions.iter().filter(of_tool).peekable();
             let Some(motion) = cuts.peek() else { continue };
             let tool = resolved.tool(motion);
-            let [kind, nose, tip] = about(tool, w, language).map(|text| escaped(&text));
-            let rates = escaped(&rates(cuts, w));
+            let [kind, nose, tip] = about(tool, measures).map(|text| escaped(&text));
+            let rates = escaped(&rates(cuts, measures));
             page.row([&tool_name(own.tool), &kind, &nose, &tip, &rates, &clock(&own.time)]);
         }
         page.row([w.total, "", "", "", "", &clock(&all.time)]);
@@ -285,7 +288,7 @@ impl<'a> Told<'a> {
         let count = |template: &str, count: u64| template.replace("{}", &count.to_string());
         let passes = own.iter().filter_map(|motion| motion.cycle).map(|step| step.pass);
         let (low, high) = (passes.clone().filter(|&pass| pass > 0).min(), passes.max().unwrap_or(0));
-        let told = |motion: &Motion| describe_motion(motion, None, self.language);
+        let told = |motion: &Motion| describe_motion(motion, None, self.card.unit, self.language);
         match low {
             Some(low) if low < high => vec![count(w.passes, u64::from(high - low) + 1)],
             Some(_) => {
@@ -330,8 +333,13 @@ impl Page {
     }
 }
 
+/// An O number as it is written.
+pub(super) fn program_name(number: u32) -> String {
+    format!("O{number:04}")
+}
+
 /// The blocks of a text, one after the other.
-fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
+pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Block> + '_ {
     let mut parser = Parser::new(text);
     std::iter::from_fn(move || {
         let mut block = Block::default();
@@ -380,17 +388,43 @@ fn as_written(text: &[u8], block: &Block) -> (String, String) {
     (sequence.to_owned(), rest.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
-fn remark(text: &[u8], comment: Span) -> String {
+pub(super) fn remark(text: &[u8], comment: Span) -> String {
     comment.quote(text).trim_matches(|c: char| "();（）".contains(c) || c.is_whitespace()).to_owned()
 }
 
-fn blank(stock: &Stock, basis: Basis, w: &Words) -> String {
-    let mut text = format!("⌀{}, {} {} mm", number(stock.diameter.mm()), w.length, number(stock.length));
+/// Writes measures in the unit and the language of a card.
+#[derive(Clone, Copy)]
+struct Measures {
+    unit: Unit,
+    language: Language,
+}
+
+impl Measures {
+    /// A length, mm, without its unit.
+    fn bare(self, mm: f64) -> String {
+        number(mm / self.unit.millimetres())
+    }
+
+    /// A length, mm.
+    fn length(self, mm: f64) -> String {
+        [&self.bare(mm), " ", labels::length(self.unit, self.language)].concat()
+    }
+
+    /// A feed, mm/rev or mm/min.
+    fn feed(self, mm: f64, mode: FeedMode) -> String {
+        [&self.bare(mm), " ", labels::feed_unit(mode, self.unit, self.language)].concat()
+    }
+}
+
+fn blank(stock: &Stock, basis: Basis, measures: Measures) -> String {
+    let w = words(measures.language);
+    let diameter = measures.bare(stock.diameter.mm());
+    let mut text = ["⌀", &diameter, ", ", w.length, " ", &measures.length(stock.length)].concat();
     if stock.bore.mm() > 0.0 {
-        let _ = write!(text, ", {} ⌀{}", w.bore, number(stock.bore.mm()));
+        let _ = write!(text, ", {} ⌀{}", w.bore, measures.bare(stock.bore.mm()));
     }
     if stock.face != 0.0 {
-        let _ = write!(text, ", {}{}", w.face, number(stock.face));
+        let _ = write!(text, ", {}{}", w.face, measures.bare(stock.face));
     }
     if basis == Basis::Inferred {
         let _ = write!(text, " ({})", w.inferred);
@@ -399,13 +433,14 @@ fn blank(stock: &Stock, basis: Basis, w: &Words) -> String {
 }
 
 /// Kind, nose radius and tip of a tool.
-fn about(resolved_tool: &ResolvedTool, w: &Words, language: Language) -> [String; 3] {
+fn about(resolved_tool: &ResolvedTool, measures: Measures) -> [String; 3] {
+    let (w, language) = (words(measures.language), measures.language);
     let tool = &resolved_tool.tool;
     let mut kind = tool.kind.map(|kind| tool_kind(kind, tool.working_side(), language)).unwrap_or_default();
     let more = [
         tool.insert.clone().filter(|_| resolved_tool.basis == Basis::Given),
-        tool.width.map(|width| format!("{} mm", number(width))),
-        tool.diameter.map(|diameter| format!("⌀{}", number(diameter.mm()))),
+        tool.width.map(|width| measures.length(width)),
+        tool.diameter.map(|diameter| format!("⌀{}", measures.bare(diameter.mm()))),
     ];
     for more in more.into_iter().flatten() {
         kind = [kind, more].join(" ").trim().to_owned();
@@ -414,24 +449,28 @@ fn about(resolved_tool: &ResolvedTool, w: &Words, language: Language) -> [String
         return [format!("{kind} ({})", w.inferred), "–".into(), "–".into()];
     }
     let nose = tool.nose();
-    let nose = if nose > 0.0 { format!("{} mm", number(nose)) } else { "–".into() };
+    let nose = if nose > 0.0 { measures.length(nose) } else { "–".into() };
     [kind, nose, tool.tip_direction().to_string()]
 }
 
 /// The speeds and feeds of cuts, each once.
-fn rates(cuts: impl Iterator<Item = Motion>, w: &Words) -> String {
+fn rates(cuts: impl Iterator<Item = Motion>, measures: Measures) -> String {
+    let (w, unit) = (words(measures.language), measures.unit);
     let mut found: Vec<String> = Vec::new();
     for motion in cuts {
         let speed = match motion.process.speed {
             SpindleSpeed::Constant(0.0) => None,
             SpindleSpeed::Constant(speed) => Some(format!("{} {}", number(speed), w.per_minute)),
-            SpindleSpeed::Surface { speed } => Some(format!("{} {}", number(speed), w.surface)),
+            SpindleSpeed::Surface { speed } => {
+                let speed = number(speed / unit.surface_metres());
+                Some([&speed, " ", labels::surface_speed(unit, measures.language)].concat())
+            }
         };
         let feed = match (motion.lead, motion.process.feed) {
-            (Some(lead), _) => Some(format!("{} {}", number(lead), w.feed_per_turn)),
+            (Some(lead), _) => Some(measures.feed(lead, FeedMode::PerTurn)),
             (None, Feed::Unset) => None,
-            (None, Feed::PerTurn(feed)) => Some(format!("{} {}", number(feed), w.feed_per_turn)),
-            (None, Feed::PerMinute(feed)) => Some(format!("{} {}", number(feed), w.feed_per_minute)),
+            (None, Feed::PerTurn(feed)) => Some(measures.feed(feed, FeedMode::PerTurn)),
+            (None, Feed::PerMinute(feed)) => Some(measures.feed(feed, FeedMode::PerMinute)),
         };
         let rate = [speed, feed].into_iter().flatten().collect::<Vec<_>>().join(", ");
         if !rate.is_empty() && !found.contains(&rate) {
@@ -472,7 +511,8 @@ mod tests {
     fn html(text: &str, language: Language) -> String {
         let analysis = analyze(text.as_bytes(), &Setup::default());
         let (motions, setup, codes) = (&analysis.motions, &analysis.setup, analysis.codes);
-        Card { text: text.as_bytes(), motions, setup, codes, drawing: None }.html(language)
+        let unit = analysis.unit;
+        Card { text: text.as_bytes(), motions, setup, codes, unit, drawing: None }.html(language)
     }
 
     const PROGRAM: &str = "%\nO0012 (PIN <A>)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nN10 G50 S2000\n\
@@ -496,6 +536,25 @@ mod tests {
             assert!(page.contains(wanted), "{wanted} in\n{page}");
         }
         assert_eq!(page.matches("<tr>").count(), page.matches("</tr>").count());
+    }
+
+    /// The sheet of an inch program has inches everywhere, whatever the setup was entered in.
+    #[test]
+    fn the_card_of_an_inch_program_is_in_inches() {
+        let program = "O1\n(STOCK D=50.8 LENGTH=101.6)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nG20 G99\n\
+            T0101\nG96 S500 M3\nG0 X2.1 Z.1\nG1 X1.5 F.01\nZ-1.\nG98 G1 X2. F5.\nG0 X4. Z4.\nM30\n";
+        let page = html(program, Language::English);
+        for wanted in [
+            "<dd>⌀2, length 4 in</dd>",
+            "<td>0.0315 in</td>",
+            "500 ft/min, 0.01 in/rev; 500 ft/min, 5 in/min",
+            "feed to X1.5 Z-1",
+        ] {
+            assert!(page.contains(wanted), "{wanted} in\n{page}");
+        }
+        assert!(!page.contains(" mm"), "{page}");
+        assert!(html(program, Language::Russian).contains("⌀2, длина 4 дюйма"));
+        assert!(html(PROGRAM, Language::Russian).contains("<td>0.8 мм</td>"));
     }
 
     /// What the table says of a block that is written like this.

@@ -10,11 +10,12 @@ use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::motion::Motions;
 use crate::scene::camera::XPlus;
-use crate::scene::svg::{Ground, SvgOptions, section};
+use crate::scene::ruler::Scale;
+use crate::scene::svg::{Caption, Ground, Passes, SvgOptions, section};
 use crate::sentences::{Language, labels};
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
-use crate::setup::fields::Unit;
+use crate::units::Unit;
 
 /// What can be written as a file. Its name on the command line and in JavaScript is
 /// the variant in lower case.
@@ -80,6 +81,8 @@ pub trait Exportable {
     fn simulation(&self) -> Option<&SimulationResult>;
     /// The program with every cycle expanded, in the encoding of the file to be written.
     fn expanded(&self) -> Vec<u8>;
+    /// The unit its lengths are shown in; a table of numbers has mm all the same.
+    fn unit(&self) -> Unit;
     /// Which way X+ is drawn.
     fn x_plus(&self) -> XPlus;
 }
@@ -87,7 +90,7 @@ pub trait Exportable {
 /// The file of a format; nothing where there is no part to put into it.
 pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -> Option<Vec<u8>> {
     match format {
-        FileFormat::Svg => Some(drawing(program, Ground::AsSystem, language).into_bytes()),
+        FileFormat::Svg => Some(drawing(program, &svg_options(program, language)).into_bytes()),
         FileFormat::Csv => Some(csv::csv(program.motions(), &program.setup().machine).into_bytes()),
         FileFormat::Card => Some(card(program, language).into_bytes()),
         FileFormat::Dxf => dxf::dxf(&part(program)?).map(String::into_bytes),
@@ -99,21 +102,55 @@ pub fn file(format: FileFormat, program: &impl Exportable, language: Language) -
 /// The setup sheet, with a drawing unless that has too many strokes.
 fn card(program: &impl Exportable, language: Language) -> String {
     let motions = program.motions();
-    let drawing = (motions.len() <= card::MOST_DRAWN).then(|| drawing(program, Ground::Paper, language));
+    let options = SvgOptions {
+        ground: Ground::Paper,
+        caption: Some(caption(String::new(), language)),
+        ..svg_options(program, language)
+    };
+    let drawing = (motions.len() <= card::MOST_DRAWN).then(|| drawing(program, &options));
     let card = Card {
         text: program.text(),
         motions,
         setup: program.setup(),
         codes: program.codes(),
+        unit: program.unit(),
         drawing: drawing.as_deref(),
     };
     card.html(language)
 }
 
-fn drawing(program: &impl Exportable, ground: Ground, language: Language) -> String {
-    let millimetre = labels::unit(Unit::Millimetre, language);
-    let options = SvgOptions { ground, x_plus: program.x_plus(), millimetre, ..SvgOptions::default() };
-    section(program.motions(), program.simulation(), &options)
+/// The drawing of the half-section.
+fn drawing(program: &impl Exportable, options: &SvgOptions) -> String {
+    section(program.motions(), program.simulation(), options)
+}
+
+/// How the drawing of a program looks: with its title and a legend under it.
+pub fn svg_options(program: &impl Exportable, language: Language) -> SvgOptions {
+    let unit = program.unit();
+    SvgOptions {
+        x_plus: program.x_plus(),
+        scale: Scale { unit, symbol: labels::unit_of_ruler(unit, language) },
+        caption: Some(caption(title(program), language)),
+        passes: Passes::Apart,
+        ..SvgOptions::default()
+    }
+}
+
+/// What stands under a drawing.
+pub fn caption(title: String, language: Language) -> Caption {
+    Caption { title, legend: labels::legend(language) }
+}
+
+/// The number of the program that is run, and what its first comment calls it.
+fn title(program: &impl Exportable) -> String {
+    let (text, chosen) = (program.text(), program.setup().program);
+    let head = card::blocks(text).find_map(|block| {
+        let (number, _) =
+            block.program.filter(|(number, _)| chosen.is_none_or(|chosen| chosen == *number))?;
+        let name = block.comments.first().map(|comment| card::remark(text, *comment));
+        Some(card::program_name(number) + " " + &name.unwrap_or_default())
+    });
+    head.unwrap_or_default().trim_end().to_owned()
 }
 
 fn part(program: &impl Exportable) -> Option<Region> {

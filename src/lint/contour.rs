@@ -100,22 +100,8 @@ fn clears(start: Point, roughed: &Landmarks, call: &FinishingCall) -> bool {
     ends().all(|end| front * (start.z - end.z) >= -NEAR) && way_back
 }
 
-/// Remarks about G71 or G72 before it has its passes: the first block of the contour, and allowances
-/// that point into the part.
+/// Remarks about G71 or G72 before it has its passes: allowances that point into the part.
 pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
-    let (start, first) = (call.contour.start, call.contour.first);
-    let (second_named, idiom, moves, other, word) = match call.how.direction {
-        Direction::Turning => {
-            (call.first.z, call.first.w_zero, (first.z - start.z).abs() > SAME, 'Z', call.first.z_word)
-        }
-        Direction::Facing => {
-            (call.first.x, call.first.u_zero, (first.x - start.x).abs() > SAME, 'X', call.first.x_word)
-        }
-    };
-    if second_named && !idiom && !moves {
-        let code = call.how.direction.code();
-        reports.push(Diagnostic::new(said::ContourBothAxes { code, other }, word));
-    }
     for axis in roughing::allowance_into_material(call.contour, call.how) {
         let address = match axis {
             roughing::Axis::X => b'U',
@@ -125,8 +111,12 @@ pub fn roughing_called(call: &ContourCall<Roughing>, at: &Moment, reports: &mut 
     }
 }
 
-/// Remarks about G71 or G72 that has its passes: where the contour begins and ends.
+/// Remarks about G71 or G72 that has its passes: the first block of the contour, and where it begins and ends.
 pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Diagnostic>) {
+    // A contour with a pocket needs the word.
+    if call.how.shape == roughing::Shape::Monotone {
+        reports.extend(needless_axis(call, at));
+    }
     let turning = call.how.direction == Direction::Turning;
     let both = call.first.x && call.first.z;
     let code = call.how.direction.code();
@@ -135,6 +125,22 @@ pub fn roughing(call: &ContourCall<Roughing>, at: &Moment, reports: &mut Vec<Dia
             if message.is::<said::ContourNotClosed>() { call.last_span } else { Some(call.first_span) };
         reports.push(Diagnostic::new(message, place.unwrap_or_else(|| call.block.words_span())));
     }
+}
+
+/// The word of an axis in the first block of the contour that does not move.
+fn needless_axis(call: &ContourCall<Roughing>, at: &Moment) -> Option<Diagnostic> {
+    let (start, first) = (call.contour.start, call.contour.first);
+    let (second_named, idiom, moves, other, word) = match call.how.direction {
+        Direction::Turning => {
+            (call.first.z, call.first.w_zero, (first.z - start.z).abs() > SAME, 'Z', call.first.z_word)
+        }
+        Direction::Facing => {
+            (call.first.x, call.first.u_zero, (first.x - start.x).abs() > SAME, 'X', call.first.x_word)
+        }
+    };
+    let code = call.how.direction.code();
+    let message = || Diagnostic::new(said::ContourBothAxes { code, other }, word);
+    (second_named && !idiom && !moves).then(|| message().with(Fix::delete(at.text, word)))
 }
 
 /// Remarks about G73.

@@ -128,7 +128,10 @@ fn turns_contour(diagnostic: &Diagnostic) -> bool {
 
 /// Whether a message is a consequence of a contour that turns back.
 fn follows(diagnostic: &Diagnostic) -> bool {
-    diagnostic.message.is::<said::AllowanceSign>() || diagnostic.message.is::<said::ContourTurnsBack>()
+    let message = &diagnostic.message;
+    message.is::<said::AllowanceSign>()
+        || message.is::<said::ContourTurnsBack>()
+        || message.is::<said::ContourNotOneWay>()
 }
 
 /// Remarks about the numbers of a program of no more than `blocks` blocks; none of a longer one. `reading`:

@@ -128,7 +128,10 @@ pub fn can_be_found(setup: &Setup) -> bool {
 /// Looks at motions, one after the other.
 #[derive(Clone, Debug)]
 pub struct DangerDetector {
+    /// The jaws and the body of the chuck, as one: what meets both meets one thing.
     jaws: Option<Region>,
+    /// The same as two, as they are drawn.
+    chuck: Option<[Region; 2]>,
     tailstock: Option<Region>,
     stock: Option<Stock>,
     travel: Travel,
@@ -164,6 +167,7 @@ impl DangerDetector {
         let stock = resolved.stock().and_then(given);
         Self {
             jaws: stock.and_then(|stock| jaws(&stock)),
+            chuck: stock.and_then(|stock| chuck(&stock)),
             tailstock: setup.tailstock.map(|tailstock| center(&tailstock)),
             stock,
             travel: setup.machine.travel,
@@ -178,7 +182,12 @@ impl DangerDetector {
 
     /// What stands around the work: the chuck, the tailstock.
     pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
-        [&self.jaws, &self.tailstock].into_iter().flatten()
+        self.chuck.iter().flatten().chain(&self.tailstock)
+    }
+
+    /// Whether there is a chuck with jaws, and a tailstock.
+    pub fn has_chuck_and_tailstock(&self) -> [bool; 2] {
+        [self.jaws.is_some(), self.tailstock.is_some()]
     }
 
     /// Looks at the next motion, before its material is off.
@@ -448,7 +457,7 @@ fn dogleg(motion: &Motion) -> Option<[Point; 3]> {
     differs.then(|| [from, Point::new(from.x + both * dx.signum(), from.z + both * dz.signum()), to])
 }
 
-/// The jaws around the end of the blank, and the chuck body.
+/// The jaws around the end of the blank, with the chuck body.
 fn jaws(stock: &Stock) -> Option<Region> {
     let grip = stock.grip.filter(|&grip| grip > 0.0)?;
     let (outside, back) = (stock.diameter.radius(), stock.back());
@@ -461,6 +470,18 @@ fn jaws(stock: &Stock) -> Option<Region> {
         (stock.bore.radius(), back),
     ];
     Some(Region::inside(&corners.map(|(x, z)| Point::new(x, z))))
+}
+
+/// The jaws, and the body that they stand on.
+fn chuck(stock: &Stock) -> Option<[Region; 2]> {
+    let grip = stock.grip.filter(|&grip| grip > 0.0)?;
+    let (outside, back) = (stock.diameter.radius(), stock.back());
+    let block = |inner: f64, from: f64, to: f64| {
+        let outer = outside + JAW;
+        let corners = [(inner, from), (inner, to), (outer, to), (outer, from)];
+        Region::inside(&corners.map(|(x, z)| Point::new(x, z)))
+    };
+    Some([block(outside, back, back + grip), block(stock.bore.radius(), back - JAW, back)])
 }
 
 /// The centre of the tailstock: a cone of 60°, and the quill.

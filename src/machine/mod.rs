@@ -175,6 +175,11 @@ impl SimulationResult {
         &self.detector.findings
     }
 
+    /// Whether there is a chuck with jaws, and a tailstock.
+    pub fn has_chuck_and_tailstock(&self) -> [bool; 2] {
+        self.detector.has_chuck_and_tailstock()
+    }
+
     /// What stands around the work: the chuck, the tailstock.
     pub fn obstacles(&self) -> impl Iterator<Item = &Region> {
         self.detector.obstacles()

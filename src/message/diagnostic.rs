@@ -56,6 +56,17 @@ impl Diagnostic {
         self
     }
 
+    /// The code of its message. The letter of an error is E, and of nothing else, whatever severity a setup or the
+    /// control has given it: `E-NOT-MONOTONE` is `W-NOT-MONOTONE` where the control goes on.
+    pub fn code(&self) -> String {
+        let code = self.message.code();
+        match (self.is_error(), code.split_at_checked(2)) {
+            (true, Some(("W-" | "I-", name))) => ["E-", name].concat(),
+            (false, Some(("E-", name))) => ["W-", name].concat(),
+            _ => code.to_owned(),
+        }
+    }
+
     /// Moves its places along, when the text before them has changed.
     pub fn shift(&mut self, shift: &Shift) {
         self.span = shift.span(self.span);

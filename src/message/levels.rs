@@ -21,6 +21,19 @@ impl Levels {
         known(name).map(|name| self.0.insert(name, level)).is_some()
     }
 
+    /// Takes back what is asked for by exactly this name.
+    pub fn unset(&mut self, name: &str) {
+        self.0.remove(name);
+    }
+
+    /// The rules that are off by their own names, in the order of these.
+    pub fn rules_off(&self) -> impl Iterator<Item = &'static str> {
+        let is_group = |name: &str| Group::ALL.iter().any(|group| group.name() == name);
+        self.iter()
+            .filter(move |(name, level)| *level == Severity::Off && !is_group(name))
+            .map(|(name, _)| name)
+    }
+
     /// What is asked for by exactly this name.
     pub fn get(&self, name: &str) -> Option<Severity> {
         self.0.get(name).copied()

@@ -12,6 +12,8 @@ use crate::setup::Machine;
 
 /// Pace of rapids whose rate is not known, mm/min.
 const RAPID: f64 = 8000.0;
+/// Longest time that a rapid takes in the animation, seconds: there is little to see in the air.
+const LONGEST_RAPID: f64 = 0.3;
 /// Pace of cuts whose feed or spindle speed is not known, mm/min.
 const CUT: f64 = 250.0;
 /// Pace of the C axis where it is not known, degrees a second.
@@ -177,12 +179,12 @@ fn stop_in(motions: &Motions, range: Range<usize>, stops: Stops) -> Option<(usiz
 /// Seconds of the animation that a motion takes: its time, or what is usual.
 fn pace(motion: &Motion, machine: &Machine) -> f64 {
     if let Some(seconds) = timing::seconds(motion, machine) {
-        return seconds;
+        return if motion.kind == MotionKind::Rapid { seconds.min(LONGEST_RAPID) } else { seconds };
     }
     let turned = motion.rotary.map_or(0.0, |rotary| (rotary.to - rotary.from).abs() / TURN);
     let length = motion.length();
     match motion.kind {
-        MotionKind::Rapid => (60.0 * length / RAPID).max(turned),
+        MotionKind::Rapid => (60.0 * length / RAPID).max(turned).min(LONGEST_RAPID),
         _ => (60.0 * length / CUT).max(turned),
     }
 }
@@ -210,6 +212,16 @@ mod tests {
         let whole = clock.whole();
         assert!((whole.time.known - 22.0).abs() < 1e-9, "{whole:?}");
         assert!(whole.time.unknown_rapids > 0 && whole.pace > 22.0);
+    }
+
+    #[test]
+    fn the_air_is_crossed_quickly() {
+        // 12 s of cutting; the way there and home, of 200 mm each, takes little of the animation.
+        let (motions, clock) = run("G98 M3 S500\nG0 X200 Z200\nG0 X50 Z2\nG1 Z-10 F60\nG0 X200 Z200\nM30\n");
+        let cut = motions.iter().position(|motion| motion.kind == MotionKind::Feed).expect("a cut");
+        let before = clock.at(&motions, Playhead::end_of(cut - 1)).pace;
+        let whole = clock.whole().pace;
+        assert!(before < 0.7 && whole - 12.0 < 1.0, "{before} {whole}");
     }
 
     #[test]

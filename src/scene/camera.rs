@@ -116,6 +116,12 @@ impl Camera {
         Self { size, origin, scale, x_plus }
     }
 
+    /// From and to which pixel the picture inside of its rulers goes, to the right and down, without a margin of so many CSS pixels.
+    pub fn inside(&self, margin: f64) -> [[f64; 2]; 2] {
+        let Size { width, height } = self.size;
+        [[LEFT_RULER + margin, width - margin], [margin, height - BOTTOM_RULER - margin]]
+    }
+
     /// Height of a picture of `width` CSS pixels that `bounds` fill exactly, within `least` and `most`.
     pub fn height_for(bounds: Bounds, width: f64, least: f64, most: f64) -> f64 {
         let [left, top, right, bottom] = PADDING;

@@ -19,10 +19,10 @@ use super::camera::{Pixel, XPlus};
 use super::ink::Ink;
 use super::marks::{arrow_heads, insert};
 use super::source::{Picture, Source};
-use super::view::View;
+use super::view::{Framing, View};
 use super::work::{ToolOutline, Work};
-use super::{Place, Scene, Stroke, StrokeStyle};
-use crate::geometry::Point;
+use super::{Place, Plane, Scene, Stroke, StrokeStyle};
+use crate::geometry::{Point, within};
 use crate::parts::{Part, in_part};
 pub use layer::Progress;
 use layer::StrokeLayer;
@@ -120,6 +120,11 @@ impl Painter {
         Ok(progress)
     }
 
+    /// The last image was not shown: the next one is painted even if it is the same.
+    pub fn paint_again(&mut self) {
+        self.painted = None;
+    }
+
     /// Takes what was painted since the last time off the canvas; nothing where nothing was.
     pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
         std::mem::take(&mut self.is_new).then(|| self.screen.take_image()).transpose()
@@ -153,6 +158,7 @@ impl Painter {
 
     /// Draws what is picked out, named or moves.
     fn draw_over(&mut self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        self.point_beyond(scene, view)?;
         self.highlight(scene, view)?;
         self.edge(view)?;
         self.name_steps(view)?;
@@ -172,6 +178,25 @@ impl Painter {
                 }
             }
             (None, None) => {}
+        }
+        Ok(())
+    }
+
+    /// Arrow heads at the edge of a fitted picture, towards what is not in it; towards the tool in any.
+    fn point_beyond(&self, scene: &Scene, view: &View) -> Result<(), JsValue> {
+        let palette = &view.palette;
+        self.screen.page(view)?;
+        if view.framing() == Framing::Fitted
+            && scene.plane() == Plane::Section
+            && let Some(all) = scene.path_index().bounds()
+        {
+            let heads: Vec<_> =
+                [all.min, all.max].into_iter().filter_map(|at| head_towards(view, at, 6.0)).collect();
+            self.screen.fill(&palette.rapid, heads.iter().map(|head| &head[..]));
+        }
+        let tool = view.playhead.and_then(|playhead| scene.place(playhead));
+        if let Some(head) = tool.and_then(|place| head_towards(view, place.at, 10.0)) {
+            self.screen.fill(&palette.tool, [&head[..]].into_iter());
         }
         Ok(())
     }
@@ -322,6 +347,25 @@ impl Painter {
         let hole = Pixel::new((tip.x + corners[2].x) / 2.0, (tip.y + corners[2].y) / 2.0);
         self.screen.dots(&view.palette.tool, [hole].into_iter(), 2.5)
     }
+}
+
+/// An arrow head of `size` CSS pixels at the edge of the picture, towards a place that is not in it.
+fn head_towards(view: &View, at: Point, size: f64) -> Option<[Pixel; 3]> {
+    let at = view.camera().to_screen(at);
+    let [across, down] = view.camera().inside(0.0);
+    if (across[0]..=across[1]).contains(&at.x) && (down[0]..=down[1]).contains(&at.y) {
+        return None;
+    }
+    let [across, down] = view.camera().inside(2.0);
+    if across[0] >= across[1] || down[0] >= down[1] {
+        return None;
+    }
+    let tip = Pixel::new(within(at.x, across[0], across[1]), within(at.y, down[0], down[1]));
+    let far = tip.distance(at).max(1e-9);
+    let (x, y) = (size * (at.x - tip.x) / far, size * (at.y - tip.y) / far);
+    let foot = Pixel::new(tip.x - x - x, tip.y - y - y);
+    let side = |turn: f64| Pixel::new(foot.x - turn * y, foot.y + turn * x);
+    Some([tip, side(1.0), side(-1.0)])
 }
 
 impl Painted {

@@ -9,15 +9,17 @@ use std::f64::consts::TAU;
 
 use super::path_index::PathIndex;
 use super::work::{ToolOutline, Work};
-use super::{Place, Plane, Scene};
+use super::{Place, Plane, Scene, StrokeShape};
+use crate::geometry::bounds::{Bounds, join};
 use crate::geometry::virtual_plane::{Surface, VirtualMove, Way};
-use crate::geometry::{Point, Turn};
+use crate::geometry::{Point, Turn, within};
 use crate::machine::SimulationResult;
 use crate::machine::region::Region;
 use crate::machine::resolved_setup::ResolvedTool;
 use crate::machine::sweep::{self, way_of};
 use crate::motion::{Chunk, Motion, MotionKind, Motions};
 use crate::playback::clock::Playhead;
+use crate::setup::Stock;
 
 /// Most moves whose swept area is worked out; of more only the paths are drawn.
 const MOST_SWEPT: usize = 2000;
@@ -35,14 +37,16 @@ pub struct Face {
     of: Vec<usize>,
     /// For each of them what its cutter sweeps, where its radius is known and it cuts.
     cutters: Vec<Option<f64>>,
+    /// For each of them the box in the section that its cutter reaches, where it cuts.
+    reached: Vec<Option<Bounds>>,
 }
 
 impl Face {
     /// The face of a program; nothing where no motion moves in it.
     pub fn of(motions: &Motions, simulation: &SimulationResult) -> Option<Self> {
-        let face_of_stock =
-            simulation.resolved_setup().stock().map_or(f64::INFINITY, |(stock, _)| stock.face);
-        let (mut of, mut cutters) = (Vec::new(), Vec::new());
+        let stock = simulation.resolved_setup().stock().map(|(stock, _)| stock);
+        let face_of_stock = stock.map_or(f64::INFINITY, |stock| stock.face);
+        let (mut of, mut cutters, mut reached) = (Vec::new(), Vec::new(), Vec::new());
         let mut own: Option<Chunk> = None;
         let mut index = 0;
         for chunk in motions.chunks() {
@@ -61,13 +65,15 @@ impl Face {
                 );
                 of.push(place);
                 let cuts = moved.third.0.min(moved.third.1) < face_of_stock;
-                cutters.push(cutter_radius(simulation.resolved_setup().tool(&motion)).filter(|_| cuts));
+                let cutter = cutter_radius(simulation.resolved_setup().tool(&motion)).filter(|_| cuts);
+                cutters.push(cutter);
+                reached.push(cutter.zip(stock).map(|(radius, stock)| reach(&moved, radius, &stock)));
             }
         }
         let mut list = Motions::default();
         list.push(own?);
         let path_index = PathIndex::of(&list);
-        Some(Self { motions: list, path_index, of, cutters })
+        Some(Self { motions: list, path_index, of, cutters, reached })
     }
 
     /// The picture.
@@ -91,6 +97,12 @@ impl Face {
         let motion = self.of.partition_point(|&motion| motion < place.motion);
         let share = self.own(place.motion).map_or(0.0, |_| place.fraction);
         Playhead { motion, share }
+    }
+
+    /// The box in the section that cutters reach in the motions of the run before `until`; nothing where they cut nothing.
+    pub fn milled(&self, until: usize) -> Option<Bounds> {
+        let count = self.of.partition_point(|&motion| motion < until);
+        self.reached[..count].iter().fold(None, |all, own| join(all, *own))
     }
 
     /// Blank, what is left of the face, and the cutter: when all is done, or with the
@@ -162,6 +174,15 @@ fn cutter_radius(resolved_tool: &ResolvedTool) -> Option<f64> {
     let tool = &resolved_tool.tool;
     let radius = tool.cutter_radius().or(tool.geometry_r)?;
     (radius > 0.0 && radius.is_finite()).then_some(radius)
+}
+
+/// Where a cutter reaches in a move, as radius and Z, within the stock.
+fn reach(moved: &VirtualMove, radius: f64, stock: &Stock) -> Bounds {
+    let path = StrokeShape::Virtual(*moved).bounds();
+    let edge = stock.diameter.radius();
+    let [low, high] = [path.min.x - radius, path.max.x + radius].map(|x| within(x, 0.0, edge));
+    let back = path.min.z.max(stock.back());
+    Bounds { min: Point::new(low, back), max: Point::new(high, stock.face) }
 }
 
 /// A circle about the origin as a polygon, counter-clockwise.

@@ -407,6 +407,10 @@ impl<'a> Scene<'a> {
                 .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });
             return with_axis(all);
         };
+        let cuts = match stock {
+            Some(stock) => self.cuts_near(stock, cuts),
+            None => cuts,
+        };
         let core = with_axis(join(Some(cuts), stock).unwrap_or(cuts));
         let near = core.grown(core.length().max(core.height()) / 2.0);
         let mut bounds = core;
@@ -421,6 +425,35 @@ impl<'a> Scene<'a> {
             bounds = ends.fold(bounds, Bounds::with);
         }
         bounds
+    }
+
+    /// The box around the cuts that are near the stock: one from far away, as the first of a program that begins without a rapid, or
+    /// the way home as a feed, would make the work small.
+    fn cuts_near(&self, stock: Bounds, cuts: Bounds) -> Bounds {
+        let near = stock.grown(stock.length().max(stock.height()) / 2.0);
+        let all_near = |bounds: Bounds| near.holds(bounds.min) && near.holds(bounds.max);
+        if all_near(cuts) {
+            return cuts;
+        }
+        let mut found = None;
+        for stretch in self.path_index.stretches() {
+            let Some(cuts) = stretch.cuts.filter(|cuts| cuts.meets(near)) else { continue };
+            if all_near(cuts) {
+                found = join(found, Some(cuts));
+                continue;
+            }
+            let strokes = self.strokes_of(stretch.motions.clone()).filter(|s| s.style != StrokeStyle::Rapid);
+            for shape in strokes.map(|stroke| stroke.shape) {
+                let bounds = shape.bounds();
+                if all_near(bounds) {
+                    found = join(found, Some(bounds));
+                } else {
+                    let ends = [shape.start(), shape.end()].into_iter().filter(|end| near.holds(*end));
+                    found = ends.fold(found, |found, end| join(found, Some(Bounds::of(end))));
+                }
+            }
+        }
+        found.unwrap_or(cuts)
     }
 
     /// Where the tool is at a place of the program; `None` past its end.

@@ -1,6 +1,7 @@
 //! The colours of the picture.
 //!
-//! In: nothing, or the colours of the page around it. Out: [`Palette`], read by every exporter.
+//! In: nothing, or the colours of the page around it. Out: [`Palette`], read by every exporter. Those that it has of itself are
+//! the page's (`www/src/colours.css`), on white paper.
 
 use std::borrow::Cow;
 
@@ -35,21 +36,21 @@ macro_rules! palette {
 
 palette! {
     /// The background.
-    background "background": "#ffffff", "#15181c";
+    background "background": "#ffffff", "#14191f";
     /// Grid lines.
-    grid "grid": "#eceff2", "#23282e";
+    grid "grid": "#ebedeb", "#20272e";
     /// Rulers, ticks and the spindle centre line.
-    axis "axis": "#8b95a1", "#6b7681";
+    axis "axis": "#8a949b", "#66737f";
     /// Tick labels.
-    text "text": "#56606b", "#a3aeb9";
+    text "text": "#5a656e", "#97a4b0";
     /// The blank, where material is gone from it.
-    stock "stock": "#f6f3ec", "#211f1b";
+    stock "stock": "#f5f3ec", "#1b2026";
     /// Outline of the blank.
-    stock_edge "stockEdge": "#c8bda6", "#6a6250";
+    stock_edge "stockEdge": "#b9b09a", "#555e66";
     /// What is left of it.
-    part "part": "#e3dcc8", "#3a3629";
+    part "part": "#e4ddc9", "#353a3d";
     /// Outline of what is left, and its hatching.
-    part_edge "partEdge": "#8a7f63", "#a0936f";
+    part_edge "partEdge": "#857a5e", "#8f99a1";
     /// Where something runs into something.
     danger "danger": "#c02b2b", "#ff8f87";
     /// What only the part has that was kept for comparison, or the first of two.
@@ -57,19 +58,19 @@ palette! {
     /// What only the other one has.
     only_second "onlySecond": "#0b7285", "#66d9e8";
     /// Rapids.
-    rapid "rapid": "#7f8b98", "#7d8894";
+    rapid "rapid": "#b85c1e", "#e59a5f";
     /// Cuts at feed.
-    feed "feed": "#174ea6", "#7fb2ff";
+    feed "feed": "#1565a8", "#6fb6f5";
     /// Threads.
-    thread "thread": "#0b7a53", "#4fd0a0";
+    thread "thread": "#7a3fae", "#c59bf2";
     /// Strokes of the block the cursor is in.
-    highlight "highlight": "#e8590c", "#ff9248";
+    highlight "highlight": "#cf1f6b", "#ff79ad";
     /// The stroke under the pointer.
-    hover "hover": "#f08c00", "#ffc46b";
+    hover "hover": "#b07800", "#ffc94d";
     /// The tool at the playhead.
-    tool "tool": "#b3261e", "#ff8178";
+    tool "tool": "#26323c", "#f0f3f5";
     /// Strokes that may be wrong.
-    uncertain "uncertain": "#b6bec8", "#4b545e";
+    uncertain "uncertain": "#8a7a2b", "#cbb964";
 }
 
 impl Default for Palette {

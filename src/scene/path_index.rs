@@ -148,6 +148,11 @@ impl PathIndex {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.cuts))
     }
 
+    /// Box around all strokes.
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.stretches.iter().fold(None, |bounds, stretch| join(bounds, Some(stretch.bounds)))
+    }
+
     /// Box around where the rapids end.
     pub fn rapids(&self) -> Option<Bounds> {
         self.stretches.iter().fold(None, |bounds, stretch| join(bounds, stretch.rapids))

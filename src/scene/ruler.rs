@@ -1,14 +1,37 @@
 //! Where the ticks of the rulers stand, and what they say.
 //!
-//! In: a camera, and the symbol of the unit. Out: ticks at round values, as many as there is room for. Z
-//! and C read in mm, X as a **diameter** in mm: the one place of the picture where radii become
-//! diameters. Knows no language.
+//! In: a camera, and the unit with its symbol. Out: ticks at round values, as many as there is room for. Z
+//! and C read in that unit, X as a **diameter** in it: the one place of the picture where radii become
+//! diameters, and mm inches. Knows no language.
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, XPlus};
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 
-/// The international symbol of the unit of all rulers.
-pub const MILLIMETRE: &str = "mm";
+/// What all rulers of a picture count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scale {
+    /// The unit of the numbers.
+    pub unit: Unit,
+    /// How it is written, in the language of the picture.
+    pub symbol: &'static str,
+}
+
+impl Scale {
+    /// A unit with its international symbol.
+    pub fn of(unit: Unit) -> Self {
+        let symbol = match unit {
+            Unit::Millimetre => "mm",
+            Unit::Inch => "in",
+        };
+        Self { unit, symbol }
+    }
+}
+
+impl Default for Scale {
+    fn default() -> Self {
+        Self::of(Unit::Millimetre)
+    }
+}
 
 /// An axis of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,19 +42,19 @@ pub enum Axis {
     X,
     /// Along the bottom edge of the face view, in diameters.
     FaceX,
-    /// Along the left edge of the face view: C in mm, as under G12.1.
+    /// Along the left edge of the face view: C as a length, as under G12.1.
     FaceC,
 }
 
 impl Axis {
-    /// What is written beside its ruler; `millimetre` is the unit symbol in the language of the picture.
-    pub fn name(self, millimetre: &str) -> String {
+    /// What is written beside its ruler; `unit` is the unit symbol in the language of the picture.
+    pub fn name(self, unit: &str) -> String {
         let letter = match self {
             Self::Z => "Z",
             Self::X | Self::FaceX => "X ⌀",
             Self::FaceC => "C",
         };
-        format!("{letter} {millimetre}")
+        format!("{letter} {unit}")
     }
 
     /// Whether it stands along the bottom edge.
@@ -40,10 +63,19 @@ impl Axis {
     }
 
     /// What a mm of the picture counts on it.
-    fn count(self) -> f64 {
-        match self {
+    fn count(self, unit: Unit) -> f64 {
+        let across = match self {
             Self::X | Self::FaceX => Diameter::from_radius(1.0).mm(),
             Self::Z | Self::FaceC => 1.0,
+        };
+        across / unit.millimetres()
+    }
+
+    /// What a place so many steps from zero reads: a diameter of a section is the same on both sides of the spindle axis.
+    fn read(self, steps: i64) -> i64 {
+        match self {
+            Self::X => steps.abs(),
+            Self::Z | Self::FaceX | Self::FaceC => steps,
         }
     }
 
@@ -86,19 +118,19 @@ pub struct Tick {
     pub label: Option<String>,
 }
 
-/// Room for the name of Z at the right end of its ruler, CSS pixels.
-const NAME_ROOM: f64 = 60.0;
+/// Least distance of a label from the right end of its ruler, CSS pixels.
+const END_ROOM: f64 = 14.0;
 
 /// The ticks of an axis that are in view, from the lowest value to the highest.
-pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
+pub fn ticks(axis: Axis, camera: &Camera, unit: Unit) -> Vec<Tick> {
     let size = camera.size();
     let low = camera.to_world(Pixel::new(LEFT_RULER, size.height - BOTTOM_RULER));
     let high = camera.to_world(Pixel::new(size.width, 0.0));
     let zero = camera.to_screen(Default::default());
     let ends = if axis.is_level() { [low.z, high.z] } else { [low.x.min(high.x), low.x.max(high.x)] };
-    let [from, to] = ends.map(|end| end * axis.count());
-    let unit = camera.scale() / axis.count();
-    let step = Step::at_least(axis.room() / unit);
+    let [from, to] = ends.map(|end| end * axis.count(unit));
+    let pixels = camera.scale() / axis.count(unit);
+    let step = Step::at_least(axis.room() / pixels);
     let minor = step.value() / f64::from(step.parts());
     let (first, last) = ((from / minor).ceil(), (to / minor).floor());
     // Never more ticks than pixels, and none where the numbers are past counting.
@@ -109,7 +141,7 @@ pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
     (0..=count as i64)
         .map(|offset| {
             let index = first as i64 + offset;
-            let away = index as f64 * minor * unit;
+            let away = index as f64 * minor * pixels;
             let pixel = match (axis.is_level(), camera.x_plus()) {
                 (true, _) => zero.x + away,
                 (false, XPlus::Up) => zero.y - away,
@@ -118,11 +150,11 @@ pub fn ticks(axis: Axis, camera: &Camera) -> Vec<Tick> {
             let parts = i64::from(step.parts());
             let weight = if index % parts == 0 { TickWeight::Major } else { TickWeight::Minor };
             let free = match axis.is_level() {
-                true => LEFT_RULER + 8.0..size.width - NAME_ROOM,
+                true => LEFT_RULER + 13.0..size.width - END_ROOM,
                 false => 8.0..size.height - BOTTOM_RULER - 4.0,
             };
             let labelled = weight == TickWeight::Major && free.contains(&pixel);
-            Tick { pixel, weight, label: labelled.then(|| step.label(index / parts)) }
+            Tick { pixel, weight, label: labelled.then(|| step.label(axis.read(index / parts))) }
         })
         .collect()
 }
@@ -184,7 +216,8 @@ mod tests {
     use crate::scene::camera::Size;
 
     fn labels(axis: Axis, camera: &Camera) -> String {
-        let labels: Vec<String> = ticks(axis, camera).into_iter().filter_map(|tick| tick.label).collect();
+        let labels: Vec<String> =
+            ticks(axis, camera, Unit::Millimetre).into_iter().filter_map(|tick| tick.label).collect();
         labels.join(" ")
     }
 
@@ -194,15 +227,41 @@ mod tests {
     }
 
     #[test]
+    fn a_diameter_is_the_same_on_both_sides_of_the_axis() {
+        let camera = camera((-30.0, -60.0), (30.0, 10.0), 500.0, 800.0);
+        assert_eq!(labels(Axis::X, &camera), "120 100 80 60 40 20 0 20 40 60 80 100 120");
+        assert!(labels(Axis::FaceX, &camera).starts_with('\u{2212}'));
+    }
+
+    #[test]
     fn x_reads_in_diameters() {
         let camera = camera((0.0, -60.0), (40.0, 10.0), 800.0, 500.0);
         assert_eq!(labels(Axis::X, &camera), "0 10 20 30 40 50 60 70 80");
         assert_eq!(
             labels(Axis::Z, &camera),
-            "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0"
+            "\u{2212}60 \u{2212}50 \u{2212}40 \u{2212}30 \u{2212}20 \u{2212}10 0 10"
         );
-        let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
+        let tick = ticks(Axis::X, &camera, Unit::Millimetre)
+            .into_iter()
+            .find(|tick| tick.label.as_deref() == Some("80"));
         assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn rulers_read_in_inches() {
+        let camera = camera((0.0, -50.8), (25.4, 6.0), 800.0, 400.0);
+        let inches = |axis| {
+            let labels = ticks(axis, &camera, Unit::Inch).into_iter().filter_map(|tick| tick.label);
+            labels.collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(inches(Axis::X), "0.0 0.5 1.0 1.5 2.0");
+        assert_eq!(
+            inches(Axis::Z),
+            "\u{2212}2.0 \u{2212}1.8 \u{2212}1.6 \u{2212}1.4 \u{2212}1.2 \u{2212}1.0 \u{2212}0.8 \u{2212}0.6 \u{2212}0.4 \u{2212}0.2 0.0 0.2"
+        );
+        let mut ticks = ticks(Axis::Z, &camera, Unit::Inch).into_iter();
+        let tick = ticks.find(|tick| tick.label.as_deref() == Some("\u{2212}1.0"));
+        assert!((tick.expect("-1").pixel - camera.to_screen(Point::new(0.0, -25.4)).x).abs() < 1e-9);
     }
 
     #[test]
@@ -217,7 +276,9 @@ mod tests {
         let bounds = Bounds::around(Point::new(0.0, -60.0), Point::new(40.0, 10.0));
         let camera = Camera::fit_with(bounds, Size { width: 800.0, height: 500.0 }, XPlus::Down);
         assert_eq!(labels(Axis::X, &camera), "0 10 20 30 40 50 60 70 80");
-        let tick = ticks(Axis::X, &camera).into_iter().find(|tick| tick.label.as_deref() == Some("80"));
+        let tick = ticks(Axis::X, &camera, Unit::Millimetre)
+            .into_iter()
+            .find(|tick| tick.label.as_deref() == Some("80"));
         assert!((tick.expect("80").pixel - camera.to_screen(Point::new(40.0, 0.0)).y).abs() < 1e-9);
     }
 
@@ -253,12 +314,12 @@ mod tests {
         for factor in [1e-9, 3.0, 7.0, 11.0, 100.0, 1e9] {
             camera.zoom(factor, Pixel::new(400.0, 200.0));
             for axis in [Axis::Z, Axis::X] {
-                let ticks = ticks(axis, &camera);
+                let ticks = ticks(axis, &camera, Unit::Millimetre);
                 assert!((4..=80).contains(&ticks.len()), "{factor} {axis:?} {}", ticks.len());
                 assert!(ticks.iter().any(|tick| tick.label.is_some()));
             }
         }
         let none = Camera::fit(Bounds::of(Point::default()), Size { width: 0.0, height: 0.0 });
-        assert!(ticks(Axis::Z, &none).is_empty());
+        assert!(ticks(Axis::Z, &none, Unit::Millimetre).is_empty());
     }
 }

@@ -13,15 +13,21 @@ use crate::machine::resolved_setup::Basis;
 use crate::motion::Motions;
 
 use super::camera::{BOTTOM_RULER, Camera, LEFT_RULER, Pixel, Size, XPlus};
+use super::face::Face;
 use super::hatch::hatch;
 use super::marks::{LEAST_FOR_ARROW, MOST_WITH_ARROWS, arrow_heads};
 use super::palette::Palette;
 use super::path_index::PathIndex;
-use super::ruler::{MILLIMETRE, Tick, TickWeight, ticks};
+use super::ruler::{Scale, Tick, TickWeight, ticks};
 use super::work::{Outlines, Work, closed, edges};
 use super::{Plane, Scene, Stroke, StrokeShape, StrokeStyle};
 
+mod apart;
+mod caption;
 mod compared;
+
+use apart::Apart;
+pub use caption::{Caption, LEGEND};
 
 /// How the file is to look.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +40,24 @@ pub struct SvgOptions {
     pub ground: Ground,
     /// Which way X+ is drawn.
     pub x_plus: XPlus,
-    /// The unit symbol of the rulers, in the language of the picture.
-    pub millimetre: &'static str,
+    /// What the rulers count.
+    pub scale: Scale,
     /// What the two colours of a comparison mean.
     pub legend: Vec<(Side, String)>,
+    /// What stands under the drawing.
+    pub caption: Option<Caption>,
+    /// Where passes are drawn that lie on one another.
+    pub passes: Passes,
+}
+
+/// Where passes are drawn that lie on one another: those of G76, and pecks along one line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Passes {
+    /// In their places.
+    #[default]
+    InPlace,
+    /// Beside one another, as manuals do.
+    Apart,
 }
 
 /// What a picture is drawn on.
@@ -57,8 +77,10 @@ impl Default for SvgOptions {
             height: None,
             ground: Ground::default(),
             x_plus: XPlus::Up,
-            millimetre: MILLIMETRE,
+            scale: Scale::default(),
             legend: Vec::new(),
+            caption: None,
+            passes: Passes::default(),
         }
     }
 }
@@ -73,7 +95,11 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
     let chosen = || Camera::height_for(bounds, width, HEIGHTS[0], HEIGHTS[1]);
     let height = options.height.map_or_else(chosen, |height| height.max(80.0));
     let camera = Camera::fit_with(bounds, Size { width, height }, options.x_plus);
-    let mut drawing = Drawing { text: String::new(), camera };
+    let apart = match (options.passes, scene.plane()) {
+        (Passes::Apart, Plane::Section) => Apart::of(scene, 1.0 / camera.scale()),
+        (Passes::InPlace, _) | (_, Plane::Face) => Apart::default(),
+    };
+    let mut drawing = Drawing { text: String::new(), camera, apart };
     drawing.all(scene, options);
     drawing.text
 }
@@ -81,7 +107,10 @@ pub fn svg(scene: &Scene, options: &SvgOptions) -> String {
 /// The half-section of a whole program as an SVG file; the work is left out where there is no simulation.
 pub fn section(motions: &Motions, simulation: Option<&SimulationResult>, options: &SvgOptions) -> String {
     let path_index = PathIndex::of(motions);
-    let work = simulation.and_then(|simulation| Work::of(simulation, motions, None));
+    let work = simulation.and_then(|simulation| {
+        let milled = Face::of(motions, simulation).and_then(|face| face.milled(usize::MAX));
+        Some(Work::of(simulation, motions, None)?.with_milled(milled))
+    });
     svg(&Scene::new(motions, &path_index, work.as_ref()), options)
 }
 
@@ -89,15 +118,25 @@ pub fn section(motions: &Motions, simulation: Option<&SimulationResult>, options
 struct Drawing {
     text: String,
     camera: Camera,
+    apart: Apart,
 }
 
 impl Drawing {
     fn all(&mut self, scene: &Scene, options: &SvgOptions) {
         let Size { width, height } = self.camera.size();
-        let [w, h] = [width, height].map(number);
+        // What stands under the drawing is as high as it comes out.
+        let under = options.caption.as_ref().map(|caption| {
+            let high = self.caption(scene, caption, height);
+            (high, std::mem::take(&mut self.text))
+        });
+        let whole = height + under.as_ref().map_or(0.0, |(high, _)| *high);
+        let [w, h] = [width, whole].map(number);
         self.line(&format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" class="lathe" role="img" viewBox="0 0 {w} {h}" width="{w}" height="{h}">"#
         ));
+        if let Some(caption) = options.caption.as_ref().filter(|caption| !caption.title.is_empty()) {
+            self.line(&format!("<title>{}</title>", caption::escaped(&caption.title)));
+        }
         self.line("<style>");
         self.line(SHAPES);
         self.line(&colours(&Palette::light()));
@@ -108,7 +147,7 @@ impl Drawing {
         self.line(&format!(r#"<rect class="background" width="{w}" height="{h}"/>"#));
         let (x, w, h) = (number(LEFT_RULER), number(width - LEFT_RULER), number(height - BOTTOM_RULER));
         self.line(&format!(r#"<svg x="{x}" width="{w}" height="{h}" viewBox="{x} 0 {w} {h}">"#));
-        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera));
+        let [along, across] = scene.plane().axes().map(|axis| ticks(axis, &self.camera, options.scale.unit));
         self.grid(&along, &across);
         self.work(scene);
         self.compared(scene);
@@ -121,7 +160,10 @@ impl Drawing {
         self.dangers(scene);
         self.legend(&options.legend);
         self.line("</svg>");
-        self.rulers(scene.plane().axes().map(|axis| axis.name(options.millimetre)), &along, &across);
+        self.rulers(scene.plane().axes().map(|axis| axis.name(options.scale.symbol)), &along, &across);
+        if let Some((_, rows)) = under {
+            self.text.push_str(&rows);
+        }
         self.line("</svg>");
     }
 
@@ -172,6 +214,7 @@ impl Drawing {
                 (["blank-edge", guessed].concat(), lines(&blank_edges)),
                 (["part-edge", guessed].concat(), lines(&left)),
                 ("part-edge".to_owned(), lines(&cut)),
+                ("milled".to_owned(), lines(&work.milled_lines())),
             ];
             for (class, d) in shapes.iter().filter(|(_, d)| !d.is_empty()) {
                 self.line(&format!(r#"<path class="{class}" d="{d}"/>"#));
@@ -219,7 +262,7 @@ impl Drawing {
                 d.clear();
                 last = None;
             }
-            let shape = stroke.drawn_shape();
+            let shape = self.apart.shape(&stroke);
             let joined = end.is_some_and(|end| end.is_same(shape.start()));
             if !joined || last.is_none() || style == StrokeStyle::Rapid {
                 let _ = write!(d, "M{}", self.place(shape.start()));
@@ -284,7 +327,8 @@ impl Drawing {
         }
         for style in [StrokeStyle::Feed, StrokeStyle::Thread] {
             let strokes = scene.strokes().filter(|stroke| stroke.style == style && !stroke.uncertain);
-            let heads = arrow_heads(strokes.map(|stroke| stroke.shape), &self.camera, LEAST_FOR_ARROW);
+            let heads =
+                arrow_heads(strokes.map(|stroke| self.apart.shape(&stroke)), &self.camera, LEAST_FOR_ARROW);
             if heads.is_empty() {
                 continue;
             }
@@ -320,7 +364,7 @@ impl Drawing {
         self.line(&format!(r#"<path class="ruler" d="{d}"/>"#));
         self.text.push_str(&labels);
         self.line(&format!(r#"<text class="name" x="{}" y="16">{x}</text>"#, number(LEFT_RULER + 7.0)));
-        let (right, low) = (number(width - 8.0), number(height - 7.0));
+        let (right, low) = (number(LEFT_RULER - 4.0), number(height - 7.0));
         self.line(&format!(r#"<text class="name z" x="{right}" y="{low}">{z}</text>"#));
     }
 
@@ -343,7 +387,8 @@ const SHAPES: &str = "\
 .lathe g path.dwell { stroke-width: 6; stroke-linecap: round }
 .lathe .center { stroke-dasharray: 16 4 2 4 }
 .lathe .programmed { stroke-dasharray: 2 3 }
-.lathe .blank-edge, .lathe .part-edge, .lathe .hatch { fill: none }
+.lathe .blank-edge, .lathe .part-edge, .lathe .hatch, .lathe .milled { fill: none }
+.lathe .milled { stroke-width: 0.75 }
 .lathe .blank-edge.guessed, .lathe .part-edge.guessed { stroke-dasharray: 7 4 }
 .lathe .part-edge { stroke-width: 1.5; stroke-linejoin: round }
 .lathe .hatch { opacity: 0.35 }
@@ -351,6 +396,7 @@ const SHAPES: &str = "\
 .lathe .only { fill-opacity: 0.16; stroke-width: 1.25 }
 .lathe .only.hatch { fill: none; opacity: 0.8; stroke-width: 1 }
 .lathe text.legend { text-anchor: end }
+.lathe .blank-frame, .lathe .part-frame { stroke-width: 1.5 }
 .lathe .danger { fill: none; stroke-width: 2.5 }
 .lathe text { font: 12px system-ui, sans-serif; font-variant-numeric: tabular-nums }
 .lathe text.x { text-anchor: end }
@@ -385,9 +431,9 @@ fn colours(palette: &Palette) -> String {
 .lathe .ruler, .lathe .center, .lathe .programmed {{ stroke: {axis} }}
 .lathe text {{ fill: {text} }}
 .lathe .blank {{ fill: {stock} }}
-.lathe .blank-edge {{ stroke: {stock_edge} }}
+.lathe .blank-edge, .lathe .blank-frame {{ stroke: {stock_edge} }}
 .lathe .part {{ fill: {part} }}
-.lathe .hatch, .lathe .part-edge {{ stroke: {part_edge} }}
+.lathe .hatch, .lathe .part-edge, .lathe .part-frame, .lathe .milled {{ stroke: {part_edge} }}
 .lathe .obstacle {{ fill: {axis}; stroke: {axis} }}
 .lathe .danger {{ stroke: {danger} }}
 .lathe .only.first {{ fill: {only_first}; stroke: {only_first} }}
@@ -494,7 +540,8 @@ mod tests {
     fn rulers_name_the_unit_in_the_language_of_the_picture() {
         let motions = Path::from(100.0, 20.0).motions();
         let path_index = PathIndex::of(&motions);
-        let options = SvgOptions { millimetre: "мм", ..SvgOptions::default() };
+        let options =
+            SvgOptions { scale: Scale { symbol: "мм", ..Scale::default() }, ..SvgOptions::default() };
         let scene = Scene::new(&motions, &path_index, None);
         let names = |file: &str| -> Vec<String> {
             let names = file.lines().filter(|line| line.contains(r#"class="name"#));

@@ -130,6 +130,9 @@ fn the_box_worth_looking_at() {
     let nothing_cuts = Path::from(200.0, 200.0).rapid(64.0, 2.0).rapid(100.0, -20.0);
     check_bounds(nothing_cuts, None, ((0.0, -20.0), (100.0, 2.0)));
     check_bounds(Path::from(0.0, 0.0), None, ((0.0, -50.0), (40.0, 10.0)));
+    // A feed all the way from home, and back, does not make the work small.
+    let fed = Path::from(200.0, 200.0).feed(64.0, 2.0).feed(50.0, -30.0).feed(200.0, 200.0);
+    check_bounds(fed, Some(STOCK), ((-60.0, -79.0), (64.0, 2.0)));
     let bulge = Path::from(40.0, 0.0).arc(Turn::Clockwise, (40.0, -20.0), (40.0, -10.0));
     check_bounds(bulge, None, ((0.0, -20.0), (40.0, 0.0)));
 }

@@ -11,11 +11,14 @@ use crate::playback::clock::Playhead;
 use super::Scene;
 use super::camera::{Camera, Pixel, Size, XPlus};
 use super::palette::Palette;
-use super::ruler::MILLIMETRE;
+use super::ruler::Scale;
 use super::steps::StepLabel;
 
 /// The longest side of a picture, CSS pixels and device pixels: no canvas is larger.
 const LONGEST_SIDE: f64 = 16_384.0;
+
+/// How far from the edge of the picture the tool is kept, CSS pixels.
+const IN_VIEW: f64 = 40.0;
 
 /// Whether the camera still shows the whole picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +46,8 @@ pub struct View {
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
-    /// The unit symbol of the rulers, in the language of the picture.
-    pub millimetre: &'static str,
+    /// What the rulers count.
+    pub scale: Scale,
     /// Motions of the selected block or blocks.
     pub highlight: Vec<Range<usize>>,
     /// Named places of the selected cycle.
@@ -67,7 +70,7 @@ impl View {
             framing: Framing::Fitted,
             pixel_ratio: 1.0,
             palette: Palette::default(),
-            millimetre: MILLIMETRE,
+            scale: Scale::default(),
             highlight: Vec::new(),
             marks: Vec::new(),
             steps: Vec::new(),
@@ -101,9 +104,9 @@ impl View {
 
     /// Whether it differs by nothing but what is picked out.
     pub fn shows_same_ground(&self, other: &View) -> bool {
-        let Self { camera, framing, pixel_ratio, palette, millimetre, playhead, .. } = self;
+        let Self { camera, framing, pixel_ratio, palette, scale, playhead, .. } = self;
         (camera, framing, pixel_ratio) == (&other.camera, &other.framing, &other.pixel_ratio)
-            && (palette, millimetre, playhead) == (&other.palette, &other.millimetre, &other.playhead)
+            && (palette, scale, playhead) == (&other.palette, &other.scale, &other.playhead)
     }
 
     /// The same view with nothing picked out, and the tool somewhere else.
@@ -146,6 +149,20 @@ impl View {
         self.framing = Framing::Moved;
     }
 
+    /// Moves a picture that the user has moved so far that a place is in it, as the tool that cuts.
+    pub fn keep_in_view(&mut self, at: Point) {
+        if self.framing == Framing::Fitted {
+            return;
+        }
+        let (at, inside) = (self.camera.to_screen(at), self.camera.inside(IN_VIEW));
+        let back =
+            |at: f64, [least, most]: [f64; 2]| if least < most { within(at, least, most) - at } else { 0.0 };
+        let (dx, dy) = (back(at.x, inside[0]), back(at.y, inside[1]));
+        if dx != 0.0 || dy != 0.0 {
+            self.pan(dx, dy);
+        }
+    }
+
     /// Makes the picture `factor` times as large about a place in it.
     pub fn zoom(&mut self, factor: f64, fixed: Pixel) {
         self.camera.zoom(factor, fixed);
@@ -158,5 +175,32 @@ impl View {
         self.camera.resize(Size { width: possible(size.width), height: possible(size.height) });
         self.pixel_ratio = if pixel_ratio.is_finite() { within(pixel_ratio, 0.25, 8.0) } else { 1.0 };
         self.follow(scene);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motions;
+    use crate::scene::Scene;
+    use crate::scene::path_index::PathIndex;
+
+    #[test]
+    fn a_picture_that_was_moved_follows_the_tool_and_a_fitted_one_stays() {
+        let (motions, path_index) = (Motions::default(), PathIndex::new());
+        let scene = Scene::new(&motions, &path_index, None);
+        let mut view = View::new(&scene, Size { width: 800.0, height: 500.0 });
+        let fitted = *view.camera();
+        let outside = Point::new(40.0, -300.0);
+        view.keep_in_view(outside);
+        assert_eq!(*view.camera(), fitted);
+        view.zoom(4.0, Pixel::new(400.0, 250.0));
+        view.keep_in_view(outside);
+        let at = view.camera().to_screen(outside);
+        let [across, down] = view.camera().inside(IN_VIEW - 0.1);
+        assert!(across[0] <= at.x && at.x <= across[1] && down[0] <= at.y && at.y <= down[1], "{at:?}");
+        let moved = *view.camera();
+        view.keep_in_view(outside);
+        assert_eq!(*view.camera(), moved);
     }
 }

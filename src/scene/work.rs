@@ -36,6 +36,8 @@ pub struct Work {
     pub tool: Option<ToolOutline>,
     /// Places where something runs into something.
     pub dangers: Vec<Point>,
+    /// What cutters reach across the section, which shows the part as it was turned.
+    pub milled: Option<Bounds>,
     /// What only one of two compared parts has: the first, the second.
     pub compared: Option<[Outlines; 2]>,
     bounds: Bounds,
@@ -93,6 +95,7 @@ impl Work {
                 .filter(|found| found.danger.has_place())
                 .map(|found| found.at)
                 .collect(),
+            milled: None,
             compared: None,
             bounds: Bounds {
                 min: Point::new(stock.bore.radius(), stock.back()),
@@ -117,6 +120,7 @@ impl Work {
             obstacles: Vec::new(),
             tool,
             dangers: Vec::new(),
+            milled: None,
             compared: None,
             bounds: Bounds { min: Point::new(-radius, -radius), max: Point::new(radius, radius) },
         }
@@ -125,6 +129,19 @@ impl Work {
     /// The same with something else left of the blank.
     pub fn with_part(self, part: &Region) -> Self {
         Self { id: next_id(), part: outlines(part), ..self }
+    }
+
+    /// The same with what cutters reach across the section.
+    pub fn with_milled(self, milled: Option<Bounds>) -> Self {
+        Self { id: next_id(), milled, ..self }
+    }
+
+    /// What is milled, as drawings mark a flat on a turned part: its frame, and thin lines across (ISO 128).
+    pub fn milled_lines(&self) -> Vec<Vec<Point>> {
+        let Some(Bounds { min, max }) = self.milled else { return Vec::new() };
+        let [a, b, c, d] =
+            [(min.x, min.z), (max.x, min.z), (max.x, max.z), (min.x, max.z)].map(|(x, z)| Point::new(x, z));
+        vec![vec![a, b, c, d, a], vec![a, c], vec![b, d]]
     }
 
     /// The same with the differences of two parts marked.

@@ -140,12 +140,60 @@ pub fn unit(unit: Unit, language: Language) -> &'static str {
     })
 }
 
+/// How a unit of length is written on a ruler.
+pub fn unit_of_ruler(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["mm", "mm", "мм"],
+        units::Unit::Inch => ["in", "in", "дюйм"],
+    })
+}
+
 /// How a unit of length is written after a number.
 pub fn length(unit: units::Unit, language: Language) -> &'static str {
     language.among(match unit {
         units::Unit::Millimetre => ["mm", "mm", "мм"],
         units::Unit::Inch => ["in", "in", "дюйма"],
     })
+}
+
+/// What the lines and areas of a drawing are called: rapids, cuts, threads; blank, part, chuck and tailstock,
+/// a collision, what is milled; and that passes which lie on one another are drawn beside their places.
+pub fn legend(language: Language) -> [&'static str; 9] {
+    match language {
+        Language::English => [
+            "rapid",
+            "cut",
+            "thread",
+            "blank",
+            "part",
+            "chuck, tailstock",
+            "collision",
+            "milled, see the end face",
+            "passes drawn apart",
+        ],
+        Language::Chinese => [
+            "快速移动",
+            "切削",
+            "螺纹",
+            "毛坯",
+            "零件",
+            "卡盘、尾座",
+            "碰撞",
+            "铣削，见端面视图",
+            "各次走刀分开绘制",
+        ],
+        Language::Russian => [
+            "ускоренный ход",
+            "рабочий ход",
+            "резьба",
+            "заготовка",
+            "деталь",
+            "патрон, задняя бабка",
+            "столкновение",
+            "фрезеруется, см. торец",
+            "проходы разведены на рисунке",
+        ],
+    }
 }
 
 /// What a kind of tool is called, wherever it is named: form, readout, setup sheet.
@@ -236,6 +284,14 @@ pub fn feed_unit(mode: FeedMode, unit: units::Unit, language: Language) -> &'sta
         (FeedMode::PerTurn, units::Unit::Inch) => ["in/rev", "in/r", "дюйм/об"],
         (FeedMode::PerMinute, units::Unit::Millimetre) => ["mm/min", "mm/min", "мм/мин"],
         (FeedMode::PerMinute, units::Unit::Inch) => ["in/min", "in/min", "дюйм/мин"],
+    })
+}
+
+/// How a cutting speed is written: metres a minute, under G20 feet.
+pub fn surface_speed(unit: units::Unit, language: Language) -> &'static str {
+    language.among(match unit {
+        units::Unit::Millimetre => ["m/min", "m/min", "м/мин"],
+        units::Unit::Inch => ["ft/min", "ft/min", "фут/мин"],
     })
 }
 

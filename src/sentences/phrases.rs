@@ -9,7 +9,7 @@ use super::template::fill;
 use crate::geometry::virtual_plane::Surface;
 use crate::message::{Arguments, Repair, Value};
 use crate::motion::{CycleStep, Motion, MotionKind, Step};
-use crate::units::Diameter;
+use crate::units::{Diameter, Unit};
 
 /// Lists the phrases once, for the enum and for the tests of all of them.
 macro_rules! phrases {
@@ -71,9 +71,9 @@ pub fn describe_rewrite(code: &str, passes: usize, language: Language) -> String
     fill(language.phrase(phrase), &arguments)
 }
 
-/// What a stroke of the picture is, in a language; `passes` is how many its cycle makes.
-pub fn describe_motion(motion: &Motion, passes: Option<u32>, language: Language) -> String {
-    let to = end_of(motion);
+/// What a stroke of the picture is, in a language, its end in a unit; `passes` is how many its cycle makes.
+pub fn describe_motion(motion: &Motion, passes: Option<u32>, unit: Unit, language: Language) -> String {
+    let to = end_of(motion, unit);
     let mut arguments: Arguments = vec![("to", Value::Text(to.into()))];
     if let Some(seconds) = motion.seconds {
         arguments.push(("seconds", Value::Number(seconds)));
@@ -140,15 +140,16 @@ fn step(step: Step) -> Phrase {
 
 /// Where a motion ends, in the words of a block; after an arrow the position of the machine, where the
 /// program counts in a virtual plane.
-fn end_of(motion: &Motion) -> String {
+fn end_of(motion: &Motion, unit: Unit) -> String {
     let place = |template: &str, numbers: &[(&'static str, f64)]| {
         fill(template, &numbers.iter().map(|&(name, value)| (name, Value::Number(value))).collect())
     };
-    let (x, z) = (("x", Diameter::from_radius(motion.to.x).mm()), ("z", motion.to.z));
+    let length = |mm: f64| mm / unit.millimetres();
+    let (x, z) = (("x", length(Diameter::from_radius(motion.to.x).mm())), ("z", length(motion.to.z)));
     let Some(rotary) = motion.rotary else { return place("X{x} Z{z}", &[x, z]) };
     let c = ("c", rotary.to);
     let own = rotary.virtual_move.filter(|own| own.surface == Surface::Face);
     let Some(end) = own.map(|own| own.way.at(1.0)) else { return place("X{x} Z{z} C{c}°", &[x, z, c]) };
-    let (right, up) = (("right", 2.0 * end.z), ("up", end.x));
+    let (right, up) = (("right", length(2.0 * end.z)), ("up", length(end.x)));
     place("X{right} C{up} Z{z} → X{x} C{c}°", &[x, z, c, right, up])
 }

@@ -9,6 +9,7 @@ use serde_json::{Map, Value as Json};
 use super::fields::{self, Field, Name, ReadError, Value};
 use super::invalid::Requirement;
 use super::{Machine, Position, Setup, Stock, Tailstock, Tool};
+use crate::message::{Levels, Severity, levels};
 use crate::setup::dialect::DialectChoice;
 use crate::units::Diameter;
 
@@ -61,8 +62,7 @@ impl Draft {
     /// `given` tools and blanks is the defaults, that of others the inferred one.
     pub fn read(entries: &[Entry], given: &Setup, inferred: &Setup) -> Self {
         let mut form = FormReader { entries, errors: Vec::new() };
-        // Single rules have no place in the form, and stay as they are.
-        let rules = given.rules.clone().without_groups();
+        let rules = single_rules(entries, given.rules.clone().without_groups());
         let mut setup = Setup {
             stock: form.group("stock.", fields::STOCK, stock_base(given, inferred)),
             tailstock: form.group("tailstock.", fields::TAILSTOCK, NO_TAILSTOCK),
@@ -88,6 +88,21 @@ impl Draft {
         }
         Self { setup, errors }
     }
+}
+
+/// The levels of single rules. They have no fields in the form, and stay as they are but for those that an entry
+/// is about: a page that hides a rule writes `off`, and nothing where the rule has its own level again.
+fn single_rules(entries: &[Entry], mut levels: Levels) -> Levels {
+    for Entry { key, text } in entries {
+        let Some(rule) = key.strip_prefix("rules.").and_then(levels::known) else { continue };
+        match Severity::named(text.trim()) {
+            Some(level) => {
+                levels.set(rule, level);
+            }
+            None => levels.unset(rule),
+        }
+    }
+    levels.without_groups()
 }
 
 /// What is assumed of a blank where some of it is said.
@@ -329,6 +344,27 @@ mod tests {
                 ("stock.length", EntryError::Unreadable(ReadError::NotANumber)),
                 ("stock.diameter", EntryError::Unmet(Requirement::Positive)),
             ],
+        );
+    }
+
+    #[test]
+    fn a_single_rule_is_hidden_and_shown_again() {
+        let given = Setup::from_json(r#"{"rules": {"no-program-end": "error"}}"#).expect("a setup");
+        let read = |given: &Setup, list: &[(&str, &str)]| {
+            let draft = Draft::read(&entries(list), given, &Setup::default());
+            assert_eq!(draft.errors, []);
+            draft.setup
+        };
+        let hidden = read(&given, &[("rules.classroom", "warning"), ("rules.Unknown-M-Code", "off")]);
+        assert_eq!(
+            put_into_json("{}", &hidden),
+            r#"{"rules":{"classroom":"warning","no-program-end":"error","unknown-m-code":"off"}}"#
+        );
+        assert_eq!(hidden.rules.rules_off().collect::<Vec<_>>(), ["unknown-m-code"]);
+        let shown = read(&hidden, &[("rules.classroom", "warning"), ("rules.unknown-m-code", "")]);
+        assert_eq!(
+            put_into_json("{}", &shown),
+            r#"{"rules":{"classroom":"warning","no-program-end":"error"}}"#
         );
     }
 

@@ -43,6 +43,21 @@ in_part! {
     fn report_full_width(parser: &Parser, block: &mut Block, span: Span) {
         parser.report_full_width(block, span);
     }
+
+    Seldom "0523"
+    fn take_torn(parser: &mut Parser, block: &mut Block, word: Torn, comma: Span, digits: Span) {
+        parser.take_torn_word(block, word, comma, digits);
+    }
+}
+
+/// The beginning of a word whose number has a comma in it.
+struct Torn {
+    address: u8,
+    /// Whether a comma stands before the letter, as in `,C2`.
+    comma: bool,
+    negative: bool,
+    /// From its letter on.
+    start: Span,
 }
 
 /// Whether that part has been loaded; where it has not, the block is marked.
@@ -329,7 +344,10 @@ impl<'a> Parser<'a> {
                     return;
                 }
                 Some(TokenKind::Comma) if self.digit_follows() => {
-                    return self.comma_for_point(block, start, token.map_or(first, |token| token.span));
+                    let comma_span = token.map_or(first, |token| token.span);
+                    let digits = self.lexer.next_token().map_or(comma_span, |token| token.span);
+                    let word = Torn { address: letter, comma: comma.is_some(), negative, start };
+                    return self.torn_at_comma(block, word, comma_span, digits);
                 }
                 _ => break,
             }
@@ -442,13 +460,26 @@ impl<'a> Parser<'a> {
         block.fault(Diagnostic::new(said::AddressMissing { number: quote }, span));
     }
 
-    /// `Z,15`: a comma where the point belongs.
-    fn comma_for_point(&mut self, block: &mut Block, start: Span, comma: Span) {
-        let digits = self.lexer.next_token().map_or(comma, |token| token.span);
-        let span = start.to(digits);
-        let message = said::CommaForPoint { word: span.quote(self.lexer.text()) };
+    /// `Z,15`, `Z20,5`: a comma where the point belongs. The word is read as it was meant, so that what it
+    /// switches on holds for the blocks after it.
+    #[cold]
+    fn torn_at_comma(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
+        if may_read_faults(block) {
+            take_torn(self, block, word, comma, digits);
+        }
+    }
+
+    fn take_torn_word(&mut self, block: &mut Block, word: Torn, comma: Span, digits: Span) {
+        let span = word.start.to(digits);
+        let written = span.quote(self.lexer.text());
+        let number = written.trim_start_matches(',');
+        let number = number.trim_start_matches(|sign: char| sign != ',' && !sign.is_ascii_digit());
+        let number = Number::read(without_blanks(number).replace(',', ".").as_bytes());
         let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
-        block.fault(Diagnostic::new(message, span).with(fix));
+        block.fault(Diagnostic::new(said::CommaForPoint { word: written }, span).with(fix));
+        if number.points <= 1 && number.digits <= DIGITS {
+            self.store(block, word.address, word.comma, word.negative, number, span);
+        }
     }
 
     /// `；`, `（外圆）`: a sign that a control does not know, with its ASCII twin as the repair.
@@ -529,11 +560,11 @@ impl<'a> Parser<'a> {
             Some((TokenKind::Letter(letter), span)) => self.letter(block, letter, span, Some(comma)),
             Some((TokenKind::Number(_), span)) if !block.words.is_empty() => {
                 // `Z20,5`: the word was taken at its comma; it is this number that is broken.
-                let word = block.words.pop().map_or(comma, |word| word.span);
-                let whole = word.to(span);
-                let message = said::CommaForPoint { word: whole.quote(self.lexer.text()) };
-                let fix = Fix::replace(Repair::DecimalPoint, comma, ".");
-                block.fault(Diagnostic::new(message, whole).with(fix));
+                let Some(taken) = block.words.pop() else { return };
+                let Word { address, comma: with_comma, value, span: start } = taken;
+                let negative = matches!(value, Value::Number { negative: true, .. });
+                let word = Torn { address, comma: with_comma, negative, start };
+                self.torn_at_comma(block, word, comma, span);
             }
             _ => {
                 self.lexer.seek(after);
@@ -901,8 +932,10 @@ mod tests {
     fn each_fault_is_told_once() {
         assert_eq!(read("X-12.8."), ["!second-decimal-point"]);
         assert_eq!(read("X-11.Z"), ["X-11 !number-missing"]);
-        assert_eq!(read("G01 Z,15"), ["G1 !comma-for-point"]);
-        assert_eq!(read("Z20,5"), ["!comma-for-point"]);
+        assert_eq!(read("G01 Z,15"), ["G1 Z0.15 !comma-for-point"]);
+        assert_eq!(read("Z20,5"), ["Z20.5 !comma-for-point"]);
+        assert_eq!(read("Z-20,5 X3"), ["Z-20.5 X3 !comma-for-point"]);
+        assert_eq!(read("G1 X20 ,C1,5"), ["G1 X20 ,C1.5 !comma-for-point"]);
         assert_eq!(read("GO1 X5"), ["G1 X5 !letter-for-digit"]);
         assert_eq!(read("GO\nX5"), ["G0 !letter-for-digit", "X5"]);
         assert_eq!(read("X123456789"), ["!too-many-digits"]);

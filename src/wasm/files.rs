@@ -22,6 +22,7 @@ use crate::scene::canvas::{Painter, Progress};
 use crate::scene::source::Picture;
 use crate::setup::Setup;
 use crate::setup::dialect::CodeList;
+use crate::units::Unit;
 
 #[wasm_bindgen]
 impl Playground {
@@ -115,6 +116,10 @@ impl Exportable for Ran<'_> {
 
     fn expanded(&self) -> Vec<u8> {
         expand(self.text(), &self.current.run().setup_to_repeat()).into_bytes()
+    }
+
+    fn unit(&self) -> Unit {
+        self.current.unit()
     }
 
     fn x_plus(&self) -> XPlus {

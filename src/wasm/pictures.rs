@@ -9,6 +9,7 @@ use web_sys::{ImageBitmap, OffscreenCanvas};
 use super::picture_name::PictureName;
 use super::{Playground, error, to_js};
 use crate::api;
+use crate::current::Current;
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
 use crate::parts::in_part;
@@ -71,6 +72,16 @@ impl Playground {
         Ok(())
     }
 
+    /// The last images were not shown: the next ones are painted even if they are the same.
+    #[wasm_bindgen(js_name = paintAgain)]
+    pub fn paint_again(&mut self) {
+        for plane in [Plane::Section, Plane::Face] {
+            if let Some(painter) = &mut self.painters[plane] {
+                painter.paint_again();
+            }
+        }
+    }
+
     /// Shows everything worth looking at.
     pub fn fit(&mut self, picture: PictureName) {
         self.current.look(picture.into(), |view, scene| view.fit(scene));
@@ -129,6 +140,12 @@ impl Playground {
         self.current.face().is_some()
     }
 
+    /// What the pictures show beside strokes, known once all material is off: `blank`, `chuck`, `tailstock`, `collision`.
+    #[wasm_bindgen(js_name = workShown, unchecked_return_type = "('blank' | 'chuck' | 'tailstock' | 'collision')[]")]
+    pub fn work_shown(&self) -> Result<JsValue, JsValue> {
+        work_shown(&self.current)
+    }
+
     /// Puts the turret in `front` of the spindle, where the worker stands, or to the `rear`; X+ is drawn on
     /// its side. Anything else leaves it where the setup has it.
     #[wasm_bindgen(js_name = setTurret)]
@@ -181,6 +198,15 @@ impl Playground {
 }
 
 in_part! {
+    Machine "0800"
+    fn work_shown(current: &Current) -> Result<JsValue, JsValue> {
+        let Some(simulation) = current.simulation() else { return to_js(&[""; 0]) };
+        let [chuck, tailstock] = simulation.has_chuck_and_tailstock();
+        let collision = simulation.findings().iter().any(|found| found.danger.has_place());
+        let all = [("blank", simulation.blank().is_some()), ("chuck", chuck), ("tailstock", tailstock), ("collision", collision)];
+        to_js(&all.into_iter().filter(|(_, shown)| *shown).map(|(name, _)| name).collect::<Vec<_>>())
+    }
+
     Machine "0050"
     fn picked(playground: &mut Playground, plane: Plane, at: Pixel) -> Result<JsValue, JsValue> {
         match playground.current.pick(plane, at, REACH) {

@@ -71,6 +71,12 @@ impl Playground {
         play(&mut self.current, seconds, stops);
     }
 
+    /// Puts the tool at the start of the block at a UTF-16 offset, or of the next one that moves it.
+    #[wasm_bindgen(js_name = seekBlock)]
+    pub fn seek_block(&mut self, offset: u32) {
+        put_at_block(&mut self.current, offset);
+    }
+
     /// Puts the tool at the end of the step before or after it.
     pub fn step(&mut self, unit: StepUnit, direction: StepDirection) {
         let unit = match unit {
@@ -83,6 +89,20 @@ impl Playground {
             _ => Direction::Next,
         };
         step_on(&mut self.current, unit, direction);
+    }
+
+    /// Puts the tool at the end of a motion.
+    #[wasm_bindgen(js_name = goTo)]
+    pub fn go_to(&mut self, motion: u32) {
+        let motion = motion as usize;
+        let there = motion < self.current.motions().len();
+        self.current.put(there.then_some(Playhead { motion, share: 1.0 }));
+    }
+
+    /// The motions `first..end` in words, the tool at the end of each.
+    #[wasm_bindgen(unchecked_return_type = "Stroke[]")]
+    pub fn strokes(&self, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        strokes(self, first, end)
     }
 
     /// Time, paths and extents of each tool in the order in which they are first used, then of the whole program.
@@ -109,6 +129,7 @@ in_part! {
         let clock = current.clock();
         let place = clock.place(current.motions(), share * clock.whole().pace);
         current.put(Some(place));
+        current.keep_tool_in_view();
     }
 
     Machine "0043"
@@ -116,18 +137,36 @@ in_part! {
         let from = current.view(Plane::Section).playhead.unwrap_or(Playhead::START);
         let place = current.clock().play(current.motions(), from, seconds, stops);
         current.put(Some(place));
+        current.keep_tool_in_view();
     }
 
     Machine "0044"
     fn step_on(current: &mut Current, unit: Unit, direction: Direction) {
         let place = step(current.motions(), current.view(Plane::Section).playhead, unit, direction);
         current.put(Some(place));
+        current.keep_tool_in_view();
+    }
+
+    Machine "0046"
+    fn put_at_block(current: &mut Current, offset: u32) {
+        current.put_at_block(offset);
+        current.keep_tool_in_view();
     }
 
     Machine "0045"
     fn totals_of(current: &Current) -> Result<JsValue, JsValue> {
         let (tools, all) = totals::totals(current.motions(), &current.run().setup().machine);
         to_js(&tools.iter().chain([&all]).map(Totals::new).collect::<Vec<_>>())
+    }
+
+    Machine "0841"
+    fn strokes(playground: &Playground, first: u32, end: u32) -> Result<JsValue, JsValue> {
+        let motions = playground.current.motions();
+        let rows = js_sys::Array::new();
+        for motion in first as usize..motions.len().min(end as usize) {
+            rows.push(&playground.stroke(motion, motions.get(motion).to)?);
+        }
+        Ok(rows.into())
     }
 
     Machine "0040"
@@ -137,6 +176,7 @@ in_part! {
             places: playground.places(),
             motions: playground.current.motions(),
             clock: playground.current.clock(),
+            unit: playground.current.unit(),
             resolved: playground.current.resolved_setup(),
         };
         to_js(&Readout::new(&shown, playhead, place.at, playground.language))

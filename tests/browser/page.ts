@@ -29,7 +29,16 @@ export const status = (page: BasicPage): Locator => page.getByRole('status');
 export const drawing = (page: BasicPage): Locator => page.getByRole('img', { name: /tool path|轨迹|траектории/ });
 export const play = (page: BasicPage): Locator => page.getByRole('button', { name: 'Play' });
 export const tooltip = (page: BasicPage): Locator => page.getByRole('tooltip');
-export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: 'Problems' });
+/** What can be shown where there is no room for all of it at once. */
+const TABS = {
+  drawing: /^(Drawing|图形|Чертёж)$/,
+  program: /^(Program|程序|Программа)$/,
+  problems: /^(Problems|问题|Замечания)/,
+  state: /^(State|状态|Состояние)$/,
+} as const;
+
+export const tab = (page: BasicPage, which: keyof typeof TABS): Locator => page.getByRole('tab', { name: TABS[which] });
+export const problems = (page: BasicPage): Locator => page.getByRole('region', { name: /^(Problems|问题|Замечания)$/ });
 
 /** Opens the page and waits until the first program has run and its part and messages are there. Any error on the page fails the test. */
 export async function open(page: BasicPage, hash = ''): Promise<void> {

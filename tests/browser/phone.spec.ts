@@ -1,7 +1,7 @@
 // On a phone and in the dark: touch, a small screen and the colours the system asks for, which only
 // Playwright can pretend. The screenshots go to test-results to be looked at; they are no goldens.
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
-import { drawing, editor, open, play, status } from './page';
+import { drawing, editor, open, play, status, tab } from './page';
 
 test('a phone shows drawing, playback, program and status at once, with nothing beyond the edge', async ({ browser, baseURL }, info) => {
   const context = await browser.newContext({
@@ -54,6 +54,7 @@ test('the table of codes in Chinese and Russian, in the dark and on a phone', as
   });
   const phone = (await context.newPage()) as ChromiumPage;
   await open(phone);
+  await tab(phone, 'state').click();
   await phone.getByRole('button', { name: 'Справка (?)' }).tap();
   await phone.screenshot({ path: info.outputPath('help-phone.png') });
   await phone.getByRole('button', { name: 'Поддерживаемые коды' }).tap();

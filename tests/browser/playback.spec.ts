@@ -122,3 +122,46 @@ test('the running block comes into sight, but not under the hands of a reader wh
   await page.keyboard.press('F9');
   await expect(running(page)).toBeInViewport();
 });
+
+const PASSES = 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nX40\nG00 X100\nM30\n';
+
+test('it plays from the block at the cursor', async ({ page }) => {
+  await open(page);
+  await load(page, PASSES, 14);
+  await editor(page).focus();
+  await page.keyboard.press('Control+Home');
+  for (let line = 0; line < 3; line++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Control+Shift+Enter');
+  await expect(running(page)).toHaveText('X45');
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.getByRole('button', { name: /^Start at the block/ }).click();
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+});
+
+test('an edit keeps the tool at its block', async ({ page }) => {
+  await open(page);
+  await load(page, PASSES, 14);
+  await editor(page).focus();
+  for (const key of ['F9', 'Control+F9', 'Control+F9']) await page.keyboard.press(key);
+  await expect(running(page)).toHaveText('X45');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.type('G99\n');
+  await expect(status(page)).toContainText('9 lines');
+  await expect(running(page)).toHaveText('X45');
+  await expect.poll(() => share(page)).toBeGreaterThan(0);
+  // Another program is shown whole.
+  await load(page, STOPS, 5);
+  await expect(running(page)).toHaveCount(0);
+  expect(await share(page)).toBe(0);
+});
+
+test('the legend names what is in the picture, and no button lies over it', async ({ page }) => {
+  await open(page);
+  await load(page, '(STOCK D=60 LENGTH=90)\nT0101\nM03 S500\nG00 X62 Z2\nG90 X56 Z-40 F0.2\nG00 X50 Z-10\nG00 X100\nM30\n', 7);
+  const legend = page.locator('.legend');
+  for (const what of ['rapid', 'cutting', 'cut off the blank', 'collision']) await expect(legend).toContainText(what);
+  const picture = await page.locator('[part~=drawing]').first().boundingBox();
+  const button = await page.getByRole('button', { name: 'Zoom in (+)' }).boundingBox();
+  expect(button?.y).toBeGreaterThan((picture?.y ?? 0) + (picture?.height ?? 0) - 1);
+});

@@ -2,9 +2,9 @@
 //
 // PLAYGROUND_SWITCHING_STEPS, _SEED and _STATES make it longer, or repeat it; a picture of what was
 // wrong is kept in test-results.
-import { test } from './engines';
+import { expect, test } from './engines';
 import { writeFileSync } from 'node:fs';
-import { examples } from './page';
+import { examples, open } from './page';
 import { freshLoads, fromEnvironment, switching } from './switching/scenario';
 
 const options = fromEnvironment({ seed: 20, steps: 100, states: 10 });
@@ -26,4 +26,47 @@ test('a program chosen right after another one is drawn whole', async ({ page },
 test('the first program is right after every load', async ({ page }, info) => {
   test.setTimeout(120_000);
   await freshLoads(page, 5, (name, png) => writeFileSync(info.outputPath(`${name}.png`), png));
+});
+
+test('a picture that comes too late for its run is painted again', async ({ page }) => {
+  // A program of its own begins two runs, one after the other; the picture of the first is on its way when the second begins.
+  await page.addInitScript(() => {
+    const own = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage')!;
+    Object.defineProperty(Worker.prototype, 'onmessage', {
+      ...own,
+      set(heard: (event: MessageEvent<{ kind: string }>) => void) {
+        own.set!.call(this, (event: MessageEvent<{ kind: string }>) => {
+          if (event.data.kind === 'pictures') setTimeout(() => heard(event), 150);
+          else heard(event);
+        });
+      },
+    });
+  });
+  await open(page);
+  const replace = (text: string, setup: string | undefined): Promise<void> =>
+    page.evaluate(async ({ text, setup }) => {
+      const element = document.querySelector('gcode-playground') as HTMLElement & { value: string; setup: string | null; readonly settled: Promise<number> };
+      element.value = text;
+      if (setup !== undefined) {
+        await new Promise((resolve) => setTimeout(resolve, 60));
+        element.setup = setup;
+      }
+      await element.settled;
+    }, { text, setup });
+  const pixels = (): Promise<number> =>
+    page.evaluate(() => {
+      const canvas = document.querySelector('gcode-playground')!.shadowRoot!.querySelector('canvas')!;
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const context = copy.getContext('2d')!;
+      context.drawImage(canvas, 0, 0);
+      return context.getImageData(0, 0, copy.width, copy.height).data.reduce((sum, value, at) => (sum * 31 + value * (at % 7)) % 1_000_003, 0);
+    });
+  const text = 'M03 S500\nG00 X62 Z2\nG90 X50 Z-30 F0.2\nX45\nG00 X100\nM30\n';
+  await replace(text, undefined);
+  const whole = await pixels();
+  await replace('G00 X20 Z5\nG01 Z-9 F0.1\n', undefined);
+  expect(await pixels()).not.toBe(whole);
+  await replace(text, '{}');
+  expect(await pixels()).toBe(whole);
 });

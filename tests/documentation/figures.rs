@@ -6,6 +6,7 @@ use gcode_playground::limits;
 use gcode_playground::sentences::Language;
 use gcode_playground::sentences::describe_motion;
 use gcode_playground::setup::Setup;
+use gcode_playground::units::Unit;
 
 use super::{analyze_codes, source};
 
@@ -202,7 +203,7 @@ fn slash() {
 fn stroke() {
     let analysis = analyze(b"G00 X40 Z2\nG90 X36 Z-20 F0.2\nX32\nX28\nM30", &Setup::default());
     let motion = analysis.motions.get(11);
-    let words = describe_motion(&motion, None, Language::English);
+    let words = describe_motion(&motion, None, Unit::Millimetre, Language::English);
     assert_eq!(words, "G90, pass 3: retract at feed to X40 Z-20");
 }
 

@@ -25,7 +25,7 @@ pub fn endless() -> Vec<Endless> {
     let passes = "E-TOO-MANY-PASSES";
     vec![
         // Digits below a thousandth do not count: the depth is zero (PS0062).
-        case("G71 U0.0001", "{}", &format!("G71 U0.0001 R0.5\nG71 P1 Q2 U0 W0\n{CONTOUR}"), "W-G71-U-SIGN"),
+        case("G71 U0.0001", "{}", &format!("G71 U0.0001 R0.5\nG71 P1 Q2 U0 W0\n{CONTOUR}"), "E-G71-U-SIGN"),
         case("G71 U0.001", "{}", &format!("G71 U0.001 R0.5\nG71 P1 Q2 U0 W0\n{CONTOUR}"), passes),
         case(
             "G71 U0.0001 in inches",

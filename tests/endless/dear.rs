@@ -30,9 +30,9 @@ pub fn dear_cycles() -> Vec<Hostile> {
     };
     vec![
         case("G71 over a short contour", called(&short, "G71U1R1\nG71P1Q2\n"), "E-TOO-MANY-MOTIONS", 40208),
-        case("G72 over a short contour", called(&short, "G72W1R1\nG72P1Q2\n"), "W-NOT-MONOTONE", 5),
+        case("G72 over a short contour", called(&short, "G72W1R1\nG72P1Q2\n"), "E-NOT-MONOTONE", 5),
         case("G71 of 98 000 passes", called(&short, "G71U.001R0\nG71P1Q2\n"), "E-TOO-MUCH-WORK", 48),
-        case("G71 of too many passes", called(&short, "G71U.0005R0\nG71P1Q2\n"), "W-G71-U-SIGN", 7),
+        case("G71 of too many passes", called(&short, "G71U.0005R0\nG71P1Q2\n"), "E-G71-U-SIGN", 7),
         case(
             "G73 R999 over a short contour",
             called(&short, "G73U9W9R999\nG73P1Q2\n"),
@@ -76,13 +76,13 @@ pub fn dear_cycles() -> Vec<Hostile> {
         case("G83 by far too little", called(START, "G83Z-9999.Q1F1\n"), "E-TOO-MANY-MOTIONS", 137),
         case("G90 again and again", called(START, "G90X90Z-9\n"), "W-NO-END", 104858),
         case("G92 again and again", called(START, "G92X90Z-9F2\n"), "W-NO-END", 87383),
-        case("G90 in a loop", format!("O1\n{START}N9 G90X90Z-9\nGOTO 9\n"), "W-ENDLESS", 6),
-        case("G92 in a loop", format!("O1\n{START}N9 G92X90Z-9F2\nGOTO 9\n"), "W-ENDLESS", 6),
+        case("G90 in a loop", format!("O1\n{START}N9 G90X90Z-9\nGOTO 9\n"), "E-ENDLESS", 6),
+        case("G92 in a loop", format!("O1\n{START}N9 G92X90Z-9F2\nGOTO 9\n"), "E-ENDLESS", 6),
         case("G83 in a loop", format!("O1\n{START}N9 G83Z-9Q1000F1\nGOTO 9\n"), "E-TOO-MANY-MOTIONS", 5),
         case(
             "G65 with many arguments in a loop",
             format!("O1\nN9 G65P2{}\nGOTO 9\nO2\nM99\n", "I[#1]J[#2]K[#3]".repeat(10)),
-            "W-ENDLESS",
+            "E-ENDLESS",
             2,
         ),
         case(

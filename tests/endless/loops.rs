@@ -4,14 +4,14 @@ use super::{Hostile, case};
 
 /// Jumps, loops and calls without an end.
 pub fn never_ending() -> Vec<Hostile> {
-    const REPEATS: &str = "W-ENDLESS";
+    const REPEATS: &str = "E-ENDLESS";
     let moves = "G1 U1 W-1\nU-1 W1\n".repeat(20_000);
     vec![
         case("M99 in the main program", "O1\nG0 X1\nM99\n", "W-ENDLESS", 3),
         case("M99 with a counter", "O1\n#1=#1+1\nIF[#1 EQ 0]GOTO 9\nM99\nN9 M30\n", REPEATS, 4),
         case("M99 with a system counter", "O1\n#1000=#1000+1\nM99\n", REPEATS, 3),
-        case("M99 P to itself", "O1\nG0 X1\nN5 M99 P5\n", REPEATS, 3),
-        case("M99 P to the head", "O1\nN1 G0 X1\nG0 Z1\nM99 P1\n", REPEATS, 4),
+        case("M99 P to itself", "O1\nG0 X1\nN5 M99 P5\n", "W-ENDLESS", 3),
+        case("M99 P to the head", "O1\nN1 G0 X1\nG0 Z1\nM99 P1\n", "W-ENDLESS", 4),
         case("GOTO to itself", "O1\nN1 GOTO 1\nM30\n", REPEATS, 2),
         case("GOTO by a variable", "O1\n#1=7\nN7 GOTO #1\nM30\n", REPEATS, 3),
         case("GOTO over a long body", format!("O1\nF1 M3 S1\nN1\n{moves}GOTO 1\nM30\n"), REPEATS, 40_004),

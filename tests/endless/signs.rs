@@ -5,7 +5,8 @@ use super::{Hostile, case, megabyte};
 /// All of them.
 pub fn one_sign() -> Vec<Hostile> {
     let signs = [
-        ("W-PLAIN-TEXT", "[]:,+-*=NOGMXL"),
+        ("E-PLAIN-TEXT", "[]:+NOGMXL"),
+        ("W-PLAIN-TEXT", ",-*="),
         ("PS0009", "){}<>.!?&|\"'\\@$^_~外"),
         ("I-EMPTY", ";/% \t"),
         ("W-COMMENT-OPEN", "("),
@@ -27,7 +28,7 @@ pub fn one_sign() -> Vec<Hostile> {
         bytes("bytes that are no UTF-8", "PS0009", 1, b"\xFF"),
         bytes("the middle of a character", "PS0009", 1, b"\x80"),
         bytes("half a character", "PS0009", 1, b"\xE5\xA4"),
-        bytes("X and half a character", "W-PLAIN-TEXT", 1, b"X\xE5\xA4"),
+        bytes("X and half a character", "E-PLAIN-TEXT", 1, b"X\xE5\xA4"),
         bytes("byte order marks", "I-EMPTY", 1, b"\xEF\xBB\xBF"),
         bytes("UTF-16", "W-NO-END", 174763, b"X\x001\x00\n\x00"),
         bytes("words in one line that is not ASCII", "W-NO-END", 1, "(外)X1;".as_bytes()),
@@ -42,7 +43,7 @@ pub fn one_sign() -> Vec<Hostile> {
         bytes("words of a wide keyboard", "E-BLOCK-TOO-LONG", 1, "Ｘ１".as_bytes()),
         bytes("X45s", "PS0005", 1, b"X45s\n"),
         bytes("X45s in one line", "E-BLOCK-TOO-LONG", 1, b"X45s "),
-        bytes("commas for points", "W-OCR", 1, b"X1,5\n"),
+        bytes("commas for points", "E-OCR", 1, b"X1,5\n"),
         bytes("blanks in numbers", "W-BLANK-IN-NUMBER", 1, b"X1 5\n"),
     ]);
     all

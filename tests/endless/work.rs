@@ -4,7 +4,7 @@ use super::{Hostile, case, megabyte};
 
 /// Much work for each of many rounds.
 pub fn repeated_work() -> Vec<Hostile> {
-    let repeats = "W-ENDLESS";
+    let repeats = "E-ENDLESS";
     let motions = "E-TOO-MANY-MOTIONS";
     let cycle =
         |cycle: &str| format!("O1\nM3 S500\nG0 X100 Z2 F.1\nM98 P2 L9999999\nM30\nO2\n{cycle}\nM99\n");

@@ -10,6 +10,7 @@ use gcode_playground::run::{Analysis, Run};
 use gcode_playground::scene::Scene;
 use gcode_playground::scene::face::Face;
 use gcode_playground::scene::path_index::PathIndex;
+use gcode_playground::scene::ruler::Scale;
 use gcode_playground::scene::svg::{SvgOptions, svg};
 use gcode_playground::scene::work::Work;
 use gcode_playground::setup::Setup;
@@ -86,8 +87,9 @@ impl Outcome {
             return None;
         }
         let simulation = SimulationResult::of(motions, setup);
+        let scale = Scale::of(self.analysis.unit);
         let options =
-            SvgOptions { width: WIDTH, x_plus: setup.machine.turret.into(), ..SvgOptions::default() };
+            SvgOptions { width: WIDTH, x_plus: setup.machine.turret.into(), scale, ..SvgOptions::default() };
         if let Some(face) = Face::of(motions, &simulation) {
             let work = face.work(&simulation, None);
             let options = SvgOptions { x_plus: SvgOptions::default().x_plus, ..options };

@@ -58,6 +58,7 @@ impl Interpreter {
         if block.words.is_empty() {
             // Prose in a line of its own moves nothing; anything else that is broken may have been a motion.
             if broken && block.faults.iter().any(|fault| !is_prose(fault)) {
+                self.excuse_feed(text, block);
                 self.lose(super::doubts::faults_of(text, block));
             }
             return Flow::Next;

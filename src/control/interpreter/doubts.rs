@@ -78,6 +78,7 @@ impl Interpreter {
     /// A block that was refused: the axes it names are not where it wants them.
     #[cold]
     pub(super) fn refuse(&mut self, text: &[u8], block: &Block, request: &Request, words: &Words) {
+        self.excuse_feed(text, block);
         let mut lost = faults_of(text, block);
         let mut named = Doubts::default();
         for (doubt, letters) in
@@ -121,6 +122,17 @@ impl Interpreter {
             None => lost.join(named),
         }
         self.lose(lost);
+    }
+
+    /// A feed that is missing after an F that could not be taken is the same fault.
+    #[cold]
+    pub(super) fn excuse_feed(&mut self, text: &[u8], block: &Block) {
+        let is_feed = |at: u32| text.get(at as usize).is_some_and(|byte| byte.eq_ignore_ascii_case(&b'F'));
+        let has_feed = block.faults.iter().any(|fault| is_feed(fault.span.start))
+            || block.words.iter().any(|word| word.address == b'F');
+        if self.state.feed.is_none() && has_feed {
+            self.state.reported.first(Once::NoFeed);
+        }
     }
 
     /// A cycle along a contour whose block cannot be read: its contour is no part of

@@ -176,13 +176,14 @@ impl Interpreter {
             last_pass: roughing::LastPass::Contour,
             checks: roughing::Checks::All,
         };
-        let moves = self.rough(text, block, words, &shape, &contour, &how, code)?;
+        let (moves, used) = self.rough(text, block, words, &shape, &contour, &how, code)?;
+        let how = Roughing { shape: used, ..how };
         self.observe(text, Event::Roughing(shape.call(block, words, &contour, &how)));
         self.run_cycle(block, cycle.cycle(), None, &moves);
         Some(())
     }
 
-    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged).
+    /// Roughs as type I or II (GSK980TDb pp. 99, 100; for G72 with X and Z exchanged), and says as which.
     #[allow(clippy::too_many_arguments, reason = "one call, all of its words")]
     fn rough(
         &mut self,
@@ -193,7 +194,7 @@ impl Interpreter {
         contour: &Contour,
         how: &Roughing,
         code: &'static str,
-    ) -> Option<Vec<Move>> {
+    ) -> Option<(Vec<Move>, roughing::Shape)> {
         let turning = how.direction == Direction::Turning;
         let (start, first) = (contour.start, contour.first);
         let (second_named, idiom, second_moves) = if turning {
@@ -222,8 +223,9 @@ impl Interpreter {
         {
             moves = Ok(found);
         }
-        if !pockets && second_named && matches!(moves, Err(roughing::RoughingError::NotMonotoneAcross { .. }))
-        {
+        // Where there is no type II, it is the pocket that cannot be roughed, however the block is written.
+        let may_change = !pockets && second_named && self.dialect.type_ii;
+        if may_change && matches!(moves, Err(roughing::RoughingError::NotMonotoneAcross { .. })) {
             how.shape = roughing::Shape::Pockets;
             moves = roughing::rough(contour, &how, most);
         }
@@ -232,10 +234,16 @@ impl Interpreter {
             return None;
         }
         let fault = match moves {
-            Ok(moves) => return Some(moves),
+            Ok(moves) => return Some((moves, how.shape)),
             Err(fault) => fault,
         };
-        let Some(message) = contour_message(fault, code, turning, shape) else {
+        let type_two = Roughing { shape: roughing::Shape::Pockets, ..how };
+        let can_be_pocket = how.shape == roughing::Shape::Monotone
+            && self.dialect.type_ii
+            && matches!(fault, roughing::RoughingError::NotMonotoneAcross { .. })
+            && roughing::rough(contour, &type_two, most).is_ok();
+        let remedy = if can_be_pocket { Remedy::Pockets } else { Remedy::AnotherCycle };
+        let Some(message) = contour_message(fault, code, turning, shape, remedy) else {
             // Found out only after that many moves.
             self.refuse_long_cycle(block, code, most, most);
             return None;
@@ -257,7 +265,11 @@ impl Interpreter {
         let start_is_wrong = matches!(fault, roughing::RoughingError::BeyondStart { .. })
             && contour.pieces.iter().filter(beyond).count() > 2;
         let place = place.filter(|_| !start_is_wrong);
-        let message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
+        let mut message = Diagnostic::new(message, place.unwrap_or_else(|| block.words_span()));
+        let (own, other) = if turning { (shape.first.x_word, " W0") } else { (shape.first.z_word, " U0") };
+        if can_be_pocket && !second_named && !own.is_empty() {
+            message = message.with(Fix::insert(own.end, other.to_owned()));
+        }
         if self.dialect.strict {
             self.report(message);
             return None;
@@ -265,7 +277,7 @@ impl Interpreter {
         // Many such programs run: some controls leave the check out, others allow a tolerance.
         let found = self.forgiving(block, contour, shape, &how, most);
         self.report(if found.is_some() { message.graded(Severity::Warning) } else { message });
-        found
+        found.map(|moves| (moves, how.shape))
     }
 
     /// G73.
@@ -413,17 +425,31 @@ impl Interpreter {
     }
 }
 
+/// What can be done about a contour that turns back.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Remedy {
+    /// Type II cuts it: it is a pocket.
+    Pockets,
+    /// No type of this cycle cuts it on this control.
+    AnotherCycle,
+}
+
 /// What to say of a contour that cannot be roughed; `None` where it only takes too many moves.
 fn contour_message(
     fault: roughing::RoughingError,
     code: &'static str,
     turning: bool,
     shape: &Shape,
+    remedy: Remedy,
 ) -> Option<Message> {
     let (along, across) = if turning { ('Z', 'X') } else { ('X', 'Z') };
     let turns_back = |axis, piece| {
         let alarm = if axis == 'Z' { "PS0064" } else { "PS0329" };
-        said::ContourTurnsBack { code, axis, line: shape.line_of(piece), alarm }.into()
+        let line = shape.line_of(piece);
+        match remedy {
+            Remedy::Pockets => said::ContourTurnsBack { code, axis, line, alarm }.into(),
+            Remedy::AnotherCycle => said::ContourNotOneWay { code, axis, line, alarm }.into(),
+        }
     };
     Some(match fault {
         roughing::RoughingError::NotMonotoneAlong { piece } => turns_back(along, piece),

@@ -27,6 +27,11 @@ in_part! {
     fn taper_word(taper: f64) -> String {
         format!("R{}", crate::units::number(taper))
     }
+
+    Machine "0403"
+    fn with_sign_changed(diagnostic: Diagnostic, text: &[u8], span: Span) -> Diagnostic {
+        diagnostic.with(Fix::write(span, words::with_other_sign(&words::quote(text, span))))
+    }
 }
 
 impl Interpreter {
@@ -99,7 +104,8 @@ impl Interpreter {
                 if QUOTING.is_loaded() { taper_word(taper) } else { String::new() }
             }
         };
-        if !self.taper_fits(cycle, start, end, taper_span, taper_word) {
+        let own_word = taper.map(|word| (text, word.span));
+        if !self.taper_fits(cycle, start, end, taper_span, own_word, taper_word) {
             request.drop = true;
             return;
         }
@@ -165,13 +171,15 @@ impl Interpreter {
         [Some(b'R'), old].into_iter().flatten().find(|&address| words.get(address).is_some())
     }
 
-    /// Checks the taper (its place and its word) against the start point.
+    /// Checks the taper (its place and its word) against the start point. `own_word`: the text and the place of
+    /// the taper's word, where this block has one.
     pub(super) fn taper_fits(
         &mut self,
         cycle: Single,
         start: Point,
         end: Point,
         span: Span,
+        own_word: Option<(&[u8], Span)>,
         word: impl FnOnce(&Self) -> String,
     ) -> bool {
         let taper = self.state.memory.taper;
@@ -190,7 +198,16 @@ impl Interpreter {
                 }
                 Single::Facing => said::TaperBeyondLength { word, limit: way }.into(),
             };
-            self.report(Diagnostic::new(message, span).graded(severity));
+            let mut diagnostic = Diagnostic::new(message, span).graded(severity);
+            // With the other sign the cut begins inside of the start point and ends where it did.
+            let crosses_axis = cycle != Single::Facing && end.x > 0.0 && end.x < taper;
+            if let Some((text, place)) = own_word
+                && !crosses_axis
+                && QUOTING.is_loaded()
+            {
+                diagnostic = with_sign_changed(diagnostic, text, place);
+            }
+            self.report(diagnostic);
             return !error;
         }
         true

@@ -159,6 +159,10 @@ impl RuleFile {
         if self.code.is_none() && self.alarms.is_empty() {
             mistakes.add("neither `code` nor `alarm`");
         }
+        let starts_with = |letter: &str| self.code.as_ref().is_some_and(|code| code.starts_with(letter));
+        if starts_with("W-") && self.severity == "Error" || starts_with("E-") && self.severity != "Error" {
+            mistakes.add("the code of an error begins with `E-`, and no other");
+        }
         if self.severity == "Off" && self.group.is_none() {
             mistakes.add("a rule that is off by default needs a `group`, or nobody finds it");
         }

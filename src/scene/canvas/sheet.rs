@@ -65,7 +65,7 @@ pub fn paper(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::default(), Pixel::new(width, height));
     pen.clip(view)?;
     let major = |tick: &Tick| tick.weight == TickWeight::Major;
-    let [along, across] = scene.plane().axes().map(|axis| ticks(axis, camera));
+    let [along, across] = scene.plane().axes().map(|axis| ticks(axis, camera, view.scale.unit));
     let upright =
         along.iter().filter(|tick| major(tick)).map(|tick| from_to((tick.pixel, 0.0), (tick.pixel, height)));
     pen.hairlines(view, &palette.grid, Dash::Solid, upright)?;
@@ -113,6 +113,7 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.basis))?;
         pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
         pen.polylines(&palette.axis, &seen(&closed(&work.obstacles)), 1.0, Dash::Solid)?;
+        pen.polylines(&palette.part_edge, &seen(&work.milled_lines()), 0.75, Dash::Solid)?;
         let [first, second] =
             work.compared.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
         for (only, colour, slant) in
@@ -158,7 +159,7 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
     pen.block(&palette.background, Pixel::new(0.0, bottom), Pixel::new(width, height));
     let edges = [from_to((left, 0.0), (left, bottom)), from_to((left, bottom), (width, bottom))];
     pen.hairlines(view, &palette.axis, Dash::Solid, edges.into_iter())?;
-    let [along, across] = plane.axes().map(|axis| ticks(axis, camera));
+    let [along, across] = plane.axes().map(|axis| ticks(axis, camera, view.scale.unit));
     let lines =
         along.iter().map(|tick| from_to((tick.pixel, bottom), (tick.pixel, bottom + tick.weight.length())));
     pen.hairlines(view, &palette.axis, Dash::Solid, lines)?;
@@ -173,11 +174,12 @@ pub fn rulers(pen: &Pen, plane: Plane, view: &View) -> Result<(), JsValue> {
     }
     let [level, upright] = plane.axes();
     let name = |axis: Axis, align: &str, at: Pixel| {
-        let text = &axis.name(view.millimetre);
+        let text = &axis.name(view.scale.symbol);
         pen.write(&Text { text, font: NAME_FONT, align, baseline: "middle" }, at, &palette.text)
     };
     name(upright, "left", Pixel::new(left + 7.0, 12.0))?;
-    name(level, "right", Pixel::new(width - 8.0, height - 10.0))
+    // In the corner of the rulers it takes the place of no label.
+    name(level, "right", Pixel::new(left - 4.0, height - 10.0))
 }
 
 fn label(pen: &Pen, tick: &Tick, align: &str, at: Pixel, palette: &Palette) -> Result<(), JsValue> {

@@ -6,6 +6,7 @@ use crate::machine::compare::Side;
 use super::super::Scene;
 use super::super::camera::Pixel;
 use super::super::hatch::{Slant, hatch_slanted};
+use super::caption::escaped;
 use super::{Drawing, number, pixel, polylines};
 
 /// From one line of the legend to the next, CSS pixels.
@@ -57,9 +58,4 @@ fn look(side: Side) -> (&'static str, Slant) {
         Side::First => ("first", Slant::Falling),
         Side::Second => ("second", Slant::Rising),
     }
-}
-
-/// A text as XML has it.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

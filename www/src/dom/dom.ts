@@ -37,6 +37,8 @@ export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): 
 /** The icons: 20 × 20, drawn with the text's colour. */
 const ICONS = {
   play: '<path d="M6 3.5v13l10.5-6.5z" fill="currentColor"/>',
+  screen: '<path d="M3 7.5V3h4.5M12.5 3H17v4.5M17 12.5V17h-4.5M7.5 17H3v-4.5" fill="none" stroke="currentColor" stroke-width="1.7"/>',
+  'from-here': '<path d="M3.5 3v14" stroke="currentColor" stroke-width="2"/><path d="M7.5 4.5v11l8.5-5.5z" fill="currentColor"/>',
   pause: '<path d="M5.5 4h3v12h-3zM11.5 4h3v12h-3z" fill="currentColor"/>',
   next: '<path d="M4 4v12l8-6zM13.5 4h2.5v12h-2.5z" fill="currentColor"/>',
   previous: '<path d="M16 4v12l-8-6zM4 4h2.5v12H4z" fill="currentColor"/>',

@@ -7,7 +7,7 @@
 
 import { defaultKeymap, history, historyKeymap, isolateHistory } from '@codemirror/commands';
 import { bracketMatching } from '@codemirror/language';
-import { linter, lintGutter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { linter, nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { Annotation, Compartment, EditorState, Transaction, type Extension, type StateEffect, type TransactionSpec } from '@codemirror/state';
 import {
@@ -15,12 +15,14 @@ import {
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
 import { applyFix, areShown, lintDiagnostics } from './lint';
-import { marks, showHovered, showRunning, showTokens } from './marks';
+import { marks, runningLine, showHovered, showRunning, showTokens } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
 import type { Change, EditorEvents, ProgramContext, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
+import { announceProblem } from './problem-announcement';
+import { problemGutter } from './problem-gutter';
 import { programText, type ProgramFile, type ProgramText } from './program-text';
 import { editorTheme } from './theme';
 import type { Language } from '../dom/language';
@@ -70,12 +72,12 @@ export class Editor implements TextHolder {
       state: EditorState.create({
         doc: docOf(program),
         extensions: [
-          lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
+          lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
           // Tab is not bound: it leaves the editor.
           keymap.of([
-            { key: 'F8', run: nextDiagnostic, shift: previousDiagnostic },
+            { key: 'F8', run: () => this.nextProblem('next'), shift: () => this.nextProblem('previous') },
             ...searchKeymap, ...historyKeymap, ...defaultKeymap,
           ]),
           this.#language.of(this.#languageExtension(language)),
@@ -148,7 +150,7 @@ export class Editor implements TextHolder {
 
   #replace(program: ProgramText, effects: readonly StateEffect<unknown>[], undoable: 'undoable' | 'final'): void {
     this.#view.dispatch({
-      effects,
+      effects: [...effects, showRunning.of(undefined)],
       changes: { from: 0, to: this.length, insert: docOf(program) },
       selection: { anchor: 0 },
       annotations: [byProgram.of(true), Transaction.addToHistory.of(undoable === 'undoable'), isolateHistory.of('full')],
@@ -210,6 +212,11 @@ export class Editor implements TextHolder {
     this.#follower.resume();
   }
 
+  /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
+  get runningLine(): number | undefined {
+    return runningLine(this.#view.state);
+  }
+
   /** The block the tool is in; it is kept in sight. */
   set running(span: Span | undefined) {
     this.#view.dispatch({ effects: showRunning.of(span) });
@@ -240,11 +247,13 @@ export class Editor implements TextHolder {
     });
   }
 
-  nextProblem(direction: 'next' | 'previous'): void {
+  nextProblem(direction: 'next' | 'previous'): boolean {
     this.showNow();
     this.focus();
     if (direction === 'next') nextDiagnostic(this.#view);
     else previousDiagnostic(this.#view);
+    announceProblem(this.#view, this.#shownLanguage);
+    return true;
   }
 
   focus(): void {
@@ -252,7 +261,7 @@ export class Editor implements TextHolder {
   }
 
   #languageExtension(language: Language): Extension {
-    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters' };
+    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters', tabindex: '0' };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 

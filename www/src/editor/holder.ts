@@ -44,6 +44,8 @@ export interface EditorEvents extends TextEvents, ContextEvents {
   cursorMoved(): void;
   /** The answer to a problem is a setting. */
   settingChosen(setting: Setting): void;
+  /** The program is about to get the focus: the reader is to see it. */
+  wanted(): void;
   /** Other lines are in sight. */
   viewMoved(): void;
   /** A text was pasted or dropped; it stands there now. */

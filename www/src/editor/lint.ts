@@ -17,7 +17,7 @@ import { ruleLink } from './rule-link';
 const SHOWN = 1000;
 
 /** A diagnostic of CodeMirror's, and all that is to be seen of it. */
-interface Shown extends LintDiagnostic {
+export interface Shown extends LintDiagnostic {
   readonly shows: string;
 }
 

@@ -4,7 +4,7 @@
 // In: ranges of the document, sent as effects. Out: decorations, moved along with every change of the text
 // until newer ranges come. Must not know: where the ranges come from; a token class is a number and a colour.
 
-import { StateEffect, StateField, type Extension, type Range, type Text } from '@codemirror/state';
+import { StateEffect, StateField, type EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
 import type { Span } from './holder';
 
@@ -44,11 +44,14 @@ function tokenMarks(triples: Uint32Array, length: number): DecorationSet {
   return Decoration.set(marks, true);
 }
 
-function blockField(effectType: typeof showHovered, mark: (span: Span, doc: Text) => Range<Decoration>): Extension {
+/** `after` a change of the text: the mark goes, or moves along with its block. */
+function blockField(
+  effectType: typeof showHovered, mark: (span: Span, doc: Text) => Range<Decoration>, after: 'goes' | 'moves',
+): StateField<DecorationSet> {
   return StateField.define<DecorationSet>({
     create: () => Decoration.none,
     update(shown, transaction) {
-      let next = transaction.docChanged ? Decoration.none : shown;
+      let next = after === 'moves' ? shown.map(transaction.changes) : transaction.docChanged ? Decoration.none : shown;
       for (const effect of transaction.effects) {
         if (!effect.is(effectType)) continue;
         const span = effect.value;
@@ -61,8 +64,11 @@ function blockField(effectType: typeof showHovered, mark: (span: Span, doc: Text
   });
 }
 
-export const marks: Extension = [
-  tokens,
-  blockField(showHovered, (span) => HOVERED.range(span.from, span.to)),
-  blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from)),
-];
+const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moves');
+
+export const marks: Extension = [tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), running];
+
+/** Where the line of the block that runs begins now, if it is marked. */
+export function runningLine(state: EditorState): number | undefined {
+  return state.field(running, false)?.iter().value === null ? undefined : state.field(running, false)?.iter().from;
+}

@@ -174,6 +174,11 @@ export class Program implements TextHolder {
     if (this.#editor !== undefined) this.#editor.hovered = span;
   }
 
+  /** Where the line of that block begins, also after edits; nothing when it is not marked, or gone. */
+  get runningLine(): number | undefined {
+    return this.#editor?.runningLine;
+  }
+
   /** The block the tool is in; it is kept in sight. */
   set running(span: Span | undefined) {
     this.#running = span;
@@ -192,10 +197,12 @@ export class Program implements TextHolder {
   }
 
   nextProblem(direction: 'next' | 'previous'): void {
+    this.#events.wanted();
     this.#editor?.nextProblem(direction);
   }
 
   focus(): void {
+    this.#events.wanted();
     this.#focusWanted = this.#editor === undefined;
     this.#editor?.focus();
   }

@@ -28,6 +28,8 @@ const CONTROLS = [
 /** Whose the program of a link is; no example is called so. */
 const OF_A_LINK = '#program';
 const THEMES = ['auto', 'light', 'dark'] as const;
+/** Percent of the size that the browser is set to. */
+const TEXT_SIZES = ['87.5', '100', '125', '150', '200'] as const;
 /** For who is here for the first time. */
 const HINTS = 'edit play pick';
 /** How long the reader must pause before the program is kept. */
@@ -49,6 +51,7 @@ const galleryButton = find<HTMLButtonElement>('gallery');
 const controlSelect = find<HTMLSelectElement>('control');
 const languageSelect = find<HTMLSelectElement>('language');
 const themeSelect = find<HTMLSelectElement>('theme');
+const textSizeSelect = find<HTMLSelectElement>('text-size');
 const openButton = find<HTMLButtonElement>('open');
 const saveButton = find<HTMLButtonElement>('save');
 const fileInput = find<HTMLInputElement>('file');
@@ -81,9 +84,13 @@ function start(): void {
   for (const [value, text] of CONTROLS) controlSelect.append(make('option', { value }, text));
   for (const tag of LANGUAGES) languageSelect.append(make('option', { value: tag, lang: tag }, PAGE_WORDS[tag].languageName));
   for (const value of THEMES) themeSelect.append(make('option', { value }));
+  for (const value of TEXT_SIZES) textSizeSelect.append(make('option', { value }, `${value} %`));
   playground.id = 'playground';
   playground.append(intro);
   playground.setAttribute('hints', choices().hints ?? HINTS);
+  const { split, textSize } = choices();
+  if (split !== undefined) playground.setAttribute('split', split);
+  showTextSize(TEXT_SIZES.find((known) => known === textSize) ?? '100');
   showTheme(theme);
   showLanguage();
   listen();
@@ -259,6 +266,11 @@ function listen(): void {
     keepChoices({ theme: themeSelect.value });
     showTheme(themeSelect.value);
   });
+  textSizeSelect.addEventListener('change', () => {
+    keepChoices({ textSize: textSizeSelect.value });
+    showTextSize(textSizeSelect.value);
+  });
+  playground.addEventListener('gcode-split', (event) => keepChoices({ split: (event as CustomEvent<{ readonly split: string }>).detail.split }));
   // The element takes what is dropped on it; beside it the browser would leave the page.
   acceptFiles(document.documentElement, {
     hint: () => COMMON[language].dropHere,
@@ -402,6 +414,7 @@ function showLanguage(): void {
   label(controlSelect, texts.control);
   label(languageSelect, texts.language);
   label(themeSelect, texts.theme);
+  label(textSizeSelect, texts.textSize);
   for (const option of themeSelect.options) option.textContent = texts.themes[option.value as (typeof THEMES)[number]];
   openButton.textContent = texts.openFile;
   saveButton.textContent = texts.saveFile;
@@ -458,6 +471,12 @@ function showTheme(theme: string): void {
   themeSelect.value = theme;
   document.documentElement.dataset['theme'] = theme;
   playground.theme = theme;
+}
+
+/** All of the page is measured by it, the drawing's words included. */
+function showTextSize(percent: string): void {
+  textSizeSelect.value = percent;
+  document.documentElement.style.fontSize = percent === '100' ? '' : `${percent}%`;
 }
 
 /** Which control the program is run on; the setup decides where the reader has chosen none. */

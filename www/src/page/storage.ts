@@ -22,6 +22,10 @@ export interface Choices {
   readonly theme?: string;
   /** The hints that are still to be shown. */
   readonly hints?: string;
+  /** The share of the program in the width, percent. */
+  readonly split?: string;
+  /** The size of the type, percent. */
+  readonly textSize?: string;
 }
 
 const PROGRAM = `gcode-playground:program:${location.pathname}`;

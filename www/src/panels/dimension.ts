@@ -4,15 +4,12 @@
 
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Dimension } from '../protocol/protocol';
+import type { Dimension, LengthUnit } from '../protocol/protocol';
+import { length as lengthIn, short } from './lengths';
 
-/** A length, mm, or an angle as it is shown: three decimals at most, a true minus. */
-export function shown(value: number): string {
-  return String(Math.round(value * 1000) / 1000 || 0).replace('-', '−');
-}
-
-export function dimensionText(language: Language, edge: Dimension): string {
+export function dimensionText(language: Language, edge: Dimension, unit: LengthUnit): string {
   const texts = WORDS[language];
+  const shown = (mm: number): string => lengthIn(mm, unit);
   const [x0, x1] = edge.x.map(shown) as [string, string];
   const z = shown(edge.z[0]);
   const length = shown(edge.length);
@@ -22,8 +19,8 @@ export function dimensionText(language: Language, edge: Dimension): string {
     case 'face':
       return texts.faceEdge(z, x0, x1);
     case 'taper': {
-      const ratio = edge.ratio === undefined ? '' : texts.ratio(shown(edge.ratio));
-      return texts.taper(x0, x1, length, shown(edge.angle ?? 0)) + ratio;
+      const ratio = edge.ratio === undefined ? '' : texts.ratio(short(edge.ratio, 3));
+      return texts.taper(x0, x1, length, short(edge.angle ?? 0, 3)) + ratio;
     }
     case 'arc':
       return texts.arc(shown(edge.radius ?? 0));

@@ -7,12 +7,14 @@
 import { icon, make, name, perFrame, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Palette, Size, Stroke, Summary } from '../protocol/protocol';
+import type { Palette, Size, Stroke, Summary, WorkShown } from '../protocol/protocol';
 
 /** A pointer that moved less than this, in CSS pixels, has clicked. */
 const CLICK_SLOP = { mouse: 4, touch: 10 };
 const KEY_PAN = 40;
 const KEY_ZOOM = 1.25;
+/** CSS pixels of the type's size for which the picture is as it is drawn. */
+const TYPE_AS_USUAL = 16;
 
 export interface DrawingEvents {
   resized(size: Size): void;
@@ -47,12 +49,16 @@ export class Drawing {
   readonly #empty = make('p', { className: 'empty', hidden: true });
   readonly #tip = make('div', { className: 'tip', part: 'tooltip', role: 'tooltip', hidden: true });
   readonly #pointers = new Map<number, { x: number; y: number }>();
+  /** As wide as the page's type is large. */
+  readonly #type = make('div', { className: 'type-size' });
+  #scale = 1;
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
   readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
   readonly #shown = this.#canvas.getContext('bitmaprenderer');
   #language: Language;
   #label: (motions: number) => string = () => '';
   #summary: Summary | undefined;
+  #work: readonly WorkShown[] = [];
   #stroke: Stroke | undefined;
   #edge: string | undefined;
   #legendShown = '';
@@ -64,7 +70,13 @@ export class Drawing {
 
   constructor(language: Language, events: DrawingEvents) {
     this.#language = language;
-    this.#events = events;
+    this.#events = {
+      ...events,
+      pan: (dx, dy) => events.pan(dx / this.scale, dy / this.scale),
+      zoom: (factor, x, y) => events.zoom(factor, x / this.scale, y / this.scale),
+      pointed: (x, y) => events.pointed(x / this.scale, y / this.scale),
+      clicked: (x, y, keepFocus) => events.clicked(x / this.scale, y / this.scale, keepFocus),
+    };
     this.element = make(
       'section',
       { className: 'drawing', part: 'drawing' },
@@ -80,9 +92,10 @@ export class Drawing {
     this.#fit.addEventListener('click', () => both((drawing) => drawing.#events.fit()));
     this.#zoomIn.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(KEY_ZOOM)));
     this.#zoomOut.addEventListener('click', () => both((drawing) => drawing.#zoomMiddle(1 / KEY_ZOOM)));
-    this.#holder.append(this.#canvas);
+    this.#holder.append(this.#canvas, this.#type);
     this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);
+    this.#sizes.observe(this.#type);
   }
 
   /** `label` is what it is for a reader who does not see it. */
@@ -102,14 +115,28 @@ export class Drawing {
     this.#showSummary();
   }
 
+  /** What the picture shows beside strokes. */
+  set work(work: readonly WorkShown[]) {
+    this.#work = work;
+    this.#showSummary();
+  }
+
   get size(): Size {
     const { width, height } = this.#holder.getBoundingClientRect();
-    return { width: Math.max(width, 1), height: Math.max(height, 1), pixelRatio: window.devicePixelRatio || 1 };
+    const scale = (this.#scale = Math.max(Number.parseFloat(getComputedStyle(this.#type).width) / TYPE_AS_USUAL, 1) || 1);
+    return { width: Math.max(width / scale, 1), height: Math.max(height / scale, 1), pixelRatio: (window.devicePixelRatio || 1) * scale };
+  }
+
+  /** CSS pixels for one of the picture's: its words and strokes grow with the reader's type. */
+  get scale(): number {
+    return this.#scale;
   }
 
   /** The colours as the style sheet resolves them now. */
   get palette(): Palette {
     const probe = make('span', { hidden: true });
+    // Colours of the system are named by the style sheet, not put in the place of these.
+    probe.style.setProperty('forced-color-adjust', 'none');
     this.element.append(probe);
     const style = getComputedStyle(probe);
     const colours = {} as Record<keyof Palette, string>;
@@ -181,6 +208,7 @@ export class Drawing {
       [(summary?.rapids ?? 0) > 0, 'rapid', COMMON[this.#language].rapid],
       [(summary?.feeds ?? 0) + (summary?.arcs ?? 0) > 0, 'feed', WORDS[this.#language].feed],
       [(summary?.threads ?? 0) > 0, 'thread', WORDS[this.#language].thread],
+      ...this.#work.map((what): [boolean, string, string] => [true, what, WORDS[this.#language][what]]),
     ];
     const present = kinds.filter(([present]) => present);
     const shown = present.map(([, , text]) => text).join();
@@ -192,7 +220,7 @@ export class Drawing {
   }
 
   #zoomMiddle(factor: number): void {
-    const { width, height } = this.size;
+    const { width, height } = this.#holder.getBoundingClientRect();
     this.#events.zoom(factor, width / 2, height / 2);
   }
 
@@ -314,6 +342,10 @@ const WORDS = words({
     zoomOut: 'Zoom out (−)',
     feed: 'cutting',
     thread: 'thread',
+    blank: 'cut off the blank',
+    chuck: 'chuck',
+    tailstock: 'tailstock',
+    collision: 'collision',
   },
   zh: {
     nothingToDraw: '还没有运动。请编写一段移动指令，或选择一个示例。',
@@ -322,6 +354,10 @@ const WORDS = words({
     zoomOut: '缩小 (−)',
     feed: '切削进给',
     thread: '螺纹切削',
+    blank: '毛坯切除部分',
+    chuck: '卡盘',
+    tailstock: '尾座',
+    collision: '碰撞',
   },
   ru: {
     nothingToDraw: 'Перемещений пока нет. Напишите кадр с перемещением или выберите пример.',
@@ -330,5 +366,9 @@ const WORDS = words({
     zoomOut: 'Мельче (−)',
     feed: 'рабочий ход',
     thread: 'резьба',
+    blank: 'снято с заготовки',
+    chuck: 'патрон',
+    tailstock: 'задняя бабка',
+    collision: 'столкновение',
   },
 });

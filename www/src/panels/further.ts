@@ -7,6 +7,7 @@ import { fileBar } from './file-bar';
 import { help } from './help';
 import { hints } from './hints';
 import type { PanelKind } from './panel';
+import { motions } from './motions';
 import { paste } from './paste';
 import { playback } from './playback';
 import { readAs } from './read-as';
@@ -16,15 +17,20 @@ import { rewrite } from './rewrite';
 import { setup } from './setup';
 import { solid } from './solid';
 import { statusLine } from './status-line';
+import { divider } from './divider';
+import { presentation } from './presentation';
+import { print } from './print';
 import { switches } from './switches';
+import { tabs } from './tabs';
 import { totals } from './totals';
+import { units } from './units';
 import { views } from './views';
 import { writtenOut } from './written-out';
 import editorStyles from '../editor/editor.css?inline';
 
 export const FURTHER: readonly PanelKind[] = [
-  hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, paste, solid, exports, rewrite, writtenOut, help,
-  codes,
+  tabs, divider, hints, fileBar, profiles, readAs, switches, problems, setup, views, playback, statusLine, totals, units, motions, paste, solid, exports, rewrite, writtenOut, help,
+  codes, presentation, print,
 ];
 
 /** Of what stands beside them. */

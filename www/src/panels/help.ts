@@ -60,6 +60,7 @@ const WORDS = words({
     codes: 'Supported codes',
     shortcuts: [
       ['Ctrl Enter', 'play or pause'],
+      ['Ctrl Shift Enter', 'start at the block of the cursor'],
       ['F9  Shift F9', 'next or previous motion'],
       ['Ctrl F9  Ctrl Shift F9', 'next or previous block'],
       ['Alt F9  Alt Shift F9', 'next or previous pass of a cycle'],
@@ -81,6 +82,7 @@ const WORDS = words({
     codes: '支持的代码',
     shortcuts: [
       ['Ctrl Enter', '播放或暂停'],
+      ['Ctrl Shift Enter', '从光标所在程序段开始'],
       ['F9  Shift F9', '下一段或上一段运动'],
       ['Ctrl F9  Ctrl Shift F9', '下一或上一程序段'],
       ['Alt F9  Alt Shift F9', '循环的下一次或上一次走刀'],
@@ -102,6 +104,7 @@ const WORDS = words({
     codes: 'Поддерживаемые коды',
     shortcuts: [
       ['Ctrl Enter', 'пуск или пауза'],
+      ['Ctrl Shift Enter', 'начать с кадра у курсора'],
       ['F9  Shift F9', 'следующее или предыдущее перемещение'],
       ['Ctrl F9  Ctrl Shift F9', 'следующий или предыдущий кадр'],
       ['Alt F9  Alt Shift F9', 'следующий или предыдущий проход цикла'],

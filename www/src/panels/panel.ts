@@ -9,14 +9,13 @@
 import type { Language } from '../dom/language';
 import type { Program } from '../editor/program';
 import type { ProgramFile, ProgramText } from '../editor/program-text';
-import type { Answer, Command, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, Stroke } from '../protocol/protocol';
+import type { Answer, Command, Diagnostic, Pictures, QuestionKind, Questions, Readout, Setting, SetupGroup, StepDirection, StepUnit, Stroke } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 
 /**
- * Where panels stand, in the order of the list: over, beside and under the editor, around the
- * pictures, in the line at the foot.
+ * Where panels stand, in the order of the list: the tabs of an element with little room; over, beside and under the editor, between it and the pictures, around these, in the line at the foot.
  */
-export const REGIONS = ['notices', 'bar', 'problems', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
+export const REGIONS = ['tabs', 'notices', 'bar', 'problems', 'divider', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
 export type Region = (typeof REGIONS)[number];
 
 export interface PanelKind {
@@ -47,6 +46,8 @@ export interface Panel {
   toolMoved?(place: Readout | undefined): void;
   /** A text has come into the editor at once, between these offsets. */
   textArrived?(from: number, to: number): void;
+  /** The reader is to see the program now: it gets the focus. */
+  programWanted?(): void;
   /** The text belongs to another file, or its file has another name or encoding. */
   fileChanged?(file: ProgramFile | undefined): void;
   /** How the switches stand in attributes and setup. */
@@ -98,6 +99,11 @@ export interface Services {
   hideNotice(topic: Topic): void;
   play(): void;
   pause(): void;
+  playOrPause(): void;
+  /** The tool goes on, or back, by one of these. */
+  step(unit: StepUnit, direction: StepDirection): void;
+  /** Puts the tool at the end of a motion. */
+  goTo(motion: number): void;
   openFile(file: File): Promise<void>;
   saveFile(): void;
   locate(x: number, z: number): Promise<ClientPlace>;
@@ -129,6 +135,8 @@ export interface Shell {
   /** The program, and the editor it stands in. */
   readonly editor: Program;
   readonly language: Language;
+  /** What all regions stand in. */
+  readonly frame: HTMLElement;
   /** What the panels of a region stand in. */
   region(region: Region): HTMLElement;
   service<S extends keyof Services>(name: S): Services[S];
@@ -154,6 +162,8 @@ export interface Shell {
   cameAtOnce(): void;
   /** The reader has chosen a stroke: its block is selected. */
   choose(stroke: Stroke, focus: 'focus' | 'keep-focus'): void;
+  /** The reader has chosen a problem: its word is selected, its block and its stroke are marked. */
+  chooseProblem(problem: Diagnostic): void;
   /** Lets all panels know where the tool is. */
   toolMoved(place: Readout | undefined): void;
 

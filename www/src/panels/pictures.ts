@@ -4,9 +4,10 @@
 // In: images, strokes and dimensions, as the worker answers. Out: how each picture is looked at, and the
 // stroke the reader chooses. Must not know: how a stroke is found, or what it means.
 
+import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { CanvasCommand, Command, PictureName, Pictures as Images, Stroke } from '../protocol/protocol';
+import type { CanvasCommand, Command, LengthUnit, PictureName, Pictures as Images, Stroke, Summary } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { dimensionText } from './dimension';
 import { Drawing, type DrawingEvents } from './drawing';
@@ -27,13 +28,20 @@ class Pictures implements Panel {
     locate: (x, z) => this.#locate('section', x, z),
     locateOnFace: (x, c) => this.#locate('face', x, c),
   };
+  /** Over a picture of an earlier run. */
+  readonly #old = make('p', { className: 'old-picture', part: 'old-picture', hidden: true });
+  /** The counts of the current run, until its picture is there. */
+  #coming: Summary | undefined;
+  /** The run of the old picture. */
+  #oldRun: number | undefined;
+  #unit: LengthUnit = 'mm';
   /** The motion under the pointer. */
   #hovered: number | undefined;
 
   constructor(shell: Shell) {
     this.#shell = shell;
     const edge = shell.newest('dimension', (edge) =>
-      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge)));
+      section.showEdge(edge === undefined ? undefined : dimensionText(shell.language, edge, this.#unit)));
     const onSection = this.#events('section');
     const section = new Drawing(shell.language, {
       ...onSection,
@@ -52,6 +60,7 @@ class Pictures implements Panel {
     const face = new Drawing(shell.language, this.#events('face'));
     this.#drawings = { section, face };
     face.element.hidden = true;
+    section.element.append(this.#old);
     this.places = { pictures: [section.element, face.element], playback: [section.legend, section.viewButtons] };
   }
 
@@ -59,20 +68,45 @@ class Pictures implements Panel {
     const { drawing, faceDrawing } = WORDS[language];
     this.#drawings.section.speak(language, drawing);
     this.#drawings.face.speak(language, () => faceDrawing);
+    this.#showAge();
   }
 
   heard(event: Heard): void {
+    if (event.kind === 'old-picture') this.#age(event.of);
+    // What is said of a picture is that of its own run.
+    if (this.#oldRun !== undefined && event.kind === 'report') this.#coming = event.report.summary;
+    if (this.#oldRun !== undefined) return;
     if (event.kind === 'path') this.#drawings.section.summary = event.summary;
+    if (event.kind === 'report' && event.report.views !== undefined) this.#drawings.section.work = event.report.views.work;
     if (event.kind !== 'report') return;
     this.#drawings.section.summary = event.report.summary;
+    this.#unit = event.report.units.shown;
     for (const drawing of Object.values(this.#drawings)) drawing.lookAgain();
   }
 
   showPictures(images: Images): void {
+    if (this.#oldRun !== undefined) {
+      const summary = this.#coming;
+      this.#age(undefined);
+      if (summary !== undefined) this.#drawings.section.summary = summary;
+    }
     for (const picture of ['section', 'face'] as const) {
       const image = images[picture];
       if (image !== undefined) this.#drawings[picture].show(image);
     }
+  }
+
+  #age(run: number | undefined): void {
+    this.#oldRun = run;
+    this.#coming = undefined;
+    this.#showAge();
+  }
+
+  #showAge(): void {
+    const run = this.#oldRun;
+    this.#old.hidden = run === undefined;
+    this.#old.textContent = run === undefined ? '' : WORDS[this.#shell.language].old(run);
+    for (const { element } of Object.values(this.#drawings)) element.classList.toggle('is-old', run !== undefined);
   }
 
   coloursChanged(): void {
@@ -97,6 +131,7 @@ class Pictures implements Panel {
   }
 
   lost(): void {
+    this.#age(undefined);
     this.#drawings.section.summary = undefined;
     this.#drawings.section.showTip(undefined);
   }
@@ -139,8 +174,8 @@ class Pictures implements Panel {
   async #locate(picture: PictureName, x: number, other: number): Promise<ClientPlace> {
     const place = await this.#shell.ask('locate', { picture, x, other });
     if (place === undefined) throw new Error('the playground is not in a document');
-    const { origin } = this.#drawings[picture];
-    return { clientX: origin.x + place.x, clientY: origin.y + place.y };
+    const { origin, scale } = this.#drawings[picture];
+    return { clientX: origin.x + place.x * scale, clientY: origin.y + place.y * scale };
   }
 }
 
@@ -148,15 +183,18 @@ const WORDS = words({
   en: {
     drawing: (n: number) =>
       `Drawing of the tool path, ${n} motions. Arrow keys move it, plus and minus zoom, F shows all of it.`,
+    old: (run: number) => `Old picture (run ${run}), from before the block that is being typed`,
     faceDrawing: 'Drawing of the end face, seen from the tailstock: X to the right, C up. Arrow keys move it, plus and minus zoom, F shows all of it.',
   },
   zh: {
     drawing: (n) => `刀具轨迹图，共 ${n} 段运动。方向键移动，加号和减号缩放，F 键显示全图。`,
+    old: (run) => `旧图（第 ${run} 次运行），正在输入的程序段之前的结果`,
     faceDrawing: '端面图，从尾座方向看：X 向右，C 向上。方向键移动，加减号缩放，F 显示全部。',
   },
   ru: {
     drawing: (n) =>
       `Чертёж траектории, перемещений: ${n}. Стрелки сдвигают его, плюс и минус меняют масштаб, F показывает всё.`,
+    old: (run) => `Прежний чертёж (прогон ${run}): до кадра, который сейчас набирается`,
     faceDrawing: 'Чертёж торца, вид со стороны задней бабки: X вправо, C вверх. Стрелки двигают его, плюс и минус меняют масштаб, F показывает всё.',
   },
 });

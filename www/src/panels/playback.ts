@@ -7,11 +7,12 @@
 import { icon, make, name, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
+import type { LengthUnit, Pace, Readout, StepDirection, StepUnit, StopSwitch } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Key, NewestQuestion, Panel, PanelKind, Services, Shell } from './panel';
+import { place as shownPlace } from './lengths';
 import playbackStyles from './playback.css?inline';
-import { millimetres, ReadoutBoard } from './readout';
+import { ReadoutBoard } from './readout';
 
 /** Seconds in which the whole program is shown, the first one unless another is chosen. */
 const WHOLE: readonly number[] = [20, 60];
@@ -32,6 +33,7 @@ class Playback implements Panel {
   readonly #playText = make('span', { className: 'play-text' });
   readonly #back = make('button', { type: 'button', className: 'quiet' }, icon('previous'));
   readonly #forward = make('button', { type: 'button', className: 'quiet' }, icon('next'));
+  readonly #here = make('button', { type: 'button' }, icon('from-here'));
   readonly #unit = make('select', { className: 'speed unit' });
   readonly #whole = make('button', { type: 'button', className: 'quiet' }, icon('whole'));
   readonly #slider = make('input', { type: 'range', min: '0', max: '1', step: 'any', value: '0', className: 'scrub' });
@@ -53,8 +55,15 @@ class Playback implements Panel {
   /** Counts what has been played, so that an answer can be too late. */
   #take = 0;
   #doingShown = '';
+  #lengths: LengthUnit = 'mm';
   readonly places: Panel['places'];
-  readonly services: Partial<Services> = { play: () => this.#start(), pause: () => this.#stop() };
+  readonly services: Partial<Services> = {
+    play: () => this.#start(),
+    pause: () => this.#stop(),
+    playOrPause: () => this.#toggle(),
+    step: (unit, direction) => this.#step(unit, direction),
+    goTo: (motion) => this.#goTo(motion),
+  };
 
   constructor(shell: Shell) {
     this.#shell = shell;
@@ -66,7 +75,7 @@ class Playback implements Panel {
     this.#unit.append(...UNITS.map((unit) => make('option', { value: unit })));
     this.places = {
       playback: [
-        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward),
+        make('div', { className: 'buttons' }, this.#back, this.#play, this.#forward, this.#here),
         this.#unit,
         this.#slider,
         make('div', { className: 'place' }, this.#optional, this.#speed, this.#whole),
@@ -75,6 +84,7 @@ class Playback implements Panel {
       ],
     };
     this.#play.addEventListener('click', () => this.#toggle());
+    this.#here.addEventListener('click', () => void this.#playFromHere());
     this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
     this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
     this.#unit.addEventListener('change', () => this.#nameSteps());
@@ -93,7 +103,8 @@ class Playback implements Panel {
     for (const option of this.#unit.options) option.textContent = texts.units[option.value as StepUnit];
     this.#unit.setAttribute('aria-label', texts.stepBy);
     this.#unit.title = texts.stepBy;
-    name(this.#optional, texts.optionalStops);
+    name(this.#here, `${texts.fromHere} (Ctrl Shift Enter)`);
+    name(this.#optional, `M01: ${texts.optionalStops}`);
     this.#optional.title = texts.optionalStopsHint;
     name(this.#whole, texts.wholePath);
     this.#slider.setAttribute('aria-label', texts.position);
@@ -106,11 +117,15 @@ class Playback implements Panel {
 
   heard(event: Heard): void {
     if (event.kind !== 'report') return;
-    const { stage, summary } = event.report;
+    const { stage, summary, units } = event.report;
+    this.#lengths = this.#board.unit = units.shown;
     // The path was there before, and the reader may be playing it.
     if (stage === 'whole' || stage === 'path') {
+      const line = this.#place === undefined ? undefined : this.#shell.editor.runningLine;
       this.#program(summary.motions, summary.optionalStops);
-      this.#showTool(undefined);
+      // After an edit the tool stands at the block that it was in.
+      if (line === undefined) this.#showTool(undefined);
+      else void this.#shell.ask('seek-block', { offset: line }).then((place) => this.#showTool(place));
     } else if (stage === 'again' && this.#place !== undefined) {
       void this.#shell.ask('readout', undefined).then((place) => this.#showTool(place));
     }
@@ -118,7 +133,8 @@ class Playback implements Panel {
 
   pressed({ event }: Key): 'own' | 'not-own' {
     const control = event.ctrlKey || event.metaKey;
-    if (event.key === 'Enter' && control) this.#toggle();
+    if (event.key === 'Enter' && control && event.shiftKey) void this.#playFromHere();
+    else if (event.key === 'Enter' && control) this.#toggle();
     else if (event.key === 'F9') this.#step(control ? 'block' : event.altKey ? 'pass' : 'motion', event.shiftKey ? 'previous' : 'next');
     else return 'not-own';
     return 'own';
@@ -143,7 +159,7 @@ class Playback implements Panel {
   /** Another path has been drawn, of so many motions, with so many optional stops. */
   #program(motions: number, optionalStops: number): void {
     this.#stop();
-    for (const control of [this.#play, this.#back, this.#forward, this.#slider]) control.disabled = motions <= 0;
+    for (const control of [this.#play, this.#back, this.#forward, this.#here, this.#slider]) control.disabled = motions <= 0;
     this.#optional.hidden = optionalStops <= 0;
     this.#show(undefined);
   }
@@ -160,7 +176,7 @@ class Playback implements Panel {
     if (this.#playing) return;
     const stroke = place?.stroke;
     const spoken =
-      stroke === undefined ? '–' : this.#words.positionText(millimetres(stroke.atX), millimetres(stroke.atZ));
+      stroke === undefined ? '–' : this.#words.positionText(shownPlace(stroke.atX, this.#lengths), shownPlace(stroke.atZ, this.#lengths));
     this.#slider.setAttribute('aria-valuetext', spoken);
   }
 
@@ -184,6 +200,16 @@ class Playback implements Panel {
     this.#showPlaying();
   }
 
+  /** From the block that the cursor is in. */
+  async #playFromHere(): Promise<void> {
+    if (this.#play.disabled) return;
+    this.#stop();
+    this.#shell.flush();
+    const place = await this.#shell.ask('seek-block', { offset: this.#shell.editor.cursor });
+    this.#showTool(place);
+    if (place !== undefined) this.#start();
+  }
+
   #step(unit: StepUnit, direction: StepDirection): void {
     if (this.#play.disabled) return;
     this.#stop();
@@ -191,6 +217,12 @@ class Playback implements Panel {
     // The block is shown even if it is the same one.
     this.#running = undefined;
     void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
+  }
+
+  #goTo(motion: number): void {
+    this.#stop();
+    this.#shell.editor.follow();
+    void this.#shell.ask('go-to', { motion }).then((place) => this.#showTool(place));
   }
 
   #showWholePath(): void {
@@ -307,6 +339,7 @@ const WORDS = words({
     speed: 'Speed',
     previous: { motion: 'Previous motion', block: 'Previous block', pass: 'Previous pass' },
     next: { motion: 'Next motion', block: 'Next block', pass: 'Next pass' },
+    fromHere: 'Start at the block of the cursor',
     stepBy: 'Step by',
     units: { motion: 'motion', block: 'block', pass: 'pass' },
     wholeIn: (seconds: number) => `all in ${seconds} s`,
@@ -324,6 +357,7 @@ const WORDS = words({
     speed: '速度',
     previous: { motion: '上一段运动', block: '上一程序段', pass: '上一次走刀' },
     next: { motion: '下一段运动', block: '下一程序段', pass: '下一次走刀' },
+    fromHere: '从光标所在程序段开始',
     stepBy: '步进单位',
     units: { motion: '运动', block: '程序段', pass: '走刀' },
     wholeIn: (seconds) => `全程 ${seconds} 秒`,
@@ -341,6 +375,7 @@ const WORDS = words({
     speed: 'Скорость',
     previous: { motion: 'Предыдущее перемещение', block: 'Предыдущий кадр', pass: 'Предыдущий проход' },
     next: { motion: 'Следующее перемещение', block: 'Следующий кадр', pass: 'Следующий проход' },
+    fromHere: 'С кадра у курсора',
     stepBy: 'Шаг',
     units: { motion: 'перемещение', block: 'кадр', pass: 'проход' },
     wholeIn: (seconds) => `всё за ${seconds} с`,

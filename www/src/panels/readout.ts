@@ -6,10 +6,12 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Readout } from '../protocol/protocol';
+import type { LengthUnit, Readout } from '../protocol/protocol';
 import { clock, countsOfUnknown } from './duration';
+import { inUnit, place, signed, symbol } from './lengths';
 
 const NOTHING = '–';
+const METRES_A_FOOT = 0.3048;
 
 /** A name and a value that stays where it is while its digits change. */
 class Cell {
@@ -46,6 +48,7 @@ export class ReadoutBoard {
   readonly #time = new Cell('time');
   readonly #tool = new Cell('tool');
   #language: Language;
+  #unit: LengthUnit = 'mm';
   #shown: Readout | undefined;
 
   constructor(language: Language) {
@@ -59,8 +62,10 @@ export class ReadoutBoard {
     this.#language = language;
     const texts = WORDS[language];
     this.element.setAttribute('aria-label', texts.readout);
-    this.#x.name = 'X ⌀';
-    this.#z.name = 'Z';
+    // Millimetres are what nobody has to be warned of.
+    const unit = this.#unit === 'mm' ? '' : `, ${symbol(this.#unit, language)}`;
+    this.#x.name = `X ⌀${unit}`;
+    this.#z.name = `Z${unit}`;
     this.#c.name = 'C';
     this.#feed.name = texts.feed;
     this.#spindle.name = texts.spindle;
@@ -70,16 +75,21 @@ export class ReadoutBoard {
     this.shown = this.#shown;
   }
 
+  set unit(unit: LengthUnit) {
+    this.#unit = unit;
+    this.language = this.#language;
+  }
+
   set shown(readout: Readout | undefined) {
     this.#shown = readout;
     this.element.classList.toggle('idle', readout === undefined);
     this.#c.element.hidden = readout?.c === undefined;
-    this.#x.value = readout === undefined ? NOTHING : millimetres(readout.stroke.atX);
-    this.#z.value = readout === undefined ? NOTHING : millimetres(readout.stroke.atZ);
+    this.#x.value = readout === undefined ? NOTHING : place(readout.stroke.atX, this.#unit);
+    this.#z.value = readout === undefined ? NOTHING : place(readout.stroke.atZ, this.#unit);
     this.#c.value = readout?.c === undefined ? NOTHING : `${signed(readout.c, 2)}°`;
     this.#feed.value = this.#feedText(readout);
     this.#spindle.value = this.#with(readout?.rpm, 0, WORDS[this.#language].turns);
-    this.#surface.value = this.#with(readout?.surfaceSpeed, 0, WORDS[this.#language].metres);
+    this.#surface.value = this.#surfaceText(readout?.surfaceSpeed);
     this.#time.value = this.#timeText(readout);
     this.#time.hint = WORDS[this.#language].unknownTime(readout?.total.unknownRapids ?? 0, readout?.total.unknownCuts ?? 0);
     this.#tool.value = this.#toolText(readout);
@@ -89,13 +99,23 @@ export class ReadoutBoard {
     return value === undefined ? NOTHING : `${value.toFixed(digits)} ${unit}`;
   }
 
+  /** Metres a minute, or feet as an inch program counts. */
+  #surfaceText(metres: number | undefined): string {
+    const { metres: metric, feet } = WORDS[this.#language];
+    return this.#unit === 'mm' ? this.#with(metres, 0, metric) : this.#with(metres === undefined ? undefined : metres / METRES_A_FOOT, 0, feet);
+  }
+
   /** As it is programmed, then what comes of it. */
   #feedText(readout: Readout | undefined): string {
     const texts = WORDS[this.#language];
     if (readout?.stroke.kind === 'rapid') return COMMON[this.#language].rapid;
+    const metric = this.#unit === 'mm';
+    const turn = readout?.feedPerTurn === undefined ? undefined : inUnit(readout.feedPerTurn, this.#unit);
+    const minute = readout?.feed === undefined ? undefined : inUnit(readout.feed, this.#unit);
+    const unit = symbol(this.#unit, this.#language);
     const parts = [
-      readout?.feedPerTurn === undefined ? '' : `${trimmed(readout.feedPerTurn, 4)} ${texts.perTurn}`,
-      readout?.feed === undefined ? '' : `${readout.feed < 10 ? trimmed(readout.feed, 2) : readout.feed.toFixed(0)} ${texts.perMinute}`,
+      turn === undefined ? '' : `${trimmed(turn, metric ? 4 : 5)} ${texts.perTurn(unit)}`,
+      minute === undefined ? '' : `${minute < 10 ? trimmed(minute, 2) : minute.toFixed(metric || minute >= 100 ? 0 : 1)} ${texts.perMinute(unit)}`,
     ].filter((text) => text !== '');
     return parts.join(' · ') || NOTHING;
   }
@@ -122,15 +142,6 @@ function trimmed(value: number, digits: number): string {
   return value.toFixed(digits).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
 }
 
-function signed(value: number, digits: number): string {
-  const text = value.toFixed(digits);
-  return Number(text) === 0 ? (0).toFixed(digits) : text.replace('-', '−');
-}
-
-export function millimetres(value: number): string {
-  return signed(value, 3);
-}
-
 const WORDS = words({
   en: {
     readout: 'Where the tool is',
@@ -139,10 +150,11 @@ const WORDS = words({
     surfaceSpeed: 'Cutting speed',
     time: 'Time',
     tool: 'Tool',
-    perMinute: 'mm/min',
-    perTurn: 'mm/rev',
+    perMinute: (unit: string) => `${unit}/min`,
+    perTurn: (unit: string) => `${unit}/rev`,
     turns: 'rpm',
     metres: 'm/min',
+    feet: 'ft/min',
     notKnown: 'not known',
     unknownTime: (rapids: number, cuts: number) =>
       [
@@ -158,10 +170,11 @@ const WORDS = words({
     surfaceSpeed: '切削速度',
     time: '时间',
     tool: '刀具',
-    perMinute: 'mm/min',
-    perTurn: 'mm/r',
+    perMinute: (unit) => `${unit}/min`,
+    perTurn: (unit) => `${unit}/r`,
     turns: 'r/min',
     metres: 'm/min',
+    feet: 'ft/min',
     notKnown: '未知',
     unknownTime: (rapids, cuts) =>
       [
@@ -177,10 +190,11 @@ const WORDS = words({
     surfaceSpeed: 'Скорость резания',
     time: 'Время',
     tool: 'Инструмент',
-    perMinute: 'мм/мин',
-    perTurn: 'мм/об',
+    perMinute: (unit) => `${unit}/мин`,
+    perTurn: (unit) => `${unit}/об`,
     turns: 'об/мин',
     metres: 'м/мин',
+    feet: 'фут/мин',
     notKnown: 'неизвестно',
     unknownTime: (rapids, cuts) =>
       [

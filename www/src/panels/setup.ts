@@ -90,8 +90,10 @@ class Setup implements Panel {
     const form = await this.#ask();
     if (form === undefined) return;
     const fields = form.groups.flatMap(({ fields }) => fields);
-    const keys = fields.map((field) => field.key);
-    const texts = fields.map((field) => (field.key === key ? value : field.value));
+    // Single rules have no field.
+    const others = fields.filter((field) => field.key !== key);
+    const keys = [...others.map((field) => field.key), key];
+    const texts = [...others.map((field) => field.value), value];
     const answer = await this.#read({ keys, texts, keep: form.place });
     if (answer !== undefined) this.#keep(answer, form.place);
   }

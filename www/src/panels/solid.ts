@@ -49,7 +49,7 @@ class Solid implements Panel {
   set language(language: Language) {
     const strings = WORDS[language];
     this.#button.textContent = strings.solid;
-    name(this.#button, strings.solidHint);
+    name(this.#button, `${strings.solid}: ${strings.solidHint}`);
     this.#dialog.name(strings.solidTitle, COMMON[language].close);
     this.#dialog.about = strings.solidAbout;
     this.#reset.textContent = strings.solidReset;

@@ -5,9 +5,10 @@
 import { make, name } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
-import type { Totals } from '../protocol/protocol';
+import type { LengthUnit, Totals } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import { clock, countsOfUnknown } from './duration';
+import { inUnit, length, symbol } from './lengths';
 import type { Panel, PanelKind, Shell } from './panel';
 import totalsStyles from './totals.css?inline';
 
@@ -26,6 +27,7 @@ class TotalsPanel implements Panel {
   readonly #element = make('div', { className: 'totals', part: 'totals', role: 'dialog', popover: 'auto' }, this.#title, this.#close, this.#body, this.#notes);
   /** One row for each tool, and the last for the whole program. */
   #rows: readonly Totals[] = [];
+  #unit: LengthUnit = 'mm';
   readonly places = { foot: [this.#button], dialogs: [this.#element] };
 
   constructor(shell: Shell) {
@@ -46,7 +48,9 @@ class TotalsPanel implements Panel {
 
   heard(event: Heard): void {
     if (event.kind !== 'report') return;
-    const { stage, summary } = event.report;
+    const { stage, summary, units } = event.report;
+    this.#unit = units.shown;
+    if (stage === 'again') this.#show();
     if (stage !== 'whole' && stage !== 'path') return;
     this.#button.hidden = summary.motions === 0;
     if (summary.motions > 0 && (summary.motions <= ADDED_UP_AT_ONCE || this.#element.matches(':popover-open'))) void this.#ask();
@@ -80,7 +84,7 @@ class TotalsPanel implements Panel {
       this.#notes.hidden = true;
       return;
     }
-    const head = texts.columns.map((text) => make('th', { scope: 'col' }, text));
+    const head = texts.columns(symbol(this.#unit, language)).map((text) => make('th', { scope: 'col' }, text));
     const rows = this.#rows.map((row) => this.#row(row, row === all ? texts.whole : (row.tool ?? texts.noTool)));
     this.#body.replaceChildren(make('table', {}, make('thead', {}, make('tr', {}, ...head)), make('tbody', {}, ...rows)));
     const notes = [all.unknownRapids > 0 ? texts.rapidsUnknown : '', all.unknownCuts > 0 ? texts.cutsUnknown : ''].filter((note) => note !== '');
@@ -90,8 +94,9 @@ class TotalsPanel implements Panel {
 
   #row(row: Totals, first: string): HTMLElement {
     const { low, high, cut, rapid } = row;
-    const range = (from: number | undefined, to: number | undefined): string => (from === undefined || to === undefined ? '–' : `${shown(from)} … ${shown(to)}`);
-    const cells = [time(row, this.#shell.language), cut.toFixed(1), rapid.toFixed(1), range(low?.x, high?.x), range(low?.z, high?.z)];
+    const range = (from: number | undefined, to: number | undefined): string => (from === undefined || to === undefined ? '–' : `${length(from, this.#unit)} … ${length(to, this.#unit)}`);
+    const path = (mm: number): string => inUnit(mm, this.#unit).toFixed(this.#unit === 'mm' ? 1 : 2);
+    const cells = [time(row, this.#shell.language), path(cut), path(rapid), range(low?.x, high?.x), range(low?.z, high?.z)];
     return make('tr', {}, make('th', { scope: 'row' }, first), ...cells.map((cell) => make('td', {}, cell)));
   }
 }
@@ -102,15 +107,11 @@ function time({ seconds, unknownCuts, unknownRapids }: Totals, language: Languag
   return seconds === 0 && unknown !== '' ? unknown.replace(/^ \+ /, '') : `${clock(seconds)}${unknown}`;
 }
 
-function shown(value: number): string {
-  return String(Number(value.toFixed(3))).replace('-', '−');
-}
-
 const WORDS = words({
   en: {
     time: (time: string) => `Time ${time}`,
     title: 'Time and totals',
-    columns: ['Tool', 'Time', 'Cut, mm', 'Rapid, mm', 'X of the cuts, ⌀', 'Z of the cuts'],
+    columns: (unit: string) => ['Tool', 'Time', `Cut, ${unit}`, `Rapid, ${unit}`, 'X of the cuts, ⌀', 'Z of the cuts'],
     whole: 'All',
     noTool: '–',
     rapidsUnknown: 'How long rapids take is not known: the setup gives no rapid traverse rate.',
@@ -119,7 +120,7 @@ const WORDS = words({
   zh: {
     time: (time) => `时间 ${time}`,
     title: '时间与合计',
-    columns: ['刀具', '时间', '切削，mm', '快移，mm', '切削 X 范围，⌀', '切削 Z 范围'],
+    columns: (unit) => ['刀具', '时间', `切削，${unit}`, `快移，${unit}`, '切削 X 范围，⌀', '切削 Z 范围'],
     whole: '合计',
     noTool: '–',
     rapidsUnknown: '快速移动所需时间未知：设置中没有给出快移速度。',
@@ -128,7 +129,7 @@ const WORDS = words({
   ru: {
     time: (time) => `Время ${time}`,
     title: 'Время и итоги',
-    columns: ['Инструмент', 'Время', 'Резание, мм', 'Ускоренно, мм', 'X резания, ⌀', 'Z резания'],
+    columns: (unit) => ['Инструмент', 'Время', `Резание, ${unit}`, `Ускоренно, ${unit}`, 'X резания, ⌀', 'Z резания'],
     whole: 'Всего',
     noTool: '–',
     rapidsUnknown: 'Время ускоренных ходов неизвестно: в наладке нет скорости ускоренного хода.',

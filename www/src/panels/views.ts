@@ -6,9 +6,9 @@
 import { make } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { words } from '../dom/words';
-import type { Comparison, ViewsState } from '../protocol/protocol';
+import type { Comparison, LengthUnit, ViewsState } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
-import { shown } from './dimension';
+import { length, symbol } from './lengths';
 import type { Panel, PanelKind, Services, Shell } from './panel';
 import viewsStyles from './views.css?inline';
 
@@ -28,11 +28,12 @@ class Views implements Panel {
   readonly #keep = make('button', { type: 'button', className: 'small' });
   readonly #end = make('button', { type: 'button', className: 'small', hidden: true });
   readonly #differences = make('div', { className: 'differences', 'aria-live': 'polite', hidden: true });
-  #state: ViewsState = { face: false, turret: 'rear', comparison: undefined };
+  #state: ViewsState = { work: [], face: false, turret: 'rear', comparison: undefined };
   /** The page ends a comparison of its own, not the reader's. */
   #keptBy: 'reader' | 'page' = 'reader';
   #wanted: Pictures = 'both';
   #told: Pictures = 'section';
+  #unit: LengthUnit = 'mm';
   /** Of the row, CSS pixels. */
   #width = 0;
 
@@ -85,6 +86,7 @@ class Views implements Panel {
   }
 
   heard(event: Heard): void {
+    if (event.kind === 'report') this.#unit = event.report.units.shown;
     const state = event.kind === 'views' ? event.views : event.kind === 'report' ? event.report.views : undefined;
     if (state === undefined) return;
     this.#state = state;
@@ -139,7 +141,9 @@ class Views implements Panel {
       differences.some(({ only }) => only === side)
         ? [make('span', { className: 'only' }, make('span', { className: `patch ${side}` }), text)]
         : [];
-    const largest = texts.largest(shown(radial.length), shown(radial.from.z), shown(axial.length), shown(axial.from.x));
+    const shown = (mm: number): string => length(mm, this.#unit);
+    const measure = (mm: number): string => `${shown(mm)} ${symbol(this.#unit, this.#shell.language)}`;
+    const largest = texts.largest(measure(radial.length), shown(radial.from.z), measure(axial.length), shown(axial.from.x));
     return [...key('first', texts.onlyKept), ...key('second', texts.onlyNow), make('span', {}, largest)];
   }
 }
@@ -159,7 +163,7 @@ const WORDS = words({
     same: 'Same as the kept part',
     onlyKept: 'only in the kept part',
     onlyNow: 'only in this one',
-    largest: (radial: string, z: string, axial: string, x: string) => `Largest: ${radial} mm in radius at Z${z}; ${axial} mm along Z at X${x}`,
+    largest: (radial: string, z: string, axial: string, x: string) => `Largest: ${radial} in radius at Z${z}; ${axial} along Z at X${x}`,
   },
   zh: {
     views: '视图',
@@ -175,7 +179,7 @@ const WORDS = words({
     same: '与保留的零件相同',
     onlyKept: '仅保留的零件有',
     onlyNow: '仅当前零件有',
-    largest: (radial, z, axial, x) => `最大差异：Z${z} 处半径 ${radial} mm；X${x} 处沿 Z ${axial} mm`,
+    largest: (radial, z, axial, x) => `最大差异：Z${z} 处半径 ${radial}；X${x} 处沿 Z ${axial}`,
   },
   ru: {
     views: 'Виды',
@@ -191,6 +195,6 @@ const WORDS = words({
     same: 'Как запомненная деталь',
     onlyKept: 'только в запомненной',
     onlyNow: 'только в этой',
-    largest: (radial, z, axial, x) => `Наибольшее: ${radial} мм по радиусу при Z${z}; ${axial} мм вдоль Z при X${x}`,
+    largest: (radial, z, axial, x) => `Наибольшее: ${radial} по радиусу при Z${z}; ${axial} вдоль Z при X${x}`,
   },
 });

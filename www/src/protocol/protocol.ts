@@ -9,10 +9,10 @@
 import type { PartName } from '../../pkg/part-files.js';
 import type {
   Codes, Comparison, Diagnostic, Dimension, FileFormat, ProfileKind, Profiles, ReadAs, SetupOverview, FoundPiece, FoundPrograms, Palette, PictureName, Readout, Rewriting, SectionPiece, SetupAnswer, SetupForm, SetupGroup, SetupPlace, StepDirection,
-  StepUnit, StopSwitch, Stroke, Summary, Totals,
+  StepUnit, StopSwitch, Stroke, Summary, Totals, Units,
 } from '../../pkg/gcode_playground.js';
 
-export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals };
+export type { Codes, Comparison, Diagnostic, Dimension, Palette, PictureName, Readout, Rewriting, SectionPiece, StepDirection, StepUnit, StopSwitch, Stroke, Summary, Totals, Units };
 export type { SetupOverview, FoundPiece, FoundPrograms, SetupAnswer, SetupForm, SetupGroup, SetupPlace };
 export type { ProfileKind, Profiles, ReadAs };
 export type { CodeRow, Edit, Fix, FoundProgram, ReadFact, Setting, SetupField, SetupState } from '../../pkg/gcode_playground.js';
@@ -46,14 +46,18 @@ export interface Core {
   readonly module: WebAssembly.Module;
 }
 
+export type LengthUnit = Units['shown'];
+
 export type Command =
   /** What happens to one of the pictures. */
   | { readonly kind: 'picture'; readonly picture: PictureName; readonly what: CanvasCommand }
   | { readonly kind: 'palette'; readonly palette: Palette }
   | { readonly kind: 'language'; readonly tag: Extract<PartName, 'en' | 'zh' | 'ru'> }
+  /** The unit in which lengths are shown; that of the program where nothing is said. */
+  | { readonly kind: 'unit'; readonly unit: LengthUnit | undefined }
   | BeginRun
-  /** The last picture is on the page: there is room for the next one. */
-  | { readonly kind: 'shown' }
+  /** The last picture is on the page, or was dropped as one of an earlier run: there is room for the next one. */
+  | { readonly kind: 'shown'; readonly dropped: boolean }
   /** Ends the run under way. */
   | { readonly kind: 'stop' }
   /** Tries again to load what could not be loaded. */
@@ -134,7 +138,13 @@ export interface Questions {
    * that, the whole path is shown.
    */
   seek: { ask: { readonly share: number | undefined }; answer: Readout | undefined };
+  /** The tool is put at the start of the block at this offset, or of the next one that moves it. */
+  'seek-block': { ask: { readonly offset: number }; answer: Readout | undefined };
   step: { ask: { readonly unit: StepUnit; readonly direction: StepDirection }; answer: Readout | undefined };
+  /** The tool is put at the end of a motion. */
+  'go-to': { ask: { readonly motion: number }; answer: Readout | undefined };
+  /** Motions in words: from one, up to another. */
+  strokes: { ask: { readonly first: number; readonly end: number }; answer: readonly Stroke[] };
   /** One row for each tool in the order in which they are first used, then one for the whole program. */
   totals: { ask: undefined; answer: readonly Totals[] };
   /** Where the tool is, in the language of now. */
@@ -184,7 +194,7 @@ export type QuestionKind = keyof Questions;
  * others' hold as they are.
  */
 export const OF_THE_RUN = {
-  tokens: true, pick: true, play: true, seek: true, step: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
+  tokens: true, pick: true, play: true, seek: true, 'seek-block': true, step: true, 'go-to': true, strokes: true, readout: true, totals: true, expand: true, rewritings: true, section: true,
   dimension: true, 'read-setup': true, 'profiles-of-run': true,
   locate: false, codes: false, export: false, 'programs-in': false, 'pieces-of': false,
   'setup-form': false, 'another-tool': false, 'profiles-in': false, 'with-profile': false,
@@ -199,8 +209,12 @@ export interface Question<K extends QuestionKind = QuestionKind> {
   readonly ask: Questions[K]['ask'];
 }
 
+export type WorkShown = 'blank' | 'chuck' | 'tailstock' | 'collision';
+
 /** What there is to see beside the section. */
 export interface ViewsState {
+  /** What the pictures show beside strokes. */
+  readonly work: readonly WorkShown[];
   /** Something moves on the end face. */
   readonly face: boolean;
   readonly turret: TurretSide;
@@ -231,11 +245,15 @@ export interface Report {
   readonly overview: SetupOverview;
   /** Control, system, units and switches. */
   readonly readAs: ReadAs;
+  /** The rules that the setup switches off one by one. */
+  readonly rulesOff: readonly string[];
+  /** All lengths that cross are mm; this is what they are shown in. */
+  readonly units: Units;
   /** How numbers without a point are read, where the reader has to know. */
   readonly decimal: string | undefined;
   /**
    * The whole report; or the path, as the part takes longer; or the part that belongs to the path reported
-   * before; or what was reported, in another language.
+   * before; or what was reported, in another language or unit.
    */
   readonly stage: 'whole' | 'path' | 'part' | 'again';
   /** Why the setup that was sent last is not the one it ran under. */
@@ -255,6 +273,8 @@ export type RunEvent =
   | { readonly kind: 'path'; readonly summary: Summary }
   /** What the run cannot be carried out without, or what only its part, messages or an answer need, could not be loaded. */
   | { readonly kind: 'part-failed'; readonly reason: string; readonly needed: 'by-the-run' | 'after-it' }
+  /** The picture on the page stays that of an earlier run: the block that is being typed is not whole yet. */
+  | { readonly kind: 'old-picture'; readonly of: number }
   | { readonly kind: 'report'; readonly report: Report }
   /** `done` from 0 to 1; sent only for runs that take a noticeable time. */
   | { readonly kind: 'progress'; readonly work: Work; readonly done: number }

@@ -14,6 +14,7 @@
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
+//   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
 // `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
 // Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
@@ -37,13 +38,14 @@
 //   gcode-switch   detail {blockSkip, program}
 //   gcode-setup    detail {setup}: the attribute follows the form
 //   gcode-hint     detail {left}: the hints that are left
+//   gcode-split    detail {split}: the reader has dragged the divider
 //   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
 //                  one before, or undo has brought one back; attributes and `origin` are as the detail says
 // Slot: `intro` above the program.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
-// drawing canvas legend tooltip setup views assumptions playback play readout doing status notice hint totals written-out
-// rewrite codes solid export-menu paste help read-as profiles.
+// drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
+// motions written-out rewrite codes solid export-menu paste help read-as profiles.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -81,14 +83,24 @@ export class GcodePlayground extends HTMLElement {
   constructor() {
     super();
     this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
+    for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
   }
 
   connectedCallback(): void {
+    inDocument.add(this);
+    if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
     (this.#made ??= this.#make()).connect();
   }
 
   disconnectedCallback(): void {
+    inDocument.delete(this);
+    if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
     this.#made?.disconnect();
+  }
+
+  /** A key that was pressed outside of the element, and is its own all the same. */
+  pressed(event: KeyboardEvent): void {
+    this.#made?.pressed(event);
   }
 
   attributeChangedCallback(attribute: string, before: string | null, now: string | null): void {
@@ -303,6 +315,24 @@ export class GcodePlayground extends HTMLElement {
     if (value === null) this.removeAttribute(attribute);
     else this.setAttribute(attribute, value);
   }
+}
+
+/** The elements of the page; the one that was used last is the last. */
+const inDocument = new Set<GcodePlayground>();
+
+function used(element: GcodePlayground): void {
+  if (!inDocument.delete(element)) return;
+  inDocument.add(element);
+}
+
+/** The keys of the playback work where nothing else has the focus that could want them. */
+function playKeys(event: KeyboardEvent): void {
+  const isOne = event.key === 'F9' || (event.key === 'Enter' && (event.ctrlKey || event.metaKey));
+  if (!isOne || event.defaultPrevented) return;
+  const path = event.composedPath();
+  const isText = path.some((part) => part instanceof HTMLElement && (part.isContentEditable || part.matches('input, textarea')));
+  if (isText || path.some((part) => part instanceof GcodePlayground)) return;
+  [...inDocument].at(-1)?.pressed(event);
 }
 
 if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);

@@ -22,9 +22,11 @@ export interface Layout {
 export function layout(view: View, editor: HTMLElement): Layout {
   const bare = (): HTMLElement => make('div', { className: 'region' });
   const regions = {
-    notices: bare(),
+    tabs: make('div', { className: 'tabs' }),
+    notices: make('div', { className: 'notices' }),
     bar: make('div', { className: 'bar', part: 'bar' }),
     problems: bare(),
+    divider: bare(),
     views: make('div', { className: 'views', part: 'views', role: 'group' }),
     assumptions: make('div', { className: 'assumptions', part: 'assumptions' }),
     pictures: make('div', { className: 'pictures' }),
@@ -37,10 +39,13 @@ export function layout(view: View, editor: HTMLElement): Layout {
     const frame = make('div', { className: 'frame picture-only', part: 'frame' }, make('div', { className: 'shown' }, regions.notices, regions.pictures));
     return { frame, regions };
   }
+  // Where room is short, `data-tab` says which of the tabs is shown.
   const frame = make(
-    'div', { className: 'frame', part: 'frame' },
-    make('div', { className: 'written' }, make('slot', { name: 'intro' }), regions.notices, regions.bar, editor, regions.problems),
-    make('div', { className: 'shown' }, regions.views, regions.assumptions, regions.pictures, regions.playback),
+    'div', { className: 'frame', part: 'frame', 'data-tab': 'program' },
+    regions.tabs,
+    make('div', { className: 'written', id: 'written' }, make('slot', { name: 'intro' }), regions.notices, regions.bar, editor, regions.problems),
+    regions.divider,
+    make('div', { className: 'shown', id: 'shown' }, regions.views, regions.assumptions, regions.pictures, regions.playback),
     regions.foot,
     regions.dialogs,
   );

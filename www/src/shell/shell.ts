@@ -53,6 +53,7 @@ export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
   readonly editor: Program;
   readonly view: View;
+  readonly frame: HTMLElement;
   /** All panels of the view are there; rejected where those of it could not be loaded. */
   readonly complete: Promise<void>;
   readonly #host: Host;
@@ -89,6 +90,7 @@ export class PlaygroundShell implements Shell {
         this.#runIn(context, 'by-the-reader');
       },
       cursorMoved: () => this.#runs.cursorMoved(),
+      wanted: () => this.#tell((panel) => panel.programWanted?.()),
       settingChosen: (setting) => this.service('takeSetting')(setting),
       viewMoved: () => void this.#runs.askTokens(),
       fileChanged: () => this.#tell((panel) => panel.fileChanged?.(this.editor.file)),
@@ -132,6 +134,7 @@ export class PlaygroundShell implements Shell {
       },
     });
     const { frame, regions } = layout(this.view, this.editor.element);
+    this.frame = frame;
     this.#regions = regions;
     this.#add(FIRST);
     root.append(frame);
@@ -274,6 +277,11 @@ export class PlaygroundShell implements Shell {
     if (focus === 'focus') this.editor.focus();
     this.#runs.cursorAt(stroke.from);
     this.#events.fire('gcode-select', { stroke });
+  }
+
+  chooseProblem(problem: Diagnostic): void {
+    this.editor.show(problem);
+    this.#runs.cursorAt(problem.from);
   }
 
   toolMoved(place: Readout | undefined): void {

@@ -32,7 +32,10 @@ export const ANSWERS: { readonly [K in QuestionKind]: AnswerRow<K> } = {
   dimension: { needs: IN_WORDS, draws: 'when-whole', answer: (core, { x, y }) => core.dimension(x, y) },
   play: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.play },
   seek: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.seek },
+  'seek-block': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['seek-block'] },
   step: { needs: IN_WORDS, draws: 'now', answer: toolAnswers.step },
+  'go-to': { needs: IN_WORDS, draws: 'now', answer: toolAnswers['go-to'] },
+  strokes: { needs: IN_WORDS, answer: (core, { first, end }) => core.strokes(first, end) },
   readout: { needs: IN_WORDS, answer: toolAnswers.readout },
   totals: { needs: ['machine'], answer: (core) => core.totals() },
   locate: {

@@ -125,12 +125,14 @@ export class CoreClient {
         waiting.resolve((overtaken ? undefined : event.answer) as never);
         return;
       }
-      case 'pictures':
+      case 'pictures': {
         // A change that the worker has not received yet leaves the last picture as it is.
-        if (event.run === this.#told) this.#listener.pictures(event.pictures);
-        else close(event.pictures);
-        this.send({ kind: 'shown' });
+        const dropped = event.run !== this.#told;
+        if (dropped) close(event.pictures);
+        else this.#listener.pictures(event.pictures);
+        this.send({ kind: 'shown', dropped });
         return;
+      }
       case 'settled':
         if (event.run === this.#run && event.heard === this.#sent) this.#listener.settled(event.run);
         return;

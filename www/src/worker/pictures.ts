@@ -48,5 +48,5 @@ export function takePictures(core: Playground): Pictures | undefined {
 }
 
 export function viewsState(core: Playground): ViewsState {
-  return { face: core.hasFace(), turret: core.turret(), comparison: core.comparison() };
+  return { work: core.workShown(), face: core.hasFace(), turret: core.turret(), comparison: core.comparison() };
 }

@@ -35,6 +35,13 @@ const LOAD_PARTS_AFTER_MS = 500;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
+/** Which run a picture is of, and what that run had. */
+interface Pictured {
+  readonly run: number;
+  readonly motions: number;
+  readonly errors: number;
+}
+
 /** How long something has been going on, and when that was reported last. */
 interface Going {
   readonly startedAt: number;
@@ -73,6 +80,8 @@ interface CommandRow<K extends Command['kind']> {
   act(session: Session, command: Extract<Command, { readonly kind: K }>): void;
 }
 
+const OF_THE_PICTURE: ReadonlySet<QuestionKind> = new Set<QuestionKind>(['pick', 'dimension']);
+
 /** Whether the part `setup` is needed for what is said. */
 export function mayNeedSetup(message: Command | Question): boolean {
   return message.kind === 'run' && message.setup !== undefined && message.setup !== NO_SETUP;
@@ -99,6 +108,12 @@ export class Session implements Waiter {
   #drawing = false;
   /** The page has not shown the last picture yet. */
   #onTheWay = false;
+  /** The last picture that was painted of a whole path. */
+  #pictured: Pictured | undefined;
+  /** The line in which the current run was typed; undefined where its text came otherwise. */
+  #typedLine: number | undefined;
+  /** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
+  #keepsOld: { readonly line: number } | undefined;
   /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
   #heard = 0;
   #settledAt = -1;
@@ -152,7 +167,43 @@ export class Session implements Waiter {
     }
     const row = Session.#COMMANDS[message.kind] as CommandRow<Command['kind']>;
     row.act(this, message);
+    if (this.#keepsOld !== undefined && this.#oldPictureStays(message, this.#keepsOld.line)) return;
     if (row.draws !== 'no') this.#wantDraw(row.draws);
+  }
+
+  /** Whether an old picture is still the one to show: the reader has neither left the line nor moved the picture. */
+  #oldPictureStays(message: Command, line: number): boolean {
+    switch (message.kind) {
+      case 'cursor':
+        return message.offset !== undefined && this.#core.lineAt(message.offset) === line ? true : this.#showCurrent();
+      case 'picture':
+        // What is said of the new run takes room.
+        return message.what.kind === 'resize' ? true : this.#showCurrent();
+      case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
+        return true;
+      case 'palette': case 'language': case 'unit': case 'turret': case 'keep': case 'end-comparison':
+        return this.#showCurrent();
+    }
+  }
+
+  /** The picture of the current run takes the place of an old one. */
+  #showCurrent(): false {
+    this.#keepsOld = undefined;
+    this.#wantDraw('now');
+    return false;
+  }
+
+  /**
+   * A block that is being typed is half a word now and then, and a contour with a fault is not cut at all: the picture
+   * of before is of more use than an empty one, for as long as this run has more errors and fewer motions.
+   */
+  #mayKeepOldPicture(): void {
+    this.#keepsOld = undefined;
+    if (this.#typedLine === undefined || this.#pictured === undefined) return;
+    const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
+    if (motions >= this.#pictured.motions || errors <= this.#pictured.errors) return;
+    this.#keepsOld = { line: this.#typedLine };
+    this.#tell({ kind: 'old-picture', of: this.#pictured.run });
   }
 
   static readonly #COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
@@ -163,18 +214,26 @@ export class Session implements Waiter {
       act(session, { tag }) {
         session.#language = tag;
         session.#core.setLanguage(tag);
-        const reportAgain = (): void => {
-          if (session.#isTold()) session.#report('again');
-        };
-        if (session.#isTold()) session.#whenLoaded(['machine', tag], reportAgain);
+        session.#reportAgain();
+      },
+    },
+    unit: {
+      draws: 'when-whole',
+      act(session, { unit }) {
+        session.#core.setUnit(unit ?? '');
+        session.#reportAgain();
       },
     },
     run: { draws: 'no', act: (session, change) => session.#begin(change) },
     shown: {
       draws: 'no',
-      act(session) {
+      act(session, { dropped }) {
         session.#onTheWay = false;
-        session.#present();
+        if (dropped) {
+          // It was of an earlier run, and nothing else may have changed since.
+          session.#core.paintAgain();
+          if (session.#keepsOld === undefined) session.#wantDraw('when-whole');
+        } else session.#present();
       },
     },
     stop: { draws: 'when-whole', act: (session) => session.#stop() },
@@ -206,6 +265,14 @@ export class Session implements Waiter {
     'leave-edge': { draws: 'when-whole', act: (session) => session.#core.leaveEdge() },
   };
 
+  /** What was reported is reported in other words. */
+  #reportAgain(): void {
+    const again = (): void => {
+      if (this.#isTold()) this.#report('again');
+    };
+    if (this.#isTold()) this.#whenLoaded(['machine', this.#language], again);
+  }
+
   #tellViews(): void {
     if (this.#stage.kind === 'done') this.#tell({ kind: 'views', views: viewsState(this.#core) });
   }
@@ -220,6 +287,9 @@ export class Session implements Waiter {
     };
     const now = (): void => {
       if (!this.#isLoaded(needs())) return this.#whenLoaded(needs(), now);
+      // Nothing of this run lies under a pointer that is over the picture of an earlier one.
+      if (this.#keepsOld !== undefined && OF_THE_PICTURE.has(question.about)) return void this.#reply(question.id, undefined);
+      if (this.#keepsOld !== undefined && row.draws !== undefined) this.#showCurrent();
       void this.#reply(question.id, row.answer(this.#core, question.ask));
       if (row.draws !== undefined) this.#wantDraw(row.draws);
     };
@@ -253,15 +323,25 @@ export class Session implements Waiter {
     // A setup that is not taken leaves the run as it was, and so the tool in its place.
     this.#core.showWhole();
     if (change.framing === 'fit') fitAll(this.#core);
+    this.#typedLine = undefined;
     if (change.setup !== undefined) this.#changeSetup(change.setup);
     if (change.text !== undefined) this.#changeText(change.text, change.came);
     this.#core.setCursor(change.cursor);
+    this.#typedLine = this.#lineTyped(change);
     // Of a run under way there is only a part to draw: what was there stays until there is a whole one.
     this.#drawing = false;
     this.#drawWanted = 'no';
     const missing = this.#missingPart();
     if (missing === undefined) this.#advanceSoon();
     else this.#waitFor(missing);
+  }
+
+  /** The line of the reader's hand: one change of the text, with the cursor in it. */
+  #lineTyped({ setup, text, came, framing, cursor }: BeginRun): number | undefined {
+    if (setup !== undefined || text?.kind !== 'edit' || text.changes.length !== 1 || came !== 'typed' || framing === 'fit' || cursor === undefined) return undefined;
+    const [change] = text.changes;
+    const line = this.#core.lineAt(cursor);
+    return change !== undefined && this.#core.lineAt(change.from) === line ? line : undefined;
   }
 
   /** What the run cannot be carried out without, and is not there yet. */
@@ -391,6 +471,7 @@ export class Session implements Waiter {
     const missing = this.#missingPart();
     if (missing !== undefined) return this.#waitFor(missing);
     if (this.#isLoaded(['machine', this.#language]) || this.#core.missingPart() !== undefined) return this.#goOn();
+    this.#keepsOld = undefined;
     this.#stage = { kind: 'waiting' };
     this.#tell({ kind: 'path', summary: this.#core.summary() });
     this.#wantDraw('now');
@@ -410,6 +491,7 @@ export class Session implements Waiter {
 
   #toMachine(): void {
     const now = performance.now();
+    this.#mayKeepOldPicture();
     const machining: Stage & { kind: 'machining' } = { kind: 'machining', pathTold: false, pathShown: false, startedAt: now, lastProgressAt: now };
     this.#stage = machining;
     this.#removeMaterial(machining);
@@ -425,7 +507,7 @@ export class Session implements Waiter {
       this.#stage = { kind: 'done' };
       for (const late of this.#onceWhole.splice(0)) late();
       this.#report(machining.pathTold ? 'part' : 'whole');
-      this.#wantDraw('now');
+      if (this.#keepsOld === undefined) this.#wantDraw('now');
       return;
     }
     // What takes longer than a blink is reported when it is there.
@@ -433,7 +515,7 @@ export class Session implements Waiter {
       machining.pathTold = true;
       this.#report('path');
     }
-    if (!machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) this.#wantDraw('now');
+    if (this.#keepsOld === undefined && !machining.pathShown && performance.now() - machining.startedAt > SHOW_PATH_AFTER_MS) this.#wantDraw('now');
     this.#tellProgress(machining, 'part', () => this.#core.machiningProgress());
     this.#queueSlice();
   }
@@ -451,6 +533,8 @@ export class Session implements Waiter {
         diagnostics: this.#core.diagnostics(),
         overview: this.#core.setupOverview(),
         readAs: this.#core.readAs(),
+        rulesOff: this.#core.rulesOff(),
+        units: this.#core.units(),
         decimal: this.#core.decimalNotice(),
         stage: told,
         setupRejected: this.#setupRejected,
@@ -482,6 +566,10 @@ export class Session implements Waiter {
     if (this.#stage.kind === 'machining') this.#stage.pathShown = true;
     const drawn = drawAll(this.#core);
     this.#drawing = drawn === Drawn.Part;
+    if (this.#stage.kind !== 'running') {
+      const [motions = 0, errors = 0] = this.#core.motionsAndErrors();
+      this.#pictured = { run: this.#run, motions, errors };
+    }
     if (this.#drawing) this.#queueSlice();
     if (drawn === Drawn.Moved) this.#wantDraw('now');
     this.#present();

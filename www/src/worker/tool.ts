@@ -5,7 +5,7 @@
 import type { Playground, Readout } from '../../pkg/gcode_playground.js';
 import type { Questions } from '../protocol/protocol';
 
-type About = 'play' | 'seek' | 'step' | 'readout';
+type About = 'play' | 'seek' | 'seek-block' | 'step' | 'go-to' | 'readout';
 
 export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Questions[K]['ask']) => Readout | undefined } = {
   play(core, { from, seconds, pace, stops }) {
@@ -19,8 +19,16 @@ export const toolAnswers: { readonly [K in About]: (core: Playground, ask: Quest
     else core.seek(share);
     return core.readout();
   },
+  'seek-block': (core, { offset }) => {
+    core.seekBlock(offset);
+    return core.readout();
+  },
   step(core, { unit, direction }) {
     core.step(unit, direction);
+    return core.readout();
+  },
+  'go-to'(core, { motion }) {
+    core.goTo(motion);
     return core.readout();
   },
   readout: (core) => core.readout(),

@@ -1,0 +1,141 @@
+//! Passes that lie on one another, drawn apart as manuals do: the passes of G76, and pecks along one line.
+//!
+//! In: the motions of a scene, how large a pixel is. Out: where a stroke is drawn. The way of the tool stays one line: where a
+//! pass leaves its place, the strokes before and after it lead there.
+
+use std::ops::Range;
+
+use super::super::{Scene, Stroke, StrokeShape};
+use crate::geometry::Point;
+use crate::motion::{Cycle, CycleFamily, Motions, Step};
+
+/// From one pass to the next, and from one peck to the next, CSS pixels, while there is room.
+const GAP: f64 = 3.0;
+const PECK_GAP: f64 = 5.0;
+
+/// All passes of a cycle are within this, CSS pixels.
+const ROOM: f64 = 36.0;
+
+/// How far the start and the end of each motion are from their places, mm; nothing where all are in their places.
+#[derive(Default)]
+pub(super) struct Apart(Vec<[Point; 2]>);
+
+const IN_PLACE: Point = Point { x: 0.0, z: 0.0 };
+
+impl Apart {
+    /// Of a scene, where a CSS pixel is so many mm.
+    pub(super) fn of(scene: &Scene, pixel: f64) -> Self {
+        let motions = scene.motions;
+        let mut places = Vec::new();
+        let mut first = 0;
+        while first < scene.len() {
+            let own = motions.get(first).cycle.map(|step| step.cycle);
+            let line = motions.line(first);
+            let mut end = first + 1;
+            while own.is_some()
+                && end < scene.len()
+                && motions.line(end) == line
+                && motions.get(end).cycle.map(|step| step.cycle) == own
+            {
+                end += 1;
+            }
+            match own.map(|cycle| (cycle, cycle.family())) {
+                Some((Cycle::MultiThreading, _)) => thread(motions, first..end, pixel, &mut places),
+                Some((_, CycleFamily::Pecking | CycleFamily::FaceHole | CycleFamily::SideHole)) => {
+                    pecks(motions, first..end, pixel, &mut places);
+                }
+                _ => {}
+            }
+            first = end;
+        }
+        Self(places)
+    }
+
+    /// Whether any pass is drawn beside its place.
+    pub(super) fn is_any(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Where a stroke is drawn.
+    pub(super) fn shape(&self, stroke: &Stroke) -> StrokeShape {
+        let shape = stroke.drawn_shape();
+        let Some([start, end]) = self.0.get(stroke.motion) else { return shape };
+        match shape {
+            StrokeShape::Line { from, to } => {
+                // Rapids may be drawn the other way round.
+                let turned = stroke.shape.start() != from;
+                let (first, last) = if turned { (end, start) } else { (start, end) };
+                StrokeShape::Line { from: moved(from, first), to: moved(to, last) }
+            }
+            StrokeShape::Dot(at) => StrokeShape::Dot(moved(at, start)),
+            StrokeShape::Arc(_) | StrokeShape::Virtual(_) => shape,
+        }
+    }
+}
+
+fn moved(at: Point, by: &Point) -> Point {
+    Point::new(at.x + by.x, at.z + by.z)
+}
+
+/// Says where a motion is drawn.
+fn put(places: &mut Vec<[Point; 2]>, motion: usize, start: Point, end: Point) {
+    if places.len() <= motion {
+        places.resize(motion + 1, [IN_PLACE; 2]);
+    }
+    places[motion] = [start, end];
+}
+
+/// The last pass of a thread is in its place, those before it farther out of the work.
+fn thread(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
+    let home = motions.get(call.start).from.x;
+    let mut last = 0;
+    for motion in call.clone() {
+        last = motions.get(motion).cycle.map_or(0, |step| step.pass).max(last);
+    }
+    let gap = GAP.min(ROOM / f64::from(last.max(1))) * pixel;
+    for index in call {
+        let motion = motions.get(index);
+        let Some(step) = motion.cycle.filter(|step| step.pass > 0 && step.pass < last) else { continue };
+        let deep = if step.step == Step::Infeed { motion.to.x } else { motion.from.x };
+        let out = Point { x: (home - deep).signum() * gap * f64::from(last - step.pass), z: 0.0 };
+        match step.step {
+            Step::Infeed => put(places, index, IN_PLACE, out),
+            Step::Cut | Step::PullOut => put(places, index, out, out),
+            Step::Retract => put(places, index, out, IN_PLACE),
+            _ => {}
+        }
+    }
+}
+
+/// Pecks on one line go to and fro beside one another; what leads to the next line ends in its place.
+fn pecks(motions: &Motions, call: Range<usize>, pixel: f64, places: &mut Vec<[Point; 2]>) {
+    let along = |motion: usize| {
+        let step = motions.get(motion).cycle.map(|step| step.step);
+        !matches!(step, Some(Step::Relief | Step::Stepover | Step::Return | Step::Approach) | None)
+    };
+    let mut first = call.start;
+    while first < call.end {
+        let mut end = first;
+        while end < call.end && along(end) {
+            end += 1;
+        }
+        // A cut and the way back are two lines at most: nothing lies on them.
+        let column = end - first;
+        if column > 2 {
+            let gap = PECK_GAP.min(ROOM / column as f64) * pixel;
+            let motion = motions.get(first);
+            let is_along_z = motion.from.x == motion.to.x;
+            let at = |count: usize| {
+                let by = gap * count as f64;
+                if is_along_z { Point { x: by, z: 0.0 } } else { Point { x: 0.0, z: by } }
+            };
+            for index in 0..column {
+                put(places, first + index, at(index), at(index + 1));
+            }
+            if end < call.end {
+                put(places, end, at(column), IN_PLACE);
+            }
+        }
+        first = end + 1;
+    }
+}

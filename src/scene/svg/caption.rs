@@ -1,0 +1,120 @@
+//! Under the drawing: its title, and what its lines and areas are.
+//!
+//! In: a scene and the words. Out: rows of text with samples, as wide as the drawing. Knows no language.
+
+use super::super::{Scene, StrokeStyle};
+use super::{Drawing, number};
+
+/// From one row to the next, CSS pixels.
+const LEADING: f64 = 20.0;
+/// A sample and the space after it, CSS pixels.
+const SAMPLE: f64 = 30.0;
+/// Between two entries, CSS pixels.
+const BETWEEN: f64 = 18.0;
+/// Of the rows, CSS pixels.
+const MARGIN: f64 = 12.0;
+
+/// What stands under a drawing, in its language.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Caption {
+    /// What the drawing shows, such as the number and the name of the program.
+    pub title: String,
+    /// What each entry is called, in the order of [`LEGEND`].
+    pub legend: [&'static str; LEGEND.len()],
+}
+
+/// The entries of a legend: how the sample begins, and how it goes on from its middle at the left.
+///
+/// Rapids, cuts, threads; the blank, where material is gone from it, what is left of it, chuck and tailstock, a
+/// collision, what is milled under G12.1; that passes are drawn beside their places.
+pub const LEGEND: [[&str; 2]; 9] = [
+    [r#"<g><path class="rapid" d="M"#, r#"h24"/></g>"#],
+    [r#"<g><path class="feed" d="M"#, r#"h24"/></g>"#],
+    [r#"<g><path class="thread" d="M"#, r#"h24"/></g>"#],
+    [r#"<path class="blank blank-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="part part-frame" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="obstacle" d="M"#, r#"m0 -6h24v12h-24z"/>"#],
+    [r#"<path class="danger" d="M"#, r#"m4 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0m4 -4l8 8m0 -8l-8 8"/>"#],
+    [r#"<path class="milled" d="M"#, r#"m0 -6h24v12h-24zl24 12m0 -12l-24 12"/>"#],
+    ["", ""],
+];
+
+impl Drawing {
+    /// The rows, from `top` down; the answer is their height.
+    pub(super) fn caption(&mut self, scene: &Scene, caption: &Caption, top: f64) -> f64 {
+        let right = self.camera.size().width - MARGIN;
+        let (mut x, mut y) = (MARGIN, top + LEADING - 4.0);
+        if !caption.title.is_empty() {
+            self.key(["name", &escaped(&caption.title)], x, y);
+            y += LEADING;
+        }
+        let there = self.there(scene);
+        for (index, text) in caption.legend.into_iter().enumerate() {
+            if !there[index] {
+                continue;
+            }
+            let [begin, end] = LEGEND[index];
+            let sample = if begin.is_empty() { 0.0 } else { SAMPLE };
+            let wide = sample + wide(text);
+            if x > MARGIN && x + wide > right {
+                (x, y) = (MARGIN, y + LEADING);
+            }
+            if !begin.is_empty() {
+                let line = [begin, &number(x), " ", &number(y - 4.0), end].concat();
+                self.line(&line);
+            }
+            self.key(["key", text], x + sample, y);
+            x += wide + BETWEEN;
+        }
+        y + 10.0 - top
+    }
+
+    fn key(&mut self, [class, text]: [&str; 2], x: f64, y: f64) {
+        let (x, y) = (number(x), number(y));
+        let line =
+            [r#"<text class=""#, class, r#"" x=""#, &x, r#"" y=""#, &y, r#"">"#, text, "</text>"].concat();
+        self.line(&line);
+    }
+
+    /// What is in the drawing.
+    fn there(&self, scene: &Scene) -> [bool; LEGEND.len()] {
+        let mut there = [false; LEGEND.len()];
+        for stroke in scene.strokes() {
+            match stroke.style {
+                StrokeStyle::Rapid => there[0] = true,
+                StrokeStyle::Feed => there[1] = true,
+                StrokeStyle::Thread => there[2] = true,
+                StrokeStyle::Dwell => {}
+            }
+        }
+        if let Some(work) = scene.work() {
+            there[3] = true;
+            there[4] = !work.part.is_empty();
+            there[5] = !work.obstacles.is_empty();
+            there[6] = !work.dangers.is_empty();
+            there[7] = work.milled.is_some();
+        }
+        there[8] = self.apart.is_any();
+        there
+    }
+}
+
+/// About how wide a text is, CSS pixels: Chinese characters are twice as wide as others.
+fn wide(text: &str) -> f64 {
+    text.chars().map(|c| if c > '\u{2e80}' { 12.0 } else { 6.8 }).sum()
+}
+
+/// A text as XML has it.
+pub(super) fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            c if c.is_control() => {}
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

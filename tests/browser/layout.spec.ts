@@ -1,0 +1,111 @@
+// Where things stand: tabs where room is short.
+import { expect, test } from './engines';
+import { drawing, editor, open, problems, status, tab, type } from './page';
+
+test('where height is short, tabs show program, problems and state; the drawing stays', async ({ page }) => {
+  await page.setViewportSize({ width: 820, height: 420 });
+  await open(page);
+  await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
+  await expect(editor(page)).toBeVisible();
+  await type(page, 'G0 X50 Z2\nX\nM30');
+  await expect(tab(page, 'problems')).toContainText('1');
+
+  await tab(page, 'problems').click();
+  await expect(problems(page).getByRole('listitem')).toHaveCount(1);
+  await expect(editor(page)).toBeHidden();
+  await expect(drawing(page)).toBeVisible();
+  await expect(page.getByRole('tabpanel', { name: /^Problems/ })).toBeVisible();
+  // Arrows move among the tabs, round and round.
+  await page.keyboard.press('ArrowRight');
+  await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
+  await expect(status(page)).toContainText('1 motion');
+  await expect(page.getByRole('button', { name: 'Help (?)' })).toBeVisible();
+  await page.keyboard.press('ArrowRight');
+  await expect(tab(page, 'drawing')).toHaveAttribute('aria-selected', 'true');
+  await expect(drawing(page)).toBeVisible();
+  await page.keyboard.press('ArrowLeft');
+  await expect(tab(page, 'state')).toHaveAttribute('aria-selected', 'true');
+
+  // A problem shows its block, wherever the reader is.
+  await page.keyboard.press('F8');
+  await expect(tab(page, 'program')).toHaveAttribute('aria-selected', 'true');
+  await expect(editor(page)).toBeFocused();
+  await tab(page, 'program').focus();
+  await page.keyboard.press('ArrowRight');
+  await problems(page).getByRole('listitem').getByRole('button').first().click();
+  await expect(editor(page)).toBeFocused();
+});
+
+test('where there is room for everything there are no tabs', async ({ page }) => {
+  await open(page);
+  await type(page, 'G0 X50 Z2\nX\nM30');
+  await expect(problems(page)).toBeVisible();
+  await expect(tab(page, 'program')).toBeHidden();
+  await expect(page.getByRole('tabpanel')).toHaveCount(0);
+  await expect(status(page)).toBeVisible();
+});
+
+test('the divider is moved by keys, and stays where it was put', async ({ page }) => {
+  await open(page);
+  const divider = page.getByRole('separator', { name: 'Width of the program' });
+  const width = async (): Promise<number> => (await drawing(page).boundingBox())?.width ?? 0;
+  const before = await width();
+  await divider.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight');
+  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  await expect.poll(width).toBeLessThan(before - 100);
+  const narrow = await width();
+  await open(page);
+  await expect(divider).toHaveAttribute('aria-valuenow', '50');
+  expect(Math.abs((await width()) - narrow)).toBeLessThan(2);
+  await divider.focus();
+  await page.keyboard.press('Enter');
+  await expect(divider).toHaveAttribute('aria-valuenow', '40');
+  // And by the pointer.
+  const box = await divider.boundingBox();
+  const [x, y] = [(box?.x ?? 0) + 4, (box?.y ?? 0) + 200];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 100, y);
+  await page.mouse.up();
+  await expect.poll(width).toBeGreaterThan(before + 80);
+});
+
+test('the keys of the playback work before anything has the focus', async ({ page }) => {
+  await open(page);
+  const slider = page.getByRole('slider');
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  await page.keyboard.press('F9');
+  await expect(slider).not.toHaveAttribute('aria-valuetext', '–');
+  await page.locator('#language').focus();
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+});
+
+test('the text of all of the page can be larger, that of the drawing too', async ({ page }) => {
+  await open(page);
+  const height = async (): Promise<number> => (await page.locator('#language').boundingBox())?.height ?? 0;
+  const before = await height();
+  await page.locator('#text-size').selectOption('200');
+  await expect.poll(height).toBeGreaterThan(before * 1.7);
+  await open(page);
+  await expect(page.locator('#text-size')).toHaveValue('200');
+  await page.locator('#text-size').selectOption('100');
+  await expect.poll(height).toBeLessThan(before * 1.1);
+});
+
+test('a presentation shows program and drawing in large type, and goes on by the keys of a remote control', async ({ page }) => {
+  await open(page);
+  const present = page.getByRole('button', { name: 'Present', exact: true });
+  await present.click();
+  await expect(page.getByRole('button', { name: 'End presentation' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Export' })).toBeHidden();
+  await page.keyboard.press('PageDown');
+  await page.keyboard.press('PageDown');
+  await expect(page.getByRole('slider')).not.toHaveAttribute('aria-valuetext', '–');
+  await expect(drawing(page)).toBeVisible();
+  await expect(editor(page)).toBeVisible();
+  await page.getByRole('button', { name: 'End presentation' }).click();
+  await expect(present).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Export' })).toBeVisible();
+});

@@ -1,0 +1,229 @@
+// The problems of a program: one count, one line for each rule and code, what of them is shown, and how they lead to
+// the program and to the drawing.
+import { expect, test, type Page } from './engines';
+import { between, drawing, editor, open, problems, selected, status, tooltip, type, value } from './page';
+
+/** Sixty-six M codes nobody knows, one dear mistake among them, and a warning. */
+const MANY = [
+  'G99 T0101', 'M3 S800', 'G00 X50 Z2',
+  ...Array.from({ length: 33 }, (_, i) => `M${300 + i}`),
+  'G01 X40 Z- F0.2',
+  ...Array.from({ length: 33 }, (_, i) => `M${400 + i}`),
+  'G00 X60', 'M30',
+].join('\n');
+
+const rows = (page: Page) => problems(page).getByRole('listitem');
+
+async function settled(page: Page): Promise<void> {
+  await page.locator('gcode-playground').evaluate((element) => (element as HTMLElement & { settled: Promise<number> }).settled);
+}
+
+test('the list and the line at the foot count the same: collisions, too', async ({ page }) => {
+  await open(page);
+  await type(page, '(STOCK D=50 LENGTH=80)\nG99 T0101\nM3 S800\nG00 X60 Z2\nG00 X40 Z-20\nG00 X60\nG00 X100 Z100\nM30');
+  await settled(page);
+  await expect(problems(page).getByText(/runs into the work/).first()).toBeVisible();
+  const count = Number(await problems(page).locator('.problems-toggle .count').textContent());
+  expect(count).toBeGreaterThan(0);
+  await expect(status(page)).toContainText(count === 1 ? '1 problem' : `${count} problems`);
+});
+
+test('problems of one rule with one code are one line with its places', async ({ page }) => {
+  await open(page);
+  await type(page, MANY);
+  await expect(problems(page).locator('.problems-toggle .count')).toHaveText(/6[67]|68/);
+  const group = rows(page).filter({ hasText: 'M300' });
+  await expect(group).toContainText('66 times');
+  expect(await rows(page).count()).toBeLessThan(5);
+
+  await test.step('errors stand first, or the first place', async () => {
+    await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+    await problems(page).getByLabel('Order of the problems').selectOption('place');
+    await expect(rows(page).first()).toContainText('M300');
+    await problems(page).getByLabel('Order of the problems').selectOption('severity');
+    await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+  });
+
+  await test.step('a place leads to its block', async () => {
+    await group.getByRole('button', { name: 'line 6', exact: true }).click();
+    await expect.poll(() => selected(page)).toBe('M302');
+    await expect(editor(page)).toBeFocused();
+  });
+
+  await test.step('all places are there when asked for', async () => {
+    await expect(group.getByRole('button', { name: 'line 60', exact: true })).toHaveCount(0);
+    await group.getByRole('button', { name: '56 more' }).click();
+    await group.getByRole('button', { name: 'line 60', exact: true }).click();
+    await expect.poll(() => selected(page)).toBe('M422');
+  });
+});
+
+test('problems are filtered by severity and rule; the count stays', async ({ page }) => {
+  await open(page);
+  await type(page, MANY);
+  await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(1);
+  const all = await problems(page).locator('.problems-toggle .count').textContent();
+  const notes = problems(page).getByRole('button', { name: /notes$/ });
+  await notes.click();
+  await expect(notes).toHaveAttribute('aria-pressed', 'false');
+  await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(0);
+  await expect(problems(page).locator('.problems-toggle .count')).toHaveText(new RegExp(`^\\d of ${all}$`));
+  await expect(status(page)).toContainText(`${all} problems`);
+  await notes.click();
+  await problems(page).getByLabel('Rule', { exact: true }).selectOption('unknown-m-code');
+  await expect(rows(page)).toHaveCount(1);
+  await problems(page).getByLabel('Rule', { exact: true }).selectOption('');
+  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+});
+
+test('a rule is hidden here, everywhere at once, and shown again', async ({ page }) => {
+  await open(page);
+  await type(page, MANY);
+  await problems(page).getByRole('button', { name: 'Hide this rule here: unknown-m-code' }).click();
+  await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(0);
+  await expect(status(page)).toContainText(/\b[12] problems?/);
+  await expect(page.locator('.cm-lintRange-info').filter({ hasText: 'M302' })).toHaveCount(0);
+  await expect(problems(page)).toContainText('1 rule is hidden here');
+  await problems(page).getByRole('button', { name: 'Show unknown-m-code' }).click();
+  await expect(rows(page).filter({ hasText: 'M300' })).toHaveCount(1);
+  // An error is a move that is left out: that is not hidden by a click.
+  await expect(rows(page).first().getByRole('button', { name: /^Hide/ })).toHaveCount(0);
+});
+
+test('a dot goes with its text', async ({ page }) => {
+  await open(page);
+  await type(page, 'G99 M3 S800\nG00 X50 Z2\n');
+  const dots = page.locator('.cm-lint-marker-error');
+  await page.keyboard.type('G7');
+  await expect(dots).toHaveCount(1);
+  await page.keyboard.press('Backspace');
+  await page.keyboard.press('Backspace');
+  await page.keyboard.type('X42');
+  await expect.poll(() => value(page)).toBe('G99 M3 S800\nG00 X50 Z2\nX42');
+  await settled(page);
+  await expect(dots).toHaveCount(0);
+
+  await test.step('and moves with its line', async () => {
+    await page.keyboard.type('\nG7');
+    await expect(dots).toHaveCount(1);
+    await page.keyboard.press('Home');
+    await page.keyboard.press('Enter');
+    await settled(page);
+    await expect(dots).toHaveCount(1);
+    const [dot, line] = await Promise.all([dots.boundingBox(), page.locator('.cm-line').last().boundingBox()]);
+    expect(Math.abs(dot!.y + dot!.height / 2 - line!.y - line!.height / 2)).toBeLessThan(6);
+  });
+});
+
+test('what a dot shows stands over its line, and its repair is made', async ({ page }) => {
+  await open(page);
+  await type(page, 'G99 M3 S800\n\n\n\n\n\n\n\nG00 X60 Z–2\nG00 X50\nM30');
+  await settled(page);
+  await page.locator('.cm-lint-marker').first().hover();
+  const popUp = page.locator('.cm-tooltip');
+  await expect(popUp.getByRole('button').first()).toBeVisible();
+  const line = page.locator('.cm-line', { hasText: 'Z–2' });
+  const [shown, own] = await Promise.all([popUp.boundingBox(), line.boundingBox()]);
+  expect(shown!.y + shown!.height).toBeLessThan(own!.y + own!.height / 4);
+  await popUp.getByRole('button').first().click();
+  await expect.poll(() => value(page)).toContain('X60 Z-2');
+
+  await test.step('that of a word, in the first line too', async () => {
+    await type(page, 'G00 X60 Z–2\nG00 X50\nM30');
+    await settled(page);
+    const word = page.locator('.cm-lintRange').first();
+    await word.hover();
+    await expect(popUp.getByRole('button').first()).toBeVisible();
+    const [shown, own] = await Promise.all([popUp.boundingBox(), word.boundingBox()]);
+    expect(shown!.y + shown!.height).toBeLessThan(own!.y + own!.height / 2);
+  });
+});
+
+test('a problem that is chosen marks its stroke', async ({ page }) => {
+  await open(page);
+  await type(page, 'G99 T0101\nM3 S800\nG00 X50 Z2\nG01 Z-20 F0.2 M399\nX60\nG00 X100 Z100\nM30');
+  await settled(page);
+  await page.keyboard.press('Control+Home');
+  await settled(page);
+  const place = await between(page, { x: 50, z: 2 }, { x: 50, z: -20 });
+  const before = await pixels(page, place);
+  await rows(page).filter({ hasText: 'M399' }).getByRole('button', { name: /M399/ }).first().click();
+  await expect.poll(() => selected(page)).toBe('M399');
+  await expect.poll(async () => (await pixels(page, place)) === before).toBe(false);
+});
+
+test('the problem that F8 goes to is announced', async ({ page }) => {
+  await open(page);
+  await type(page, 'G99 M3 S800\nG00 X50 Z2\nM399\nG01 X60 Z- F0.2\nM30');
+  await settled(page);
+  const live = page.locator('.cm-announced');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('F8');
+  await expect(live).toHaveText(/Problem 1 of \d, line 3\. Note: .*M399/);
+  await page.keyboard.press('F8');
+  await expect(live).toHaveText(/Problem 2 of \d, line 4\. Error: /);
+  await drawing(page).focus();
+  await page.keyboard.press('Shift+F8');
+  await expect(live).toHaveText(/line 3\. Note: /);
+});
+
+const CONTOUR = [
+  'G99 T0101', 'M3 S800', 'G00 X52 Z2', 'G71 U2 R0.5', 'G71 P10 Q20 U0.4 W0.1 F0.25', 'N10 G00 X20', 'G01 Z-15', 'X30 Z-25', 'X40', 'N20 G01 X50 Z-40',
+  'G70 P10 Q20 F0.1', 'G00 X100 Z100', 'M30',
+].join('\n');
+
+test('while a word is typed in a contour the picture of before stays, labelled with its run', async ({ page }) => {
+  await open(page);
+  await type(page, CONTOUR);
+  await settled(page);
+  const motions = Number(/(\d+) motions/.exec((await drawing(page).getAttribute('aria-label')) ?? '')?.[1]);
+  expect(motions).toBeGreaterThan(20);
+  await page.keyboard.press('Control+Home');
+  for (let i = 0; i < 7; i++) await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('End');
+  await settled(page);
+  const place = await between(page, { x: 30, z: -25 }, { x: 40, z: -25 });
+  const old = page.getByText(/^Old picture \(run \d+\)/);
+  await expect(old).toBeHidden();
+  // `X30 Z-25` becomes `X30 Z-2`, `X30 Z-`, `X30 Z`.
+  for (let i = 0; i < 2; i++) await page.keyboard.press('Backspace');
+  await settled(page);
+  await expect(old).toBeVisible();
+  await expect(status(page)).not.toContainText(`${motions} motions`);
+  await expect(rows(page).first().getByRole('button', { name: /^Error: / })).toBeVisible();
+  expect(await drawing(page).getAttribute('aria-label')).toContain(`${motions} motions`);
+
+  await test.step('nothing of the new run lies under the pointer there', async () => {
+    await page.mouse.move(place.x, place.y);
+    await page.mouse.move(place.x + 1, place.y);
+    await settled(page);
+    await expect(tooltip(page)).toBeHidden();
+  });
+
+  await test.step('the word is whole again: so is the picture', async () => {
+    await page.keyboard.type('26');
+    await expect(old).toBeHidden();
+    await expect(status(page)).toContainText(`${motions} motions`);
+  });
+
+  await test.step('who leaves the block sees what the program does now', async () => {
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Backspace');
+    await expect(old).toBeVisible();
+    await page.keyboard.press('ArrowDown');
+    await expect(old).toBeHidden();
+    await expect(drawing(page)).not.toHaveAttribute('aria-label', new RegExp(`\\b${motions} motions`));
+  });
+});
+
+/** What a few pixels of the drawing around a place look like. */
+async function pixels(page: Page, place: { x: number; y: number }): Promise<string> {
+  await settled(page);
+  return page.locator('gcode-playground').evaluate((element, { x, y }) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const { left, top, width } = canvas.getBoundingClientRect();
+    const [scale, size] = [canvas.width / width, 12];
+    const copy = Object.assign(document.createElement('canvas'), { width: size, height: size }).getContext('2d')!;
+    copy.drawImage(canvas, (x - left) * scale - size / 2, (y - top) * scale - size / 2, size, size, 0, 0, size, size);
+    return copy.getImageData(0, 0, size, size).data.join();
+  }, place);
+}

@@ -1,0 +1,72 @@
+// Lengths are shown in the unit of the program, or in the one the reader takes.
+import { expect, test, type Page } from './engines';
+import { editor, locate, open, openFile, problems, status, tooltip } from './page';
+
+const TURNED = 'O0001\n(STOCK D=50.8 LENGTH=101.6 FACE=0)\n(TOOL T0101 TYPE=TURNING INSERT=CNMG120408)\nG20 G99\nT0101\nG97 S800 M3\nG0 X2.1 Z.1\nG1 X1.5 F.01\nZ-1.\nX2.1\nG0 X4. Z4.\nM30\n';
+const cell = (page: Page, name: string) =>
+  page.locator('.cell', { has: page.locator('dt', { hasText: new RegExp(`^${name}$`) }) }).locator('dd');
+const button = (page: Page) => page.getByRole('button', { name: /^Lengths in / });
+
+async function load(page: Page, text: string): Promise<void> {
+  await openFile(page, 'own.nc', Buffer.from(text));
+  // The example before it has more.
+  await expect(status(page)).toContainText(/^\d motion/);
+}
+
+test('an inch program reads in inches, until the reader takes mm', async ({ page }) => {
+  await open(page);
+  await expect(button(page)).toHaveText('mm');
+  await load(page, TURNED);
+  await expect(button(page)).toHaveText('inch');
+  await editor(page).focus();
+  for (let step = 0; step < 3; step++) await page.keyboard.press('F9');
+  await expect(cell(page, 'X ⌀, in')).toHaveText('1.5000');
+  await expect(cell(page, 'Z, in')).toHaveText('−1.0000');
+  await expect(cell(page, 'Feed')).toHaveText('0.01 in/rev · 8 in/min');
+  await expect(cell(page, 'Cutting speed')).toHaveText('314 ft/min');
+  await expect(page.locator('.doing')).toHaveText('line 9: feed to X1.5 Z-1');
+
+  await button(page).click();
+  await expect(button(page)).toHaveText('mm');
+  await expect(cell(page, 'X ⌀')).toHaveText('38.100');
+  await expect(cell(page, 'Z')).toHaveText('−25.400');
+  await expect(cell(page, 'Feed')).toHaveText('0.254 mm/rev · 203 mm/min');
+  await expect(page.locator('.doing')).toHaveText('line 9: feed to X38.1 Z-25.4');
+
+  await test.step('the choice stays for other programs', async () => {
+    await load(page, TURNED.replace('X1.5', 'X1.4'));
+    await expect(button(page)).toHaveText('mm');
+    await button(page).click();
+    await expect(button(page)).toHaveText('inch');
+    await load(page, 'O2\nG21\nG0 X50 Z2\nM30\n');
+    await expect(button(page)).toHaveText('mm');
+  });
+});
+
+test('dimensions, messages and totals are in the unit that is shown', async ({ page }) => {
+  await open(page);
+  await load(page, TURNED.replace('X2.1\nG0 X4.', 'G2 X2.1 Z-1.5 I.3 K0\nG0 X4.'));
+  await expect(problems(page)).toContainText('0.3 in from the start but 0.5 in from the end');
+  await button(page).click();
+  await expect(problems(page)).toContainText('7.62 mm from the start but 12.7 mm from the end');
+  await button(page).click();
+
+  await load(page, TURNED);
+  const edge = await locate(page, -38.1, -12.7);
+  await page.mouse.move(edge.x, edge.y);
+  await expect(tooltip(page)).toContainText('⌀1.5, length 0.97');
+  await page.getByRole('button', { name: /^Time / }).click();
+  const totals = page.getByRole('dialog', { name: 'Time and totals' });
+  await expect(totals).toContainText('Cut, in');
+  await expect(totals).toContainText('1.5 … 2.1');
+});
+
+test('the unit is named in Chinese and Russian', async ({ page }) => {
+  await open(page);
+  await load(page, TURNED);
+  await page.getByLabel('Language').selectOption('zh');
+  await expect(page.getByRole('button', { name: '长度单位英寸：改为 mm' })).toHaveText('英寸');
+  await page.getByLabel('语言').selectOption('ru');
+  await page.getByRole('button', { name: 'Длины, дюймы: показать в мм' }).click();
+  await expect(page.getByRole('button', { name: 'Длины, мм: показать в дюймах' })).toHaveText('мм');
+});

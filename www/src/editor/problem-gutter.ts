@@ -1,0 +1,125 @@
+// The dots beside the lines with problems, and what a dot shows when the pointer rests on it.
+//
+// In: the diagnostics as they stand in the editor, moved along by edits. Out: a dot where one stands now: the
+// gutter of CodeMirror keeps its dots until the next diagnostics, even if their text is gone. What it shows stands
+// over the line, so that the lines that are read next stay in sight. Must not know: what a diagnostic is about.
+
+import { forEachDiagnostic, setDiagnosticsEffect } from '@codemirror/lint';
+import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Range } from '@codemirror/state';
+import { EditorView, gutter, GutterMarker, showTooltip, type Tooltip } from '@codemirror/view';
+import { make } from '../dom/dom';
+import type { Shown } from './lint';
+
+const HOVER_MS = 300;
+
+const RANK = { hint: 0, info: 0, warning: 1, error: 2 } as const;
+
+class Dot extends GutterMarker {
+  readonly severity: Shown['severity'];
+
+  constructor(severity: Shown['severity']) {
+    super();
+    this.severity = severity;
+  }
+
+  override eq(other: GutterMarker): boolean {
+    return other instanceof Dot && other.severity === this.severity;
+  }
+
+  override toDOM(): HTMLElement {
+    return make('div', { className: `cm-lint-marker cm-lint-marker-${this.severity}` });
+  }
+}
+
+/** Another number whenever the dots may stand elsewhere. */
+const version = StateField.define<number>({
+  create: () => 0,
+  update: (value, { docChanged, effects }) => value + Number(docChanged || effects.some((effect) => effect.is(setDiagnosticsEffect))),
+});
+
+function dotsOf(state: EditorState): RangeSet<GutterMarker> {
+  const worst = new Map<number, Shown['severity']>();
+  forEachDiagnostic(state, ({ severity }, from) => {
+    const line = state.doc.lineAt(from).from;
+    const before = worst.get(line);
+    if (before === undefined || RANK[severity] > RANK[before]) worst.set(line, severity);
+  });
+  return RangeSet.of([...worst].map(([line, severity]): Range<GutterMarker> => new Dot(severity).range(line)), true);
+}
+
+const showPopUp = StateEffect.define<Tooltip | null>();
+
+const popUp = StateField.define<Tooltip | null>({
+  create: () => null,
+  update(shown, { docChanged, effects }) {
+    let next = docChanged ? null : shown;
+    for (const effect of effects) {
+      if (effect.is(showPopUp)) next = effect.value;
+      else if (effect.is(setDiagnosticsEffect)) next = null;
+    }
+    return next;
+  },
+  provide: (field) => showTooltip.from(field),
+});
+
+/** All problems of a line, each with its repairs. */
+function explained(view: EditorView, problems: readonly { readonly problem: Shown; readonly from: number; readonly to: number }[]): HTMLElement {
+  const rows = problems.map(({ problem, from, to }) => {
+    const repairs = (problem.actions ?? []).map(({ name, apply }) => {
+      const button = make('button', { type: 'button', className: 'cm-diagnosticAction' }, name);
+      button.addEventListener('click', () => apply(view, from, to));
+      return button;
+    });
+    const said = problem.renderMessage?.(view) ?? problem.message;
+    return make('li', { className: `cm-diagnostic cm-diagnostic-${problem.severity}` }, said, ...repairs);
+  });
+  return make('ul', { className: 'cm-tooltip-lint' }, ...rows);
+}
+
+export function problemGutter(): Extension {
+  let known: { readonly version: number; readonly dots: RangeSet<GutterMarker> } | undefined;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const later = (act: () => void): void => {
+    clearTimeout(timer);
+    timer = setTimeout(act, HOVER_MS);
+  };
+  const hide = (view: EditorView): void => {
+    if (view.state.field(popUp) !== null) view.dispatch({ effects: showPopUp.of(null) });
+  };
+  const show = (view: EditorView, from: number, to: number): void => {
+    const problems: { problem: Shown; from: number; to: number }[] = [];
+    forEachDiagnostic(view.state, (problem, start, end) => {
+      if (from <= start && start <= to) problems.push({ problem: problem as Shown, from: start, to: end });
+    });
+    if (problems.length === 0) return;
+    const create: Tooltip['create'] = () => {
+      const dom = explained(view, problems);
+      dom.addEventListener('mouseenter', () => clearTimeout(timer));
+      dom.addEventListener('mouseleave', () => later(() => hide(view)));
+      return { dom };
+    };
+    view.dispatch({ effects: showPopUp.of({ pos: from, above: true, create }) });
+  };
+  return [
+    version,
+    popUp,
+    gutter({
+      class: 'cm-gutter-lint',
+      markers: ({ state }) => {
+        const now = state.field(version);
+        if (known?.version !== now) known = { version: now, dots: dotsOf(state) };
+        return known.dots;
+      },
+      domEventHandlers: {
+        mouseover(view, line, event) {
+          if ((event.target as Element).classList.contains('cm-lint-marker')) later(() => show(view, line.from, line.to));
+          return false;
+        },
+        mouseout(view) {
+          later(() => hide(view));
+          return false;
+        },
+      },
+    }),
+  ];
+}

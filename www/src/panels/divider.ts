@@ -1,0 +1,86 @@
+// The divider between program and drawing, where they stand beside each other.
+//
+// In: a pointer or keys; the attribute `split` of the element, in percent of its width. Out: the attribute as it is to be, and the
+// event `gcode-split`, so that the page can remember it. Must not know: what stands on its sides, or where it is remembered.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Panel, PanelKind, Shell } from './panel';
+import dividerStyles from './divider.css?inline';
+
+/** Percent for the program: where nobody has said, and at least and at most. */
+const SHARE = { unsaid: 40, least: 20, most: 75 } as const;
+/** Percent for a key. */
+const STEP = 2;
+
+export const divider: PanelKind = { styles: dividerStyles, make: (shell) => new Divider(shell) };
+
+class Divider implements Panel {
+  readonly #host: Element;
+  readonly #frame: HTMLElement;
+  readonly #element = make('div', {
+    className: 'divider', role: 'separator', tabIndex: 0,
+    'aria-orientation': 'vertical', 'aria-valuemin': SHARE.least, 'aria-valuemax': SHARE.most, 'aria-controls': 'written',
+  });
+  readonly places = { divider: [this.#element] };
+
+  constructor(shell: Shell) {
+    this.#host = shell.root.host;
+    this.#frame = shell.frame;
+    this.#element.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      this.#element.setPointerCapture(event.pointerId);
+      event.preventDefault();
+    });
+    this.#element.addEventListener('pointermove', (event) => {
+      if (!this.#element.hasPointerCapture(event.pointerId)) return;
+      const { left, width } = this.#frame.getBoundingClientRect();
+      this.#show(((event.clientX - left) / width) * 100);
+    });
+    this.#element.addEventListener('pointerup', () => this.#keep());
+    this.#element.addEventListener('dblclick', () => this.#set(SHARE.unsaid));
+    this.#element.addEventListener('keydown', (event) => this.#key(event));
+    this.#show(Number(this.#host.getAttribute('split') ?? SHARE.unsaid) || SHARE.unsaid);
+  }
+
+  set language(language: Language) {
+    this.#element.setAttribute('aria-label', WORDS[language].divider);
+    this.#element.title = WORDS[language].hint;
+  }
+
+  get #share(): number {
+    return Number(this.#element.getAttribute('aria-valuenow'));
+  }
+
+  #show(percent: number): void {
+    const share = Math.round(Math.min(Math.max(percent, SHARE.least), SHARE.most));
+    this.#element.setAttribute('aria-valuenow', String(share));
+    this.#frame.style.setProperty('--split', `${share}%`);
+  }
+
+  #set(percent: number): void {
+    this.#show(percent);
+    this.#keep();
+  }
+
+  #keep(): void {
+    const split = String(this.#share);
+    if (this.#host.getAttribute('split') === split) return;
+    this.#host.setAttribute('split', split);
+    this.#host.dispatchEvent(new CustomEvent('gcode-split', { detail: { split }, bubbles: true, composed: true }));
+  }
+
+  #key(event: KeyboardEvent): void {
+    const to = { ArrowLeft: this.#share - STEP, ArrowRight: this.#share + STEP, Home: SHARE.least, End: SHARE.most, Enter: SHARE.unsaid }[event.key];
+    if (to === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    this.#set(to);
+    event.preventDefault();
+  }
+}
+
+const WORDS = words({
+  en: { divider: 'Width of the program', hint: 'Drag: program and drawing share the width otherwise. Double click: as it was' },
+  zh: { divider: '程序区宽度', hint: '拖动以调整程序区与图形区的宽度；双击恢复' },
+  ru: { divider: 'Ширина программы', hint: 'Потяните, чтобы изменить ширину программы и чертежа. Двойной щелчок: как было' },
+});

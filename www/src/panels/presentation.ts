@@ -1,0 +1,135 @@
+// The drawing on all of the screen, and the presentation: large type, program and drawing and nothing else, keys for who stands before a class.
+//
+// In: buttons and keys. Out: what is asked of the playback; `data-presenting` of the frame, the attribute `presenting` of the element. Must not
+// know: how anything is drawn or played.
+
+import { icon, make, name } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Key, Panel, PanelKind, Shell } from './panel';
+import presentationStyles from './presentation.css?inline';
+
+/** How much larger everything is that is measured by the type of the page. */
+const LARGER = '150%';
+
+export const presentation: PanelKind = { styles: presentationStyles, make: (shell) => new Presentation(shell) };
+
+class Presentation implements Panel {
+  readonly #shell: Shell;
+  readonly #host: HTMLElement;
+  readonly #shown: HTMLElement;
+  readonly #whole = make('button', { type: 'button', className: 'level whole-screen' }, icon('screen'));
+  readonly #present = make('button', { type: 'button', className: 'quiet outlined present-button', 'aria-pressed': 'false' });
+  /** The size of the page's type as it was, while the presentation lasts. */
+  #typeBefore: string | undefined;
+  readonly places = { views: [this.#whole], foot: [this.#present] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#host = shell.root.host as HTMLElement;
+    const shown = shell.frame.querySelector<HTMLElement>('#shown');
+    if (shown === null) throw new Error('the frame has no #shown');
+    this.#shown = shown;
+    // Where the browser shows no element on all of the screen, such a button would do nothing.
+    this.#whole.hidden = !document.fullscreenEnabled;
+    this.#whole.addEventListener('click', () => void this.#toggleWhole());
+    this.#present.addEventListener('click', () => this.#toggle());
+    document.addEventListener('fullscreenchange', this.#fullscreenChanged);
+  }
+
+  set language(_: Language) {
+    this.#name();
+  }
+
+  left(): void {
+    if (this.#isPresenting) this.#end();
+  }
+
+  pressed({ event, inside }: Key): 'own' | 'not-own' {
+    if (!this.#isPresenting || event.ctrlKey || event.metaKey || event.altKey) return 'not-own';
+    const step = this.#shell.service('step');
+    // A remote control sends these two, wherever the focus is.
+    if (event.key === 'PageDown') step('block', 'next');
+    else if (event.key === 'PageUp') step('block', 'previous');
+    else if (event.key === 'Escape') this.#end();
+    else if (inside === 'text') return 'not-own';
+    else if (event.key === 'ArrowRight') step('motion', 'next');
+    else if (event.key === 'ArrowLeft') step('motion', 'previous');
+    else if (event.key === ' ') this.#shell.service('playOrPause')();
+    else return 'not-own';
+    return 'own';
+  }
+
+  get #isPresenting(): boolean {
+    return this.#typeBefore !== undefined;
+  }
+
+  #toggle(): void {
+    if (this.#isPresenting) this.#end();
+    else this.#begin();
+  }
+
+  #begin(): void {
+    const { style } = document.documentElement;
+    this.#typeBefore = style.fontSize;
+    style.fontSize = LARGER;
+    this.#host.toggleAttribute('presenting', true);
+    this.#shell.frame.dataset['presenting'] = '';
+    // Where it is refused, the element fills the window.
+    this.#host.requestFullscreen?.().catch(() => undefined);
+    this.#name();
+    this.#present.focus();
+  }
+
+  #end(): void {
+    document.documentElement.style.fontSize = this.#typeBefore ?? '';
+    this.#typeBefore = undefined;
+    this.#host.removeAttribute('presenting');
+    delete this.#shell.frame.dataset['presenting'];
+    if (document.fullscreenElement === this.#host) void document.exitFullscreen();
+    this.#name();
+  }
+
+  readonly #fullscreenChanged = (): void => {
+    // Escape is the browser's there.
+    if (this.#isPresenting && document.fullscreenElement === null) this.#end();
+    this.#name();
+  };
+
+  async #toggleWhole(): Promise<void> {
+    if (document.fullscreenElement === null) await this.#shown.requestFullscreen().catch(() => undefined);
+    else await document.exitFullscreen();
+  }
+
+  #name(): void {
+    const texts = WORDS[this.#shell.language];
+    this.#present.setAttribute('aria-pressed', String(this.#isPresenting));
+    this.#present.textContent = this.#isPresenting ? texts.end : texts.present;
+    this.#present.title = texts.presentHint;
+    name(this.#whole, document.fullscreenElement === null ? texts.whole : texts.window);
+  }
+}
+
+const WORDS = words({
+  en: {
+    present: 'Present',
+    presentHint: 'Large type; Page Down and Page Up go block by block, arrows motion by motion, Space plays, Escape ends',
+    end: 'End presentation',
+    whole: 'Drawing on the whole screen',
+    window: 'Back to the window',
+  },
+  zh: {
+    present: '演示',
+    presentHint: '大字显示；Page Down 和 Page Up 逐程序段，方向键逐段运动，空格播放，Escape 结束',
+    end: '结束演示',
+    whole: '图形全屏显示',
+    window: '退出全屏',
+  },
+  ru: {
+    present: 'Показ',
+    presentHint: 'Крупный шрифт; Page Down и Page Up — по кадрам, стрелки — по перемещениям, пробел — пуск, Escape — конец',
+    end: 'Закончить показ',
+    whole: 'Чертёж на весь экран',
+    window: 'Вернуться в окно',
+  },
+});

@@ -1,0 +1,122 @@
+// On paper: program, drawing, problems and setup, in light colours, one under the other. The page breaks between blocks, not in them.
+//
+// In: the newest report; the command to print, by Ctrl P or the browser's menu. Out: a sheet that only a printer shows. Must not know: what
+// is in a program or a setup.
+
+import { make, prose } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Diagnostic, SetupForm } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Key, Panel, PanelKind, Shell } from './panel';
+import printStyles from './print.css?inline';
+
+/** Lines of a program, and problems, on paper; more is for nobody. */
+const MOST_LINES = 5_000;
+const MOST_PROBLEMS = 500;
+
+export const print: PanelKind = { styles: printStyles, make: (shell) => new Print(shell) };
+
+class Print implements Panel {
+  readonly #shell: Shell;
+  readonly #sheet = make('div', { className: 'sheet' });
+  readonly #picture = make('img', { className: 'sheet-drawing', alt: '' });
+  #diagnostics: readonly Diagnostic[] = [];
+  /** What was asked for before printing began. */
+  #prepared: { readonly setup: SetupForm | undefined } | undefined;
+  readonly places = { dialogs: [this.#sheet] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    window.addEventListener('beforeprint', this.#before);
+    window.addEventListener('afterprint', this.#after);
+  }
+
+  set language(_: Language) {
+    // Its words are put in when it is printed.
+  }
+
+  heard(event: Heard): void {
+    if (event.kind === 'report') this.#diagnostics = event.report.diagnostics;
+  }
+
+  pressed({ event }: Key): 'own' | 'not-own' {
+    if (event.key.toLowerCase() !== 'p' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return 'not-own';
+    void this.#print();
+    return 'own';
+  }
+
+  left(): void {
+    window.removeEventListener('beforeprint', this.#before);
+    window.removeEventListener('afterprint', this.#after);
+  }
+
+  /** Fetches what the printer gets beside the program, then prints. */
+  async #print(): Promise<void> {
+    this.#shell.flush();
+    const [setup, drawing] = await Promise.all([
+      this.#shell.ask('setup-form', undefined),
+      this.#shell.ask('export', { format: 'svg' }),
+    ]);
+    if (drawing?.kind === 'file') {
+      this.#picture.src = URL.createObjectURL(new Blob([drawing.content], { type: 'image/svg+xml' }));
+      await this.#picture.decode().catch(() => undefined);
+    }
+    this.#prepared = { setup };
+    window.print();
+  }
+
+  readonly #before = (): void => {
+    const { language, editor } = this.#shell;
+    const texts = WORDS[language];
+    const lines = editor.text.split('\n');
+    const marked = new Map<number, Diagnostic['severity']>();
+    for (const { line, severity } of this.#diagnostics) if (marked.get(line) !== 'error') marked.set(line, severity);
+    const program = make('ol', { className: 'sheet-program' });
+    program.append(...lines.slice(0, MOST_LINES).map((text, at) => make('li', { className: marked.get(at + 1) ?? '' }, make('code', {}, text))));
+    const more = lines.length - MOST_LINES;
+    this.#sheet.replaceChildren(
+      make('h1', {}, editor.file?.name ?? COMMON[language].program),
+      ...(this.#picture.src === '' ? [] : [this.#picture]),
+      ...this.#problems(texts),
+      ...this.#setup(texts),
+      make('h2', {}, COMMON[language].program),
+      program,
+      ...(more > 0 ? [make('p', {}, texts.more(more))] : []),
+    );
+    this.#shell.frame.classList.toggle('has-sheet-drawing', this.#picture.src !== '');
+  };
+
+  readonly #after = (): void => {
+    this.#sheet.replaceChildren();
+    if (this.#picture.src !== '') URL.revokeObjectURL(this.#picture.src);
+    this.#picture.removeAttribute('src');
+    this.#prepared = undefined;
+    this.#shell.frame.classList.remove('has-sheet-drawing');
+  };
+
+  #problems(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
+    if (this.#diagnostics.length === 0) return [];
+    const { language } = this.#shell;
+    const list = make('ul', { className: 'sheet-problems' });
+    list.append(...this.#diagnostics.slice(0, MOST_PROBLEMS).map(({ line, code, message, help }) =>
+      make('li', {}, make('strong', {}, `${COMMON[language].line(line)} · ${code}: `), ...prose(message), ...(help === undefined ? [] : [' ', ...prose(help)]))));
+    const more = this.#diagnostics.length - MOST_PROBLEMS;
+    return [make('h2', {}, texts.problems), list, ...(more > 0 ? [make('p', {}, texts.more(more))] : [])];
+  }
+
+  /** What is given; what is not, the sheet does not say. */
+  #setup(texts: (typeof WORDS)['en']): readonly HTMLElement[] {
+    const groups = (this.#prepared?.setup?.groups ?? []).map(({ title, fields }) => ({ title, given: fields.filter(({ value }) => value !== '') }));
+    const rows = groups.filter(({ given }) => given.length > 0).map(({ title, given }) =>
+      make('li', {}, make('strong', {}, `${title}: `), given.map(({ label, value, unit, choices }) =>
+        `${label} ${choices.find((choice) => choice.value === value)?.text ?? value}${unit === '' ? '' : ` ${unit}`}`).join(', ')));
+    return rows.length === 0 ? [] : [make('h2', {}, texts.setup), make('ul', { className: 'sheet-setup' }, ...rows)];
+  }
+}
+
+const WORDS = words({
+  en: { problems: 'Problems', setup: 'Setup', more: (n: number) => `… and ${n} more` },
+  zh: { problems: '问题', setup: '毛坯与刀具', more: (n) => `……另有 ${n} 项` },
+  ru: { problems: 'Замечания', setup: 'Наладка', more: (n) => `… и ещё ${n}` },
+});

@@ -1,0 +1,126 @@
+// The tabs of an element with little room: drawing, program, problems, state. The drawing never goes; its tab gives it all the room. Where
+// there is room for everything the style sheet shows no tabs, and they mean nothing.
+//
+// In: how many problems there are; that the program is to be seen. Out: `data-tab` of the frame, which the style sheet follows. Must
+// not know: how much room there is, or what stands in a region.
+
+import { make, showText } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { COMMON, words } from '../dom/words';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell } from './panel';
+import tabsStyles from './tabs.css?inline';
+
+export const tabs: PanelKind = { styles: tabsStyles, make: (shell) => new Tabs(shell) };
+
+const TABS = ['drawing', 'program', 'problems', 'state'] as const;
+type Tab = (typeof TABS)[number];
+
+class Tabs implements Panel {
+  readonly #row = make('div', { className: 'tab-list', role: 'tablist' });
+  readonly #frame: HTMLElement;
+  readonly #panels: Readonly<Record<'written' | 'shown', HTMLElement>>;
+  readonly #tabs: Readonly<Record<Tab, HTMLButtonElement>>;
+  readonly #names: Readonly<Record<Tab, HTMLElement>> = { drawing: make('span'), program: make('span'), problems: make('span'), state: make('span') };
+  readonly #count = make('span', { className: 'count', hidden: true });
+  /** In place of the list of problems. */
+  readonly #none = make('p', { className: 'no-problems', hidden: true });
+  #tab: Tab = 'program';
+  readonly places = { tabs: [this.#row], problems: [this.#none] };
+
+  constructor(shell: Shell) {
+    this.#frame = shell.frame;
+    this.#panels = { written: this.#find('written'), shown: this.#find('shown') };
+    const tab = (which: Tab): HTMLButtonElement => {
+      const more = which === 'problems' ? [' ', this.#count] : [];
+      const made = make('button', { type: 'button', className: 'tab', role: 'tab', id: `tab-${which}` }, this.#names[which], ...more);
+      made.setAttribute('aria-controls', which === 'drawing' ? 'shown' : 'written');
+      made.addEventListener('click', () => this.#choose(which));
+      made.addEventListener('keydown', (event) => this.#key(event));
+      return made;
+    };
+    this.#tabs = { drawing: tab('drawing'), program: tab('program'), problems: tab('problems'), state: tab('state') };
+    this.#row.append(...Object.values(this.#tabs));
+    this.#choose('program');
+    // The style sheet says whether there are tabs.
+    new ResizeObserver(() => this.#showRoles()).observe(this.#row);
+  }
+
+  set language(language: Language) {
+    const { shown, tabs, noProblems } = WORDS[language];
+    this.#row.setAttribute('aria-label', shown);
+    for (const which of TABS) showText(this.#names[which], which === 'program' ? COMMON[language].program : tabs[which]);
+    showText(this.#none, noProblems);
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    const { length } = event.report.diagnostics;
+    showText(this.#count, String(length));
+    this.#count.hidden = length === 0;
+    this.#none.hidden = length > 0;
+  }
+
+  programWanted(): void {
+    this.#choose('program');
+  }
+
+  #find(id: string): HTMLElement {
+    const found = this.#frame.querySelector<HTMLElement>(`#${id}`);
+    if (found === null) throw new Error(`the frame has no #${id}`);
+    return found;
+  }
+
+  #choose(chosen: Tab): void {
+    this.#tab = chosen;
+    this.#frame.dataset['tab'] = chosen;
+    for (const which of TABS) {
+      this.#tabs[which].setAttribute('aria-selected', String(which === chosen));
+      this.#tabs[which].tabIndex = which === chosen ? 0 : -1;
+    }
+    this.#showRoles();
+  }
+
+  /** Drawing and the rest are panels of the tabs only where there are tabs. */
+  #showRoles(): void {
+    const areTabs = this.#row.checkVisibility();
+    for (const [id, panel] of Object.entries(this.#panels)) {
+      if (areTabs) {
+        panel.setAttribute('role', 'tabpanel');
+        panel.setAttribute('aria-labelledby', `tab-${id === 'shown' || this.#tab === 'drawing' ? 'drawing' : this.#tab}`);
+      } else {
+        panel.removeAttribute('role');
+        panel.removeAttribute('aria-labelledby');
+      }
+    }
+  }
+
+  #key(event: KeyboardEvent): void {
+    const at = TABS.indexOf(this.#tab);
+    const next = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: -1 }[event.key];
+    const which = next === undefined ? undefined : TABS.at(next % TABS.length);
+    if (which === undefined) return;
+    this.#choose(which);
+    this.#tabs[which].focus();
+    this.#tabs[which].scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    event.preventDefault();
+  }
+}
+
+const WORDS = words({
+  en: {
+    shown: 'What is shown',
+    tabs: { drawing: 'Drawing', problems: 'Problems', state: 'State' },
+    noProblems: 'No problems',
+  },
+  zh: {
+    shown: '显示内容',
+    tabs: { drawing: '图形', problems: '问题', state: '状态' },
+    noProblems: '没有问题',
+  },
+  ru: {
+    shown: 'Что показано',
+    tabs: { drawing: 'Чертёж', problems: 'Замечания', state: 'Состояние' },
+    noProblems: 'Замечаний нет',
+  },
+});

@@ -1,0 +1,63 @@
+// The button in the line at the foot that says in which unit lengths are shown, and takes the other one.
+//
+// In: the unit of the program and the one that is shown. Out: the one the reader chooses, which stays for other
+// programs; back at the unit of the program nothing is chosen. Must not know: what is measured.
+
+import { make } from '../dom/dom';
+import type { Language } from '../dom/language';
+import { words } from '../dom/words';
+import type { Command, LengthUnit, Units } from '../protocol/protocol';
+import type { Heard } from '../worker/core-client';
+import type { Panel, PanelKind, Shell } from './panel';
+
+export const units: PanelKind = { make: (shell) => new UnitsButton(shell) };
+
+class UnitsButton implements Panel {
+  readonly #shell: Shell;
+  readonly #button = make('button', { type: 'button', className: 'quiet', part: 'units', hidden: true });
+  #units: Units | undefined;
+  #chosen: LengthUnit | undefined;
+  readonly places = { foot: [this.#button] };
+
+  constructor(shell: Shell) {
+    this.#shell = shell;
+    this.#button.addEventListener('click', () => this.#take());
+  }
+
+  set language(_: Language) {
+    this.#show();
+  }
+
+  heard(event: Heard): void {
+    if (event.kind !== 'report') return;
+    this.#units = event.report.units;
+    this.#show();
+  }
+
+  connected(send: (command: Command) => void): void {
+    if (this.#chosen !== undefined) send({ kind: 'unit', unit: this.#chosen });
+  }
+
+  #take(): void {
+    if (this.#units === undefined) return;
+    const other = this.#units.shown === 'mm' ? 'inch' : 'mm';
+    this.#chosen = other === this.#units.program ? undefined : other;
+    this.#shell.send({ kind: 'unit', unit: this.#chosen });
+  }
+
+  #show(): void {
+    const { shown } = this.#units ?? {};
+    this.#button.hidden = shown === undefined;
+    if (shown === undefined) return;
+    const texts = WORDS[this.#shell.language];
+    this.#button.textContent = texts[shown];
+    this.#button.setAttribute('aria-label', texts.name[shown]);
+    this.#button.title = texts.name[shown];
+  }
+}
+
+const WORDS = words({
+  en: { mm: 'mm', inch: 'inch', name: { mm: 'Lengths in mm: show them in inches', inch: 'Lengths in inch: show them in mm' } },
+  zh: { mm: 'mm', inch: '英寸', name: { mm: '长度单位 mm：改为英寸', inch: '长度单位英寸：改为 mm' } },
+  ru: { mm: 'мм', inch: 'дюймы', name: { mm: 'Длины, мм: показать в дюймах', inch: 'Длины, дюймы: показать в мм' } },
+});
