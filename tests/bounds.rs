@@ -30,9 +30,9 @@ fn run(name: &str, setup: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Analysis 
     run_within(Duration::from_secs(10), name, setup, text)
 }
 
-fn codes(analysis: &Analysis) -> Vec<&'static str> {
+fn codes(analysis: &Analysis) -> Vec<String> {
     let told = analysis.diagnostics.iter().filter(|found| found.severity > Severity::Info);
-    told.map(|found| found.message.code()).collect()
+    told.map(Diagnostic::code).collect()
 }
 
 #[test]
@@ -40,7 +40,12 @@ fn cycles_of_far_too_many_passes_are_refused_at_once() {
     for case in endless() {
         let most = Duration::from_secs_f64(MOST_SECONDS);
         let analysis = run_within(most, case.name, case.setup, &case.text);
-        assert!(codes(&analysis).contains(&case.code), "{}: {:?}", case.name, codes(&analysis));
+        assert!(
+            codes(&analysis).iter().any(|code| code == case.code),
+            "{}: {:?}",
+            case.name,
+            codes(&analysis)
+        );
         assert_eq!(analysis.motions.len(), 1, "{}", case.name);
     }
 }
@@ -50,9 +55,13 @@ fn hostile_programs_end_with_their_message() {
     for case in hostile() {
         let analysis = run(&case.name, case.setup, &case.text);
         let lines = LineIndex::new(&case.text);
-        let told = |found: &Diagnostic| (found.message.code(), lines.line_of(found.span.start) + 1);
+        let told = |found: &Diagnostic| (found.code(), lines.line_of(found.span.start) + 1);
         let found: Vec<_> = analysis.diagnostics.iter().map(told).collect();
-        assert!(found.contains(&(case.code, case.line)), "{}: {found:?}", case.name);
+        assert!(
+            found.iter().any(|(code, line)| code == case.code && *line == case.line),
+            "{}: {found:?}",
+            case.name
+        );
         assert!(found.len() <= Limits::default().messages + 3, "{}", case.name);
     }
 }
@@ -187,7 +196,7 @@ fn a_long_contour_called_again_and_again_ends_with_a_message() {
     let check = |name: &str, contour: &str, cycle: &str| {
         let calls = format!("{cycle}\n").repeat(1_000);
         let analysis = run(name, "{}", &format!("{head}{contour}{calls}M30\n"));
-        assert!(codes(&analysis).contains(&"E-TOO-MUCH-WORK"), "{name}");
+        assert!(codes(&analysis).iter().any(|found| found == "E-TOO-MUCH-WORK"), "{name}");
     };
     check("G70", &contour, "G70 P1 Q2");
     check("G71", &contour, "G71 P1 Q2 U1");
@@ -211,12 +220,16 @@ fn cycles_that_come_to_nothing_do_not_add_up() {
     ] {
         let calls = format!("{cycle}\n").repeat(200_000);
         let analysis = run(name, setup, &format!("{head}{contour}G0 X200 Z2\n{calls}M30\n"));
-        assert!(codes(&analysis).contains(&code), "{name}: {:?}", codes(&analysis));
+        assert!(codes(&analysis).iter().any(|found| found == code), "{name}: {:?}", codes(&analysis));
     }
     // As many numbers as calls, and all calls to one number.
     let text: String = (1..=200_000).map(|number| format!("N{number}G70P{number}Q{number}\n")).collect();
-    assert!(codes(&run("each names itself", "{}", &text)).contains(&"PS0325"));
-    assert!(codes(&run("each names the first", "{}", &"N1G70P1Q1\n".repeat(200_000))).contains(&"PS0325"));
+    assert!(codes(&run("each names itself", "{}", &text)).iter().any(|found| found == "PS0325"));
+    assert!(
+        codes(&run("each names the first", "{}", &"N1G70P1Q1\n".repeat(200_000)))
+            .iter()
+            .any(|found| found == "PS0325")
+    );
 }
 
 #[test]
@@ -258,5 +271,5 @@ fn finishing_stays_in_its_own_program() {
     let macro_call = "M3 S500\nF.2\nG0 X50 Z2\nG65 P2\nG70 P1 Q2\nM30\n";
     let shape = "N1 G0 X20\nN2 G1 Z-9\nM99\n";
     let text = format!("{macro_call}O2\nG71 U1 R1\nG71 P1 Q2 U.4 W.1\n{shape}");
-    assert!(codes(&run("G70", "{}", &text)).contains(&"E-NS-NOT-FOUND"));
+    assert!(codes(&run("G70", "{}", &text)).iter().any(|found| found == "E-NS-NOT-FOUND"));
 }

@@ -194,10 +194,14 @@ impl Drawing {
             let camera = &self.camera;
             let (part, zero) = (seen(&work.part, camera), camera.to_screen(Point::default()));
             // What is looked at from outside is not cut through.
-            let hatching = match scene.plane() {
-                Plane::Section => hatch(&part, zero, camera.size()),
-                Plane::Face => Vec::new(),
+            let hatching = |outlines: &[Vec<Pixel>]| -> String {
+                let lines = match scene.plane() {
+                    Plane::Section => hatch(outlines, zero, camera.size()),
+                    Plane::Face => Vec::new(),
+                };
+                lines.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()
             };
+            let obstacles = seen(&work.obstacles, camera);
             let blank_edges = match scene.plane() {
                 Plane::Section => edges(&work.blank),
                 Plane::Face => closed(&work.blank),
@@ -207,8 +211,9 @@ impl Drawing {
             let shapes = [
                 ("blank", polylines(&seen(&work.blank, camera), "Z")),
                 ("part", polylines(&part, "Z")),
-                ("hatch", hatching.iter().map(|[a, b]| format!("M{}L{}", pixel(*a), pixel(*b))).collect()),
-                ("obstacle", polylines(&seen(&work.obstacles, camera), "Z")),
+                ("hatch", hatching(&part)),
+                ("obstacle", polylines(&obstacles, "Z")),
+                ("hatch", hatching(&obstacles)),
             ];
             let edges = [
                 (["blank-edge", guessed].concat(), lines(&blank_edges)),

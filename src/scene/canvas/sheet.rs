@@ -109,6 +109,12 @@ fn work(pen: &Pen, scene: &Scene, view: &View) -> Result<(), JsValue> {
         }
         pen.opacity(0.25);
         pen.fill(&palette.axis, obstacles.iter().map(Vec::as_slice));
+        if scene.plane() == Plane::Section {
+            // Jaws, chuck and tailstock are cut through as well.
+            pen.opacity(0.45);
+            let lines = hatch(&obstacles, camera.to_screen(Point::default()), camera.size());
+            pen.lines(&palette.axis, 1.0, lines.into_iter());
+        }
         pen.opacity(1.0);
         pen.polylines(&palette.part_edge, &seen(&left), 1.5, blank_dash(work.basis))?;
         pen.polylines(&palette.part_edge, &seen(&cut), 1.5, Dash::Solid)?;
