@@ -24,10 +24,10 @@ fn layers(architecture: &str) -> Vec<String> {
     rows.filter_map(|row| row.split('`').nth(1)).map(str::to_owned).collect()
 }
 
-/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')`
-/// and the scripts of workers.
+/// What a file imports from other files of the page: `from '…'`, `import '…'`, `import('…')`; scripts of
+/// workers are imported, too.
 fn imports(file: &str, text: &str) -> BTreeSet<String> {
-    let before = ["from '", "import '", "import('", "new URL('"];
+    let before = ["from '", "import '", "import('"];
     let quoted = before.iter().flat_map(|before| text.split(before).skip(1));
     quoted
         .filter_map(|rest| rest.split('\'').next())
@@ -51,7 +51,7 @@ fn resolved(file: &str, path: &str) -> Option<String> {
     }
     let joined = parts.join("/");
     let other = [".css", ".json", ".js", ".wasm", "?inline"].iter().any(|ending| joined.ends_with(ending));
-    (!other).then(|| joined.trim_end_matches(".ts").to_owned())
+    (!other).then(|| joined.trim_end_matches("?worker&url").trim_end_matches(".ts").to_owned())
 }
 
 /// What is wrong with the order of the imports.
@@ -137,7 +137,8 @@ fn an_import_of_a_higher_layer_and_a_circle_are_found() {
     ]);
     assert_eq!(good["panels/help"].len(), 2);
     assert_eq!(faults(&order, &good), [""; 0]);
-    let upward = page(&[("dom/make", "new Worker(new URL('../panels/help.ts', x))"), ("panels/help", "")]);
+    let upward =
+        page(&[("dom/make", "import script from '../panels/help.ts?worker&url';"), ("panels/help", "")]);
     assert_eq!(faults(&order, &upward), ["dom/make imports panels/help, which is in a higher layer"]);
     let round = page(&[("dom/a", "import { b } from './b';"), ("dom/b", "import type { A } from './a';")]);
     assert_eq!(faults(&order, &round), [r#"a circle: ["dom/a", "dom/b"]"#]);

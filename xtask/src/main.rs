@@ -9,6 +9,7 @@ mod bench;
 mod browser;
 mod compare;
 mod debian;
+mod embed;
 mod engines;
 mod hostile;
 mod library;

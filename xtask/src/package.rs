@@ -11,9 +11,9 @@ use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::parts;
 use crate::run::{self, Result};
 use crate::setup::Setup;
+use crate::{embed, parts};
 
 /// What has to be loaded before the first picture may be at most so many bytes, compressed as a server does it.
 const MOST_OF_THE_CORE: u64 = 180_000;
@@ -193,7 +193,7 @@ pub fn site(setup: &Setup) -> Result {
     Ok(())
 }
 
-/// Builds the page into www/dist, and next to it the rule pages and the reference.
+/// Builds the page into www/dist, and next to it the rule pages, the reference and the element for other pages.
 pub fn page(setup: &Setup) -> Result<Duration> {
     let page = run::step("building the page", &mut setup.npm(&["run", "build"]))?;
     let mut rules = run::command("cargo");
@@ -201,7 +201,8 @@ pub fn page(setup: &Setup) -> Result<Duration> {
     let rules = run::step("writing the pages of the rules", &mut rules)?;
     let mut docs = run::command("cargo");
     docs.args(["run", "--quiet", "--example", "docs", "--"]).arg(run::www().join("dist/docs"));
-    Ok(page + rules + run::step("writing the reference", &mut docs)?)
+    let docs = run::step("writing the reference", &mut docs)?;
+    Ok(page + rules + docs + embed::element(setup)?)
 }
 
 /// Prints the size of each file, plain and compressed as a server does it, and fails where one is not as the

@@ -34,31 +34,51 @@ export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): 
   }
 }
 
+/** A piece of an icon: an area where no width is given, a line of this width, or both. */
+interface IconPiece {
+  readonly d: string;
+  readonly width?: number;
+  readonly filled?: boolean;
+  /** It stands over another piece. */
+  readonly over?: boolean;
+}
+
 /** The icons: 20 × 20, drawn with the text's colour. */
 const ICONS = {
-  play: '<path d="M6 3.5v13l10.5-6.5z" fill="currentColor"/>',
-  screen: '<path d="M3 7.5V3h4.5M12.5 3H17v4.5M17 12.5V17h-4.5M7.5 17H3v-4.5" fill="none" stroke="currentColor" stroke-width="1.7"/>',
-  'from-here': '<path d="M3.5 3v14" stroke="currentColor" stroke-width="2"/><path d="M7.5 4.5v11l8.5-5.5z" fill="currentColor"/>',
-  pause: '<path d="M5.5 4h3v12h-3zM11.5 4h3v12h-3z" fill="currentColor"/>',
-  next: '<path d="M4 4v12l8-6zM13.5 4h2.5v12h-2.5z" fill="currentColor"/>',
-  previous: '<path d="M16 4v12l-8-6zM4 4h2.5v12H4z" fill="currentColor"/>',
-  whole: '<path d="M5 5l10 10M15 5L5 15" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
-  fit: '<path d="M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4" fill="none" stroke="currentColor" stroke-width="1.7" stroke-linecap="round" stroke-linejoin="round"/>',
-  plus: '<path d="M10 4v12M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
-  minus: '<path d="M4 10h12" stroke="currentColor" stroke-width="1.8" stroke-linecap="round"/>',
-  gallery: '<path d="M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z" fill="none" stroke="currentColor" stroke-width="1.6" stroke-linejoin="round"/>',
-  chevron: '<path d="M5 7.5l5 5 5-5" fill="none" stroke="currentColor" stroke-width="1.8" stroke-linecap="round" stroke-linejoin="round"/>',
-  error: '<circle cx="10" cy="10" r="7.2" fill="currentColor"/><path d="M10 6v5M10 13.6v.4" stroke="var(--playground-surface)" stroke-width="1.9" stroke-linecap="round"/>',
-  warning: '<path d="M10 2.8l7.6 13.6H2.4z" fill="currentColor" stroke="currentColor" stroke-width="1.2" stroke-linejoin="round"/><path d="M10 8v3.6M10 14v.3" stroke="var(--playground-surface)" stroke-width="1.8" stroke-linecap="round"/>',
-  info: '<circle cx="10" cy="10" r="7.2" fill="currentColor"/><path d="M10 9.4V14M10 6v.3" stroke="var(--playground-surface)" stroke-width="1.9" stroke-linecap="round"/>',
-} as const;
+  play: [{ d: 'M6 3.5v13l10.5-6.5z' }],
+  screen: [{ d: 'M3 7.5V3h4.5M12.5 3H17v4.5M17 12.5V17h-4.5M7.5 17H3v-4.5', width: 1.7 }],
+  'from-here': [{ d: 'M3.5 3v14', width: 2 }, { d: 'M7.5 4.5v11l8.5-5.5z' }],
+  pause: [{ d: 'M5.5 4h3v12h-3zM11.5 4h3v12h-3z' }],
+  next: [{ d: 'M4 4v12l8-6zM13.5 4h2.5v12h-2.5z' }],
+  previous: [{ d: 'M16 4v12l-8-6zM4 4h2.5v12H4z' }],
+  whole: [{ d: 'M5 5l10 10M15 5L5 15', width: 1.8 }],
+  fit: [{ d: 'M3.5 7.5v-4h4M12.5 3.5h4v4M16.5 12.5v4h-4M7.5 16.5h-4v-4', width: 1.7 }],
+  plus: [{ d: 'M10 4v12M4 10h12', width: 1.8 }],
+  minus: [{ d: 'M4 10h12', width: 1.8 }],
+  gallery: [{ d: 'M3.5 3.5h5.5v5.5H3.5zM11 3.5h5.5v5.5H11zM3.5 11h5.5v5.5H3.5zM11 11h5.5v5.5H11z', width: 1.6 }],
+  chevron: [{ d: 'M5 7.5l5 5 5-5', width: 1.8 }],
+  error: [{ d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' }, { d: 'M10 6v5M10 13.6v.4', width: 1.9, over: true }],
+  warning: [{ d: 'M10 2.8l7.6 13.6H2.4z', width: 1.2, filled: true }, { d: 'M10 8v3.6M10 14v.3', width: 1.8, over: true }],
+  info: [{ d: 'M2.8 10a7.2 7.2 0 1 0 14.4 0 7.2 7.2 0 1 0-14.4 0' }, { d: 'M10 9.4V14M10 6v.3', width: 1.9, over: true }],
+} satisfies Readonly<Record<string, readonly IconPiece[]>>;
 
 export type IconName = keyof typeof ICONS;
 
 export function icon(name: IconName): HTMLElement {
-  const holder = make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' });
-  holder.innerHTML = `<svg viewBox="0 0 20 20" width="20" height="20">${ICONS[name]}</svg>`;
-  return holder;
+  const svg = drawn('svg', { viewBox: '0 0 20 20', width: 20, height: 20 });
+  for (const { d, width, filled, over } of ICONS[name] as readonly IconPiece[]) {
+    const colour = over === true ? 'var(--playground-surface)' : 'currentColor';
+    const line = width === undefined ? {} : { stroke: colour, 'stroke-width': width, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' };
+    svg.append(drawn('path', { d, fill: width === undefined || filled === true ? colour : 'none', ...line }));
+  }
+  return make('span', { className: `icon icon-${name}`, 'aria-hidden': 'true' }, svg);
+}
+
+/** Not by way of HTML: a page may allow none that is made by a script. */
+function drawn(tag: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  return element;
 }
 
 /** A message of the interpreter: what stands in backticks is program text. */

@@ -1,0 +1,174 @@
+// The element in other people's pages. Which ways of embedding there are, and what comes of each in each engine, is the
+// table in www/docs/element.md: it is what these tests expect, and a row without a test, or a test without a row, fails.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test, expect } from './engines';
+import { motionCount, program } from './page';
+import { serve, type ServedSite, type Site } from './sites';
+
+const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
+const ID = 's000-o0002';
+
+/** What is reported: the motions of the picture that is shown, or what the element says instead. */
+interface Outcome {
+  readonly motions?: number;
+  readonly strokes?: number;
+  readonly says?: string;
+  readonly after: number;
+}
+
+/** Stands in the page of a manual and reports what comes of its element. `REPORT` is the address. */
+const REPORTER = `
+const begun = performance.now();
+const element = document.querySelector('gcode-playground');
+let isSent = false;
+const send = (outcome) => {
+  if (isSent) return;
+  isSent = true;
+  fetch('REPORT', { method: 'POST', mode: 'no-cors', body: JSON.stringify({ ...outcome, after: performance.now() - begun }) });
+};
+let motions = 0;
+element.addEventListener('gcode-report', ({ detail }) => { motions = detail.summary.motions; });
+element.addEventListener('gcode-settled', () => {
+  const canvas = element.shadowRoot.querySelector('canvas');
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+  let strokes = 0;
+  for (let at = 0; at < data.length; at += 4) if (data[at + 2] > 120 && data[at] < 60) strokes++;
+  send({ motions, strokes });
+});
+const look = setInterval(() => {
+  const notice = element.shadowRoot?.querySelector('[part~=notice]');
+  if (notice !== null && notice !== undefined && notice.textContent !== '' && !notice.hidden) send({ says: notice.textContent });
+}, 20);
+setTimeout(() => {
+  clearInterval(look);
+  if (!customElements.get('gcode-playground')) send({ says: 'not defined: ' + element.innerText });
+}, 4000);
+`;
+
+/** How a manual embeds the element. `at` is the address of the folder of its files. */
+interface Way {
+  /** Another origin has the files. */
+  readonly apart?: boolean;
+  readonly folder?: string;
+  readonly fileHeaders?: Record<string, string>;
+  /** The policy of the page. */
+  policy?(own: string, other: string): string;
+  readonly missing?: RegExp;
+  readonly framed?: boolean;
+}
+
+const CORS = { 'access-control-allow-origin': '*' };
+
+const WAYS: Readonly<Record<string, Way>> = {
+  'same origin': {},
+  'a subfolder': { folder: '/books/turning/_static/gcode/' },
+  'a host that sends `no-cache`': { fileHeaders: { 'cache-control': 'no-cache' } },
+  'another origin, with CORS': { apart: true, fileHeaders: CORS },
+  'another origin, without CORS': { apart: true },
+  '`<iframe sandbox="allow-scripts">`': { framed: true, fileHeaders: CORS },
+  'a strict policy, same origin': {
+    policy: () => "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'",
+  },
+  'a strict policy, another origin': {
+    apart: true, fileHeaders: CORS,
+    policy: (own, other) => `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}; worker-src blob:`,
+  },
+  'a strict policy, another origin, without `worker-src blob:`': {
+    apart: true, fileHeaders: CORS,
+    policy: (own, other) => `default-src 'none'; script-src ${own} ${other} 'wasm-unsafe-eval'; connect-src ${own} ${other}`,
+  },
+  'a policy without `\'wasm-unsafe-eval\'`': { policy: () => "default-src 'none'; script-src 'self'; connect-src 'self'" },
+  'Trusted Types required': {
+    policy: () => "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types gcode-playground",
+  },
+  'the worker is missing': { missing: /^worker\.js$/ },
+  'the module is missing': { missing: /^core\.wasm$/ },
+};
+
+/** The cells of the table: `shown` or `message` or `program`, by way and engine. */
+function expected(): ReadonlyMap<string, Readonly<Record<string, string>>> {
+  const document = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
+  const table = document.split('<!-- ways -->')[1]?.split('<!-- /ways -->')[0] ?? '';
+  const [head = [], , ...rows] = table.trim().split('\n').map((row) => row.split('|').slice(1, -1).map((cell) => cell.trim()));
+  const engines = head.slice(1).map((name) => name.toLowerCase());
+  return new Map(rows.map(([way = '', ...cells]) => [way, Object.fromEntries(cells.map((cell, at) => [engines[at] ?? '', cell]))]));
+}
+
+const TABLE = expected();
+
+function page(element: string, reporter: string, view: string): string {
+  return `<!DOCTYPE html>
+<html lang="en">
+  <head>
+    <title>A manual</title>
+    <script type="module" src="${element}"></script>
+  </head>
+  <body>
+    <gcode-playground view="${view}">
+${program(ID)}
+    </gcode-playground>
+    <script type="module" src="${reporter}"></script>
+  </body>
+</html>`;
+}
+
+/** Opens a page that embeds the element in this way; what came of it. */
+async function embed(way: Way, view: string, open: (address: string) => Promise<unknown>): Promise<{ readonly outcome: Outcome; readonly asked: readonly string[] }> {
+  const filesAt = way.folder ?? '/embed/';
+  const filesOf = { filesAt, ...(way.fileHeaders === undefined ? {} : { fileHeaders: way.fileHeaders }), ...(way.missing === undefined ? {} : { missing: way.missing }) };
+  const other = way.apart === true ? await serve(FILES, () => filesOf) : undefined;
+  const own = await serve(FILES, (origin): Site => {
+    const policy = way.policy?.(origin, other?.origin ?? origin);
+    const manual = page(`${other?.origin ?? origin}${filesAt}element.js`, '/reporter.js', view);
+    const frame = `<!DOCTYPE html><title>A manual</title><iframe sandbox="allow-scripts" src="/frame.html" width="800" height="600"></iframe>`;
+    return {
+      pages: {
+        '/index.html': way.framed === true ? frame : manual,
+        '/frame.html': manual,
+        '/reporter.js': REPORTER.replace('REPORT', `${origin}/report`),
+      },
+      pageHeaders: { ...(policy === undefined ? {} : { 'content-security-policy': policy }), ...(way.framed === true ? CORS : {}) },
+      ...(other === undefined ? filesOf : {}),
+    };
+  });
+  try {
+    void open(`${own.origin}/index.html`).catch(() => undefined);
+    return { outcome: JSON.parse(await own.reported) as Outcome, asked: (other ?? own).asked };
+  } finally {
+    await closeAll([own, other]);
+  }
+}
+
+async function closeAll(sites: readonly (ServedSite | undefined)[]): Promise<void> {
+  await Promise.all(sites.map((site) => site?.close()));
+}
+
+test('the table of ways to embed has the ways that are tested', () => {
+  expect([...TABLE.keys()].sort()).toEqual(Object.keys(WAYS).sort());
+});
+
+for (const [name, way] of Object.entries(WAYS)) {
+  // The whole element needs no more than the picture does.
+  for (const view of name.startsWith('a strict policy') || name.startsWith('Trusted') ? ['picture', 'all'] : ['picture']) {
+    test(`embedded: ${name}, view="${view}"`, async ({ page, engine }) => {
+      const { outcome, asked } = await embed(way, view, (address) => page.goto(address));
+      const cell = TABLE.get(name)?.[engine];
+      const text = JSON.stringify(outcome);
+      if (cell === 'shown') {
+        expect(outcome.motions, text).toBe(motionCount(ID));
+        expect(outcome.strokes, text).toBeGreaterThan(200);
+      } else if (cell === 'message') {
+        expect(outcome.says, text).toMatch(/could not be (loaded|started)/);
+        expect(outcome.after, text).toBeLessThan(1_500);
+      } else if (cell === 'program') {
+        expect(outcome.says, text).toContain('not defined');
+        expect(outcome.says, text).toContain('O0002');
+      } else throw new Error(`${name}, ${engine}: nothing is expected`);
+      const files = asked.filter((path) => /\.(js|wasm)$/.test(path) && !path.endsWith('/reporter.js'));
+      expect(files.filter((path, at) => files.indexOf(path) !== at), 'asked for twice').toEqual([]);
+    });
+  }
+}
