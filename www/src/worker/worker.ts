@@ -94,6 +94,8 @@ let pictured: Pictured | undefined;
 let typedLine: number | undefined;
 /** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
 let keepsOld: { readonly line: number } | undefined;
+/** A report waits for the sentences of a language. */
+let reportsLate = false;
 /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
 let heard = 0;
 let settledAt = -1;
@@ -251,10 +253,7 @@ const COMMANDS: { readonly [K in Command['kind']]: CommandRow<K> } = {
 
 /** What was reported is reported in other words. */
 function reportAgain(playground: Playground): void {
-  const again = (): void => {
-    if (isTold()) report(playground, 'again');
-  };
-  if (isTold()) whenLoaded(['machine', language], again);
+  if (isTold()) report(playground, 'again');
 }
 
 function tellViews(playground: Playground): void {
@@ -542,7 +541,19 @@ function isTold(): boolean {
   return stage.kind === 'done' ? run > 0 : stage.kind === 'machining' && stage.pathTold;
 }
 
+/** Says how the run has come out, once the sentences of the language are there: it may have changed in the midst of the run. */
 function report(playground: Playground, told: Report['stage']): void {
+  const needs = ['machine', language] as const;
+  if (isLoaded(needs)) return tellReport(playground, told);
+  const of = run;
+  reportsLate = true;
+  whenLoaded(needs, () => {
+    reportsLate = false;
+    if (run === of && isTold()) report(playground, told);
+  });
+}
+
+function tellReport(playground: Playground, told: Report['stage']): void {
   tell({
     kind: 'report',
     report: {
@@ -606,7 +617,7 @@ function present(playground: Playground): void {
 function settle(): void {
   const waits = stage.kind === 'waiting' || stage.kind === 'lacking';
   const atWork = waits ? loading !== 'failed' : stage.kind !== 'done';
-  const busy = atWork || drawing || (drawWanted !== 'no' && stage.kind !== 'lacking') || onTheWay || looking !== undefined;
+  const busy = atWork || (reportsLate && loading !== 'failed') || drawing || (drawWanted !== 'no' && stage.kind !== 'lacking') || onTheWay || looking !== undefined;
   if (core === undefined || busy || settledAt === heard) return;
   settledAt = heard;
   tell({ kind: 'settled', heard });
