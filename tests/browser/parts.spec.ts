@@ -2,7 +2,7 @@
 // what is right and says what is coming; one that does not come is reported, and can be tried again.
 import { expect, type Route } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
-import { examples, motionCount, open, type } from './page';
+import { examples, motionCount, open, openFile, type } from './page';
 
 const LATE_MS = 3_000;
 const PROGRAM = 'G00 X50 Z2\nG01 X40 Z-20 F0.2\nM30\n';
@@ -215,6 +215,17 @@ test('a module that cannot be loaded is reported', async ({ page }) => {
   await page.route(/gcode_playground_bg-[\w-]+\.wasm$/, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByRole('alert')).toContainText('The interpreter could not be loaded');
+});
+
+test('another language while the part is being cut: its sentences are waited for', async ({ page }) => {
+  await route(page, 'ru', late);
+  await open(page);
+  // Thousands of small corners: the part takes a while.
+  const waves = Array.from({ length: 6_000 }, (_, at) => `X${(30 + (at % 2) * 4 + (at % 7) / 10).toFixed(1)} Z${(-at / 100).toFixed(2)}`);
+  await openFile(page, 'waves.nc', Buffer.from(`(STOCK D=60 LENGTH=80)\nG99 T0101\nG0 X62 Z2\nG1 F0.2\n${waves.join('\n')}\nM30\n`));
+  await expect(page.getByRole('status')).toHaveText(/^Part …/);
+  await page.getByLabel('Language').selectOption('ru');
+  await expect(page.getByRole('status')).toHaveText(/^6.001 перемещение.* замечани[ея]$/, { timeout: 30_000 });
 });
 
 test('the list of examples is loaded after the first picture, a program when it is shown', async ({ page }) => {

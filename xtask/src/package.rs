@@ -5,11 +5,16 @@
 //! cargo leaves link-time optimisation out of a library that is both. `cargo rustc` can ask for the one kind
 //! alone, which makes the module a tenth smaller and faster.
 
+use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
 use std::fs;
 use std::hash::{Hash, Hasher};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+use flate2::Compression;
+use flate2::write::GzEncoder;
 
 use crate::run::{self, Result};
 use crate::setup::Setup;
@@ -166,21 +171,71 @@ impl Module<'_> {
 /// Whether the module and its parts are as small as they should be and as large as the table of sizes in
 /// `tests/speed/README.md` says; prints them.
 pub fn size() -> Result<Duration> {
+    let begun = Instant::now();
     let path = run::root().join("tests/speed/README.md");
     let text =
         fs::read_to_string(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
-    let mut node = run::command("node");
-    node.args(["-e", WEIGH]).arg(run::www().join("pkg"));
-    node.args([MOST_OF_THE_CORE.to_string(), MOST_OF_ALL.to_string()]).args(stated_sizes(&text));
-    run::step("weighing the module", &mut node)
+    let sizes = weigh(&run::www().join("pkg"))?;
+    let problems = too_large(&sizes, &stated_sizes(&text));
+    if problems.is_empty() { Ok(begun.elapsed()) } else { Err(problems.join("\n")) }
 }
 
-/// The rows of the table of sizes: `core.wasm=180`, name of the file and kB.
-fn stated_sizes(document: &str) -> Vec<String> {
+/// The size of each row of the table, compressed as a server does it.
+fn weigh(folder: &Path) -> Result<BTreeMap<String, u64>> {
+    let cannot = |error: std::io::Error| format!("cannot weigh {}: {error}", folder.display());
+    let mut sizes = BTreeMap::<String, u64>::new();
+    for entry in fs::read_dir(folder).map_err(cannot)? {
+        let path = entry.map_err(cannot)?.path();
+        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if !file.ends_with(".wasm") {
+            continue;
+        }
+        let bytes = fs::read(&path).map_err(cannot)?;
+        let mut compressed = GzEncoder::new(Vec::new(), Compression::best());
+        compressed.write_all(&bytes).map_err(cannot)?;
+        let small = compressed.finish().map_err(cannot)?.len() as u64;
+        println!("{file}: {} bytes, {small} compressed", bytes.len());
+        let row = match &*file {
+            "gcode_playground_bg.wasm" => "core.wasm",
+            shared if shared.contains('-') => "shared.wasm",
+            other => other,
+        };
+        *sizes.entry(row.to_owned()).or_default() += small;
+    }
+    Ok(sizes)
+}
+
+/// What is larger than allowed, or not as the table says.
+fn too_large(sizes: &BTreeMap<String, u64>, stated: &BTreeMap<String, u64>) -> Vec<String> {
+    let all: u64 = sizes.values().sum();
+    println!("all: {all} compressed (at most {MOST_OF_ALL})");
+    let mut problems = Vec::new();
+    for (file, &small) in sizes {
+        let Some(&told) = stated.get(file) else {
+            problems.push(format!("tests/speed/README.md does not name {file}"));
+            continue;
+        };
+        if small.abs_diff(told * 1000) > (told * 30).max(2000) {
+            problems.push(format!("{file} is {small}, not as tests/speed/README.md says: {told} kB"));
+        }
+    }
+    let gone = stated.keys().filter(|file| !sizes.contains_key(*file));
+    problems.extend(gone.map(|file| format!("tests/speed/README.md names {file}, which is not there")));
+    if sizes.get("core.wasm").is_none_or(|&core| core > MOST_OF_THE_CORE) {
+        problems.push(format!("core.wasm is larger than {MOST_OF_THE_CORE}"));
+    }
+    if all > MOST_OF_ALL {
+        problems.push(format!("all parts are larger than {MOST_OF_ALL}"));
+    }
+    problems
+}
+
+/// The rows of the table of sizes: name of the file and kB.
+fn stated_sizes(document: &str) -> BTreeMap<String, u64> {
     let rows = document.lines().filter_map(|line| {
         let mut cells = line.strip_prefix("| `")?.split('|').map(str::trim);
         let name = cells.next()?.strip_suffix(".wasm`")?;
-        Some(format!("{name}.wasm={}", cells.next()?))
+        Some((format!("{name}.wasm"), cells.next()?.parse().ok()?))
     });
     rows.collect()
 }
@@ -205,37 +260,30 @@ pub fn page(setup: &Setup) -> Result<Duration> {
     Ok(page + rules + docs + embed::element(setup)?)
 }
 
-/// Prints the size of each file, plain and compressed as a server does it, and fails where one is not as the
-/// table says, or the first of them, or all, are more than allowed.
-const WEIGH: &str = "\
-    const [folder, mostOfTheCore, mostOfAll, ...stated] = process.argv.slice(1);\
-    const { readFileSync, readdirSync } = require('node:fs');\
-    const rows = new Map(stated.map((row) => row.split('=')));\
-    const names = { 'gcode_playground_bg.wasm': 'core.wasm' };\
-    const files = readdirSync(folder).filter((file) => file.endsWith('.wasm'));\
-    const problems = [];\
-    let all = 0;\
-    const sizes = new Map();\
-    for (const file of files) {\
-      const name = file.includes('-') ? 'shared.wasm' : (names[file] ?? file);\
-      const bytes = readFileSync(`${folder}/${file}`);\
-      const small = require('node:zlib').gzipSync(bytes, { level: 9 }).length;\
-      console.log(`${file}: ${bytes.length} bytes, ${small} compressed`);\
-      all += small;\
-      sizes.set(name, (sizes.get(name) ?? 0) + small);\
-    }\
-    for (const [name, small] of sizes) {\
-      const kB = Number(rows.get(name));\
-      if (!(Math.abs(small / 1000 - kB) <= Math.max(2, 0.03 * kB))) problems.push(`${name} is ${small}, not as tests/speed/README.md says: ${rows.get(name)}`);\
-      if (name === 'core.wasm' && small > mostOfTheCore) problems.push(`${name} is larger than ${mostOfTheCore}`);\
-      rows.delete(name);\
-    }\
-    for (const name of rows.keys()) problems.push(`tests/speed/README.md names ${name}, which is not there`);\
-    console.log(`all: ${all} compressed (at most ${mostOfAll})`);\
-    if (all > mostOfAll) problems.push(`all parts are larger than ${mostOfAll}`);\
-    for (const problem of problems) console.error(problem);\
-    process.exitCode = problems.length > 0 ? 1 : 0;";
-
 fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BTreeMap, stated_sizes, too_large};
+
+    #[test]
+    fn what_is_too_large_or_not_as_the_table_says_is_named() {
+        let table = "| `core.wasm` | 167 | text |\n| `machine.wasm` | 211 | material |\n";
+        let stated = stated_sizes(table);
+        let problems = |sizes: &[(&str, u64)]| {
+            let sizes: BTreeMap<_, _> = sizes.iter().map(|&(file, size)| (file.to_owned(), size)).collect();
+            too_large(&sizes, &stated)
+        };
+        assert!(problems(&[("core.wasm", 168_000), ("machine.wasm", 217_000)]).is_empty());
+        assert_eq!(problems(&[("core.wasm", 168_000), ("machine.wasm", 218_000)]).len(), 1);
+        assert_eq!(problems(&[("core.wasm", 181_000), ("machine.wasm", 211_000)]).len(), 2);
+        assert_eq!(problems(&[("machine.wasm", 211_000), ("en.wasm", 17_000)]).len(), 3);
+        assert!(
+            problems(&[("core.wasm", 167_000), ("machine.wasm", 600_000)])
+                .iter()
+                .any(|text| text.starts_with("all parts"))
+        );
+    }
 }

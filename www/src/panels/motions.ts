@@ -42,6 +42,8 @@ class MotionsPanel implements Panel {
   /** The motion whose row gets the keys, and whether it is to have them once it is there. */
   #active = 0;
   #focusing = false;
+  /** What had the focus when the row was to get it. */
+  #keysWantedAt: Element | null = null;
   /** What the drawing is described by: where its words are. */
   readonly #about = make('span', { id: 'motions-about', hidden: true });
   readonly places = { foot: [this.#button], dialogs: [this.#element, this.#about] };
@@ -107,7 +109,7 @@ class MotionsPanel implements Panel {
     this.#shell.flush();
     this.#element.showPopover();
     this.#button.setAttribute('aria-expanded', 'true');
-    this.#focusing = true;
+    this.#wantKeys();
     this.#follow();
   }
 
@@ -127,11 +129,17 @@ class MotionsPanel implements Panel {
       const steps: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowUp: -1, PageDown: PAGE, PageUp: -PAGE, Home: -this.#count, End: this.#count };
       const step = steps[event.key];
       if (step === undefined) return;
-      this.#focusing = true;
+      this.#wantKeys();
       this.#go(Math.min(Math.max(this.#active + step, 0), this.#count - 1));
     }
     event.preventDefault();
     event.stopPropagation();
+  }
+
+  /** The row of the tool gets the keys once it is there, unless the reader has gone elsewhere by then. */
+  #wantKeys(): void {
+    this.#keysWantedAt = this.#shell.root.activeElement;
+    this.#focusing = true;
   }
 
   /** The tool goes to the end of a motion; its row has the keys. */
@@ -177,6 +185,9 @@ class MotionsPanel implements Panel {
 
   /** One row is that of the tool, and one gets the keys. */
   #mark(): void {
+    const focused = this.#shell.root.activeElement;
+    const hasGone = focused !== null && focused !== this.#keysWantedAt && !this.#body.contains(focused);
+    if (hasGone) this.#focusing = false;
     for (const row of this.#body.rows) {
       const motion = Number(row.getAttribute('aria-rowindex')) - 2;
       row.tabIndex = motion === this.#active ? 0 : -1;

@@ -114,6 +114,8 @@ export class Session implements Waiter {
   #typedLine: number | undefined;
   /** The picture on the page is that of an earlier run, as long as the reader stays in this line. */
   #keepsOld: { readonly line: number } | undefined;
+  /** A report waits for the sentences of a language. */
+  #reportsLate = false;
   /** Messages heard that may change what is shown, and how many of them the page knows to be settled. */
   #heard = 0;
   #settledAt = -1;
@@ -267,10 +269,7 @@ export class Session implements Waiter {
 
   /** What was reported is reported in other words. */
   #reportAgain(): void {
-    const again = (): void => {
-      if (this.#isTold()) this.#report('again');
-    };
-    if (this.#isTold()) this.#whenLoaded(['machine', this.#language], again);
+    if (this.#isTold()) this.#report('again');
   }
 
   #tellViews(): void {
@@ -525,7 +524,19 @@ export class Session implements Waiter {
     return this.#stage.kind === 'done' ? this.#run > 0 : this.#stage.kind === 'machining' && this.#stage.pathTold;
   }
 
+  /** Says how the run has come out, once the sentences of the language are there: it may have changed in the midst of the run. */
   #report(told: Report['stage']): void {
+    const needs = ['machine', this.#language] as const;
+    if (this.#isLoaded(needs)) return this.#tellReport(told);
+    const run = this.#run;
+    this.#reportsLate = true;
+    this.#whenLoaded(needs, () => {
+      this.#reportsLate = false;
+      if (run === this.#run && this.#isTold()) this.#report(told);
+    });
+  }
+
+  #tellReport(told: Report['stage']): void {
     this.#tell({
       kind: 'report',
       report: {
@@ -594,7 +605,7 @@ export class Session implements Waiter {
   #settle(): void {
     const waits = this.#stage.kind === 'waiting' || this.#stage.kind === 'lacking';
     const atWork = waits ? !this.#parts.failed : this.#stage.kind !== 'done';
-    const busy = atWork || this.#drawing || (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') || this.#onTheWay || this.#looking !== undefined;
+    const busy = atWork || (this.#reportsLate && !this.#parts.failed) || this.#drawing || (this.#drawWanted !== 'no' && this.#stage.kind !== 'lacking') || this.#onTheWay || this.#looking !== undefined;
     if (busy || this.#settledAt === this.#heard) return;
     this.#settledAt = this.#heard;
     this.#tell({ kind: 'settled', heard: this.#heard });
