@@ -60,8 +60,11 @@ const NOT_RUN: [(&str, &str); 10] = [
 ];
 
 /// What the documents name and only a build makes.
-const BUILT: [(&str, &str); 5] = [
+const BUILT: [(&str, &str); 8] = [
     ("element.js", "`cargo xtask site`; `tests/browser/picture-only.spec.ts` puts it into a page"),
+    ("www/dist/embed", "the same command; `tests/browser/embedding.spec.ts` puts its files into pages"),
+    ("dist/embed", "the same"),
+    ("embed/0.1.0", "the same command makes it, named after the version in Cargo.toml"),
     ("www/dist", "the same command makes it"),
     ("dist/rules", "`cargo xtask play`; `tests/browser/rules.spec.ts` opens its pages"),
     ("rules/en/index.html", "the same"),
@@ -310,7 +313,14 @@ fn every_call_of_the_command_line_works() {
 // ---- snippets -------------------------------------------------------------------------------------
 
 /// What a page loads the element with.
-const SCRIPT: &str = "<script type=\"module\" src=\"element.js\"></script>";
+const SCRIPT: &str = "<script type=\"module\" src=\"embed/element.js\"></script>";
+
+/// The address in README.md is of a host that stands for any.
+fn without_script(block: &str) -> &str {
+    let rest = block.strip_prefix(SCRIPT.trim_end_matches("embed/element.js\"></script>"));
+    let loads = rest.and_then(|rest| rest.split_once("element.js\"></script>"));
+    loads.map_or(block, |(_, rest)| rest)
+}
 
 #[test]
 fn every_snippet_is_what_it_seems() {
@@ -326,11 +336,15 @@ fn every_snippet_is_what_it_seems() {
             } else if block.starts_with('(') {
                 let analysis = analyze(format!("{block}\nM30\n").as_bytes(), &Setup::default());
                 assert!(analysis.diagnostics.is_empty(), "{document}: {:?}\n{block}", analysis.diagnostics);
-            } else if let Some(element) =
-                block.strip_prefix(SCRIPT).unwrap_or(&block).trim_start().strip_prefix('<')
+            } else if let Some(element) = without_script(&block).trim_start().strip_prefix('<')
                 && element.starts_with("gcode-playground")
             {
                 holds_element(element);
+            } else if ["<script type=\"text/x-gcode\"", "<pre data-gcode-playground"]
+                .iter()
+                .any(|start| block.starts_with(start))
+            {
+                holds_element(&block);
             } else {
                 unknown.push(format!("{document}:\n{block}"));
             }
@@ -352,7 +366,12 @@ fn observed() -> Vec<String> {
 fn holds_element(snippet: &str) {
     let tag = snippet.split('>').next().unwrap_or_default();
     for attribute in tag.split_whitespace().skip(1).filter_map(|word| word.split('=').next()) {
-        assert!(observed().iter().any(|known| known == attribute), "no attribute `{attribute}`");
+        // What marks another tag as a program.
+        if ["type", "data-gcode-playground"].contains(&attribute) {
+            continue;
+        }
+        let name = attribute.strip_prefix("data-").unwrap_or(attribute);
+        assert!(observed().iter().any(|known| known == name), "no attribute `{attribute}`");
     }
 }
 

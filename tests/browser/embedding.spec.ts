@@ -2,7 +2,7 @@
 // table in www/docs/element.md: it is what these tests expect, and a row without a test, or a test without a row, fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test, expect } from './engines';
+import { chromiumTest, test, expect } from './engines';
 import { motionCount, program } from './page';
 import { serve, type ServedSite, type Site } from './sites';
 
@@ -172,3 +172,31 @@ for (const [name, way] of Object.entries(WAYS)) {
     });
   }
 }
+
+/** What README tells authors to write. */
+function snippet(): string {
+  const readme = readFileSync(join(__dirname, '..', '..', 'README.md'), 'utf8');
+  const lines = readme.split('\n');
+  const first = lines.findIndex((line) => line.trim().startsWith('<script type="module"'));
+  const last = lines.findIndex((line) => line.trim() === '</gcode-playground>');
+  return lines.slice(first, last + 1).map((line) => line.slice(4)).join('\n');
+}
+
+chromiumTest("README's snippet, unchanged, in a page of another origin", async ({ page }) => {
+  const version = /version = "([^"]+)"/.exec(readFileSync(join(__dirname, '..', '..', 'Cargo.toml'), 'utf8'))?.[1] ?? '';
+  await page.route('https://playground.example/**', async (route) => {
+    const path = new URL(route.request().url()).pathname.replace(`/embed/${version}/`, '');
+    await route.fulfill({ path: join(FILES, version, path), headers: CORS });
+  });
+  const site = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>\n${snippet()}\n</body></html>` } }));
+  try {
+    await page.goto(`${site.origin}/index.html`);
+    const motions = await page.evaluate(async () => {
+      const element = document.querySelector('gcode-playground')!;
+      return new Promise<number>((resolve) => element.addEventListener('gcode-report', (event) => resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions)));
+    });
+    expect(motions).toBe(10);
+  } finally {
+    await site.close();
+  }
+});

@@ -138,7 +138,7 @@ pub const FIGURES: &[Figure] = &[
     figure(
         "ARCHITECTURE.md",
         "or 0.3 s have passed",
-        Held::Stated("www/src/worker/worker.ts", "const SHOW_PATH_AFTER_MS = 300;"),
+        Held::Stated("www/src/worker/session.ts", "const SHOW_PATH_AFTER_MS = 300;"),
     ),
     figure("ARCHITECTURE.md", "code of group 01", Held::NotRun("the name of a group of codes")),
     figure("www/docs/setup.md", "(□ is 1)", Held::Shown(slash)),

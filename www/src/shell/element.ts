@@ -6,7 +6,7 @@
 //     G90 X50 Z-30 F0.2
 //   </gcode-playground>
 //
-// Its own text is the program it starts with. Attributes (each is a property too):
+// What is written inside is the program it starts with: see source.ts. Attributes (each is a property too):
 //   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
 //   setup     JSON: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
@@ -14,6 +14,7 @@
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
+//   src       program.nc           the file of the program, instead of what is written inside
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
 // `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
@@ -41,7 +42,7 @@
 //   gcode-split    detail {split}: the reader has dragged the divider
 //   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
 //                  one before, or undo has brought one back; attributes and `origin` are as the detail says
-// Slot: `intro` above the program.
+// Slots: `intro` above the program; `fallback`, shown until there is a picture.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
 // drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
@@ -56,7 +57,7 @@ import type { ClientPlace, Services } from '../panels/panel';
 import { viewOf, type View } from './layout';
 import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
-import { initialProgram } from './start';
+import { fetchedProgram, upgrade, watchWritten, writtenProgram, writtenSetup } from './source';
 import { adopt } from './style-sheets';
 import colours from '../colours.css?inline';
 import styles from './styles.css?inline';
@@ -69,8 +70,16 @@ export interface OpenedProgram {
 /** Attributes that go with the program. */
 const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
 
-export class GcodePlayground extends HTMLElement {
-  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
+/** Read by Node, where there are no elements, it is a class that nobody makes anything of. */
+const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
+
+/** What a page may have set before the element was defined. */
+const PROPERTIES = ['origin', 'control', 'setup', 'blockSkip', 'program', 'language', 'theme', 'view', 'src', 'value', 'opened'] as const;
+
+export { upgrade };
+
+export class GcodePlayground extends Base {
+  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'src'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -78,23 +87,36 @@ export class GcodePlayground extends HTMLElement {
   #made: PlaygroundShell | undefined;
   /** What was set before. */
   #early: OpenedProgram | undefined;
+  /** The program as the page has written it into the element; none once it has come from elsewhere. */
+  #written: string | undefined;
+  #watch: MutationObserver | undefined;
+  /** The file the program is being fetched from. */
+  #fetching: string | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
 
   constructor() {
     super();
     this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
     for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
+    for (const name of PROPERTIES) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
   }
 
   connectedCallback(): void {
     inDocument.add(this);
     if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
     (this.#made ??= this.#make()).connect();
+    this.#watch = watchWritten(this, () => this.#followWritten());
   }
 
   disconnectedCallback(): void {
     inDocument.delete(this);
     if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
+    this.#watch?.disconnect();
     this.#made?.disconnect();
   }
 
@@ -109,6 +131,7 @@ export class GcodePlayground extends HTMLElement {
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
     else if (attribute === 'view') this.#viewChanged();
+    else if (attribute === 'src') this.#fetch();
     else this.#made?.setupChanged();
   }
 
@@ -144,6 +167,8 @@ export class GcodePlayground extends HTMLElement {
 
   set opened(opened: OpenedProgram) {
     const { text, file } = opened;
+    this.#written = undefined;
+    this.#fetching = undefined;
     if (this.#made === undefined) {
       this.#early = opened;
       return;
@@ -171,8 +196,16 @@ export class GcodePlayground extends HTMLElement {
     return this.getAttribute('setup');
   }
 
-  set setup(json: string | null) {
-    this.#setOrRemove('setup', json);
+  set setup(setup: string | object | null) {
+    this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
+  }
+
+  get src(): string | null {
+    return this.getAttribute('src');
+  }
+
+  set src(address: string | null) {
+    this.#setOrRemove('src', address);
   }
 
   get blockSkip(): string | null {
@@ -292,9 +325,40 @@ export class GcodePlayground extends HTMLElement {
       unsettled: () => this.#settling.unsettle(),
       settled: (run) => this.#settling.settle(run),
     });
-    const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
-    shell.start(text, file);
+    if (!this.hasAttribute('setup')) this.#setOrRemove('setup', writtenSetup(this));
+    if (this.#early !== undefined) shell.start(this.#early.text, this.#early.file);
+    else if (this.src !== null) {
+      shell.start('', undefined);
+      queueMicrotask(() => this.#fetch());
+    } else {
+      this.#written = writtenProgram(this);
+      shell.start(this.#written, undefined);
+    }
     return shell;
+  }
+
+  /** The page has written another program into the element: that of a reader who has begun to edit stays. */
+  #followWritten(): void {
+    const [made, before] = [this.#made, this.#written];
+    if (made === undefined || before === undefined) return;
+    const now = writtenProgram(this);
+    if (now === before) return;
+    this.#written = made.editor.text === before ? now : undefined;
+    if (this.#written !== undefined) made.follow(now);
+  }
+
+  #fetch(): void {
+    const [address, made] = [this.src, this.#made];
+    if (address === null || made === undefined || this.#fetching === address) return;
+    this.#fetching = address;
+    fetchedProgram(address).then(
+      (text) => {
+        if (this.#fetching === address) made.follow(text);
+      },
+      (reason: unknown) => {
+        if (this.#fetching === address) made.sourceFailed(reason instanceof Error ? reason.message : String(reason));
+      },
+    );
   }
 
   #changed(): void {
@@ -335,4 +399,8 @@ function playKeys(event: KeyboardEvent): void {
   [...inDocument].at(-1)?.pressed(event);
 }
 
-if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);
+if (typeof customElements !== 'undefined') {
+  if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);
+  upgrade();
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => upgrade());
+}

@@ -29,7 +29,8 @@ export function layout(view: View, editor: HTMLElement): Layout {
     divider: bare(),
     views: make('div', { className: 'views', part: 'views', role: 'group' }),
     assumptions: make('div', { className: 'assumptions', part: 'assumptions' }),
-    pictures: make('div', { className: 'pictures' }),
+    // What the page has for readers without scripts stands here until there is a picture.
+    pictures: make('div', { className: 'pictures' }, make('slot', { name: 'fallback' })),
     playback: make('div', { className: 'playback', part: 'playback', role: 'group' }),
     foot: make('div', { className: 'foot' }),
     dialogs: bare(),

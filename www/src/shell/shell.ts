@@ -107,7 +107,10 @@ export class PlaygroundShell implements Shell {
         if (event.kind === 'report') this.#reported(event.report);
         else if (event.kind === 'part-failed') this.#partFailed(event.reason);
       },
-      pictures: (pictures) => this.#tell((panel) => panel.showPictures?.(pictures)),
+      pictures: (pictures) => {
+        this.#tell((panel) => panel.showPictures?.(pictures));
+        this.frame.toggleAttribute('data-drawn', true);
+      },
       outdated: () => {
         this.#missed?.heard.clear();
         this.#tell((panel) => panel.outdated?.());
@@ -181,6 +184,18 @@ export class PlaygroundShell implements Shell {
   /** The program the element starts with. */
   start(text: string, file: ProgramFile | undefined): void {
     this.editor.setText(programText(text), file, 'final');
+  }
+
+  /** What the page has written, or a file it has named, takes the place of what it was before. */
+  follow(text: string): void {
+    this.editor.setText(programText(text), undefined, 'final');
+    this.#runs.forgetCursor();
+    this.#runs.textChanged('fit');
+  }
+
+  /** The file that the page has named could not be had. */
+  sourceFailed(reason: string): void {
+    this.service('notice')(WORDS[this.#language].sourceFailed(reason), 'file');
   }
 
   /** Another program from outside, with no word to the page around. */
@@ -453,6 +468,7 @@ const WORDS = words({
     tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
+    sourceFailed: (reason: string) => `The program could not be loaded (${reason}).`,
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
@@ -463,6 +479,7 @@ const WORDS = words({
     tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
+    sourceFailed: (reason) => `程序加载失败（${reason}）。`,
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
@@ -473,6 +490,7 @@ const WORDS = words({
     tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
+    sourceFailed: (reason) => `Не удалось загрузить программу (${reason}).`,
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });
