@@ -2,7 +2,11 @@
 // of them is no matter of the others.
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
+import { join } from 'node:path';
 import { program } from './page';
+import { serve } from './sites';
+
+const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
 
 const PROGRAM = program('s000-o0002');
 /** What the worker's watch takes, and some more. */
@@ -111,3 +115,60 @@ for (const { fault, does, says } of [
     expect(await shown(page, 0)).not.toBe(before);
   });
 }
+
+/** A page with so many elements, one below the other, as an author writes it. */
+async function manual(page: ChromiumPage, count: number, attributes: string, act: () => Promise<void>): Promise<void> {
+  const element = `<p>${'Words. '.repeat(60)}</p>\n<gcode-playground view="picture" ${attributes}>\n${PROGRAM}\n</gcode-playground>\n`;
+  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title><style>gcode-playground { display: block; height: 24rem; }</style>
+    <script type="module" src="/embed/element.js"></script></head><body>${element.repeat(count)}</body></html>`;
+  const site = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: { 'cache-control': 'no-cache' }, pages: { '/index.html': html } }));
+  await page.addInitScript(() => {
+    Object.assign(window, { shift: 0 });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) (window as unknown as { shift: number }).shift += (entry as unknown as { value: number }).value;
+    }).observe({ type: 'layout-shift', buffered: true });
+  });
+  try {
+    await page.goto(`${site.origin}/index.html`);
+    await act();
+    const asked = site.asked.filter((path) => path.startsWith('/embed/'));
+    expect(asked.filter((path, at) => asked.indexOf(path) !== at), 'asked for twice').toEqual([]);
+  } finally {
+    await site.close();
+  }
+}
+
+/** How many elements have a picture. */
+function drawn(page: ChromiumPage): Promise<number> {
+  return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[data-drawn]')).length);
+}
+
+test('elements start as they come near the view, and nothing on the page moves', async ({ page }) => {
+  await manual(page, 30, '', async () => {
+    await expect.poll(() => drawn(page)).toBeGreaterThan(1);
+    await page.waitForTimeout(500);
+    const first = await drawn(page);
+    expect(first).toBeLessThan(10);
+    expect(await page.evaluate(() => customElements.whenDefined('gcode-playground').then(() => (document.querySelector('gcode-playground:last-of-type') as Picture).value))).toBe(PROGRAM.trim());
+    await page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.scrollIntoView());
+    await expect.poll(() => page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.shadowRoot!.querySelector('[data-drawn]') !== null)).toBe(true);
+    expect(await drawn(page)).toBeLessThan(20);
+    expect(page.workers().length).toBe(1);
+    expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);
+  });
+});
+
+test('one that waits for a click loads nothing before, and one that is asked starts', async ({ page }) => {
+  await manual(page, 2, 'loading="click"', async () => {
+    const show = page.getByRole('button', { name: 'Show the tool path' });
+    await expect(show).toHaveCount(2);
+    expect(await drawn(page)).toBe(0);
+    expect(page.workers().length).toBe(0);
+    await show.first().click();
+    await expect.poll(() => drawn(page)).toBe(1);
+    await page.evaluate(() => (document.querySelectorAll('gcode-playground')[1] as Picture).settled);
+    expect(await drawn(page)).toBe(2);
+    await expect(show).toHaveCount(0);
+    expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);
+  });
+});

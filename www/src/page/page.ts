@@ -45,6 +45,7 @@ type Above =
 
 /** It comes into the page with its first program, so that nothing else is run before. */
 const playground = document.createElement('gcode-playground') as GcodePlayground;
+playground.loading = 'eager';
 const intro = find('intro');
 const exampleSelect = find<HTMLSelectElement>('example');
 const galleryButton = find<HTMLButtonElement>('gallery');

@@ -14,6 +14,7 @@
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
+//   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
 //   src       program.nc           the file of the program, instead of what is written inside
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
@@ -50,6 +51,7 @@
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
+import { make } from '../dom/dom';
 import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
@@ -59,6 +61,7 @@ import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
 import { fetchedProgram, upgrade, watchWritten, writtenProgram, writtenSetup } from './source';
 import { adopt } from './style-sheets';
+import { loadingOf, startButton, whenNear, type Loading } from './when-seen';
 import colours from '../colours.css?inline';
 import styles from './styles.css?inline';
 
@@ -74,12 +77,12 @@ const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'pr
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 /** What a page may have set before the element was defined. */
-const PROPERTIES = ['origin', 'control', 'setup', 'blockSkip', 'program', 'language', 'theme', 'view', 'src', 'value', 'opened'] as const;
+const PROPERTIES = ['origin', 'control', 'setup', 'blockSkip', 'program', 'language', 'theme', 'view', 'src', 'loading', 'value', 'opened'] as const;
 
 export { upgrade };
 
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'src'];
+  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'src', 'loading'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -90,6 +93,8 @@ export class GcodePlayground extends Base {
   /** The program as the page has written it into the element; none once it has come from elsewhere. */
   #written: string | undefined;
   #watch: MutationObserver | undefined;
+  /** Ends the wait for the element to come near the view. */
+  #stopWaiting: (() => void) | undefined;
   /** The file the program is being fetched from. */
   #fetching: string | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
@@ -109,13 +114,16 @@ export class GcodePlayground extends Base {
   connectedCallback(): void {
     inDocument.add(this);
     if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
-    (this.#made ??= this.#make()).connect();
-    this.#watch = watchWritten(this, () => this.#followWritten());
+    if (this.#made !== undefined || this.loading === 'eager') return this.#start();
+    const root = this.#root();
+    if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#start());
+    else root.replaceChildren(make('slot', { name: 'fallback' }), startButton(this.language, () => this.#start()));
   }
 
   disconnectedCallback(): void {
     inDocument.delete(this);
     if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
+    this.#stopWaiting?.();
     this.#watch?.disconnect();
     this.#made?.disconnect();
   }
@@ -132,16 +140,18 @@ export class GcodePlayground extends Base {
     else if (attribute === 'theme') this.#made?.coloursChanged();
     else if (attribute === 'view') this.#viewChanged();
     else if (attribute === 'src') this.#fetch();
+    else if (attribute === 'loading') this.#loadingChanged();
     else this.#made?.setupChanged();
   }
 
-  /** Resolved with the number of the run once all there is to show of it is shown. */
+  /** Resolved with the number of the run once all there is to show of it is shown. Who asks does not wait for the reader to come near. */
   get settled(): Promise<number> {
+    if (this.isConnected && this.#made === undefined) this.#start();
     return this.#settling.promise;
   }
 
   get value(): string {
-    return this.#made?.editor.text ?? this.#early?.text ?? '';
+    return this.#made?.editor.text ?? this.#early?.text ?? writtenProgram(this);
   }
 
   set value(text: string) {
@@ -161,7 +171,7 @@ export class GcodePlayground extends Base {
   /** The program and the file it came from; the text has the file's own line ends. */
   get opened(): OpenedProgram {
     const editor = this.#made?.editor;
-    if (editor === undefined) return this.#early ?? { text: '', file: undefined };
+    if (editor === undefined) return this.#early ?? { text: writtenProgram(this), file: undefined };
     return { text: editor.textWithLineEnds, file: editor.file };
   }
 
@@ -198,6 +208,14 @@ export class GcodePlayground extends Base {
 
   set setup(setup: string | object | null) {
     this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
+  }
+
+  get loading(): Loading {
+    return loadingOf(this.getAttribute('loading'));
+  }
+
+  set loading(loading: Loading) {
+    this.setAttribute('loading', loading);
   }
 
   get src(): string | null {
@@ -293,9 +311,28 @@ export class GcodePlayground extends Base {
     this.#with('endComparison', (end) => end());
   }
 
+  /** What is asked of an element that waits to be seen starts it. */
   get #shell(): PlaygroundShell {
+    if (this.isConnected && this.#made === undefined) this.#start();
     if (this.#made === undefined) throw new Error('the playground is not in a document');
     return this.#made;
+  }
+
+  #start(): void {
+    this.#stopWaiting?.();
+    if (this.#made === undefined) {
+      this.shadowRoot?.replaceChildren();
+      this.#made = this.#make();
+    }
+    this.#made.connect();
+    this.#watch = watchWritten(this, () => this.#followWritten());
+  }
+
+  /** The element's box is there with its styles before anything stands in it. */
+  #root(): ShadowRoot {
+    const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
+    adopt(root, [colours, styles]);
+    return root;
   }
 
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
@@ -303,6 +340,13 @@ export class GcodePlayground extends Base {
     const shell = this.#shell;
     if (shell.view !== 'all') throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(() => act(shell.service(name)), () => undefined);
+  }
+
+  /** An element that waits may not have to any more. */
+  #loadingChanged(): void {
+    if (!this.isConnected || this.#made !== undefined) return;
+    this.#stopWaiting?.();
+    this.connectedCallback();
   }
 
   /** Another view is made anew, around the same program. */
@@ -313,12 +357,11 @@ export class GcodePlayground extends Base {
     made.disconnect();
     this.#made = undefined;
     this.shadowRoot?.replaceChildren();
-    if (this.isConnected) this.connectedCallback();
+    if (this.isConnected) this.#start();
   }
 
   #make(): PlaygroundShell {
-    const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
-    adopt(root, [colours, styles]);
+    const root = this.#root();
     const shell = new PlaygroundShell(root, this, {
       fire: (type, detail) => this.#fire(type, detail),
       changed: () => this.#changed(),

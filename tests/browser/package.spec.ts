@@ -1,0 +1,171 @@
+// The npm package: packed, installed into projects that know nothing else of it, and used from Node, TypeScript, Vite and a plain page.
+import { execFile } from 'node:child_process';
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { expect } from '@playwright/test';
+import { chromiumTest as test, type ChromiumPage } from './engines';
+import { serve } from './sites';
+
+const execute = promisify(execFile);
+const run = (program: string, words: readonly string[], options: { readonly cwd: string }): Promise<{ readonly stdout: string }> =>
+  execute(program, words, { ...options, env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } });
+const WWW = join(__dirname, '..', '..', 'www');
+const PACKAGE = join(WWW, 'dist', 'embed');
+const NPM = process.platform === 'win32' ? 'npm.cmd' : 'npm';
+
+let project = '';
+
+test.beforeAll(async () => {
+  project = await mkdtemp(join(tmpdir(), 'playground-package-'));
+  await writeFile(join(project, 'package.json'), '{ "name": "manual", "private": true, "type": "module" }\n');
+  await run(NPM, ['pack', PACKAGE, '--silent'], { cwd: project });
+  const archive = (await readdir(project)).find((file) => file.endsWith('.tgz')) ?? '';
+  await run(NPM, ['install', `./${archive}`, '--offline', '--no-audit', '--no-fund', '--silent'], { cwd: project });
+});
+test.afterAll(() => rm(project, { recursive: true, force: true }));
+
+/** The indented block of a document that begins so. */
+async function block(document: string, start: string): Promise<string> {
+  const text = await readFile(document, 'utf8');
+  const blocks = text.split('\n').reduce<string[]>((all, line) => {
+    if (line.startsWith('    ')) all[all.length - 1] += `${line.slice(4)}\n`;
+    else all.push('');
+    return all;
+  }, ['']);
+  const found = blocks.find((one) => one.startsWith(start));
+  if (found === undefined) throw new Error(`${document} has no block that begins with ${start}`);
+  return found;
+}
+
+test('it has what it says, no install scripts and no dependencies, and what TypeScript and editors ask for', async () => {
+  const folder = join(project, 'node_modules', 'gcode-playground');
+  const { version, scripts, dependencies, customElements } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+  expect(version).toBe(/version = "([^"]+)"/.exec(await readFile(join(WWW, '..', 'Cargo.toml'), 'utf8'))?.[1]);
+  expect([scripts, dependencies]).toEqual([undefined, undefined]);
+  const files = await readdir(folder);
+  for (const file of ['element.js', 'element.d.ts', 'worker.js', 'core.wasm', 'machine.wasm', 'rules', 'node', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY-LICENSES.txt', 'README.md', customElements]) expect(files).toContain(file);
+  expect(files).not.toContain(version);
+  const licences = await readFile(join(folder, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
+  for (const inside of ['@codemirror/view', 'three', 'i_overlay', 'wasm-bindgen']) expect(licences).toMatch(new RegExp(`^${inside} `, 'm'));
+});
+
+test('the list of attributes is that of the element', async ({ page }) => {
+  const manifest = JSON.parse(await readFile(join(PACKAGE, 'custom-elements.json'), 'utf8')) as { modules: { declarations: { attributes: { name: string }[]; events: { name: string }[]; members: { name: string }[] }[] }[] };
+  const declared = manifest.modules[0]?.declarations[0];
+  const types = await readFile(join(PACKAGE, 'element.d.ts'), 'utf8');
+  for (const { name } of declared?.events ?? []) expect(types).toContain(`'${name}'`);
+  await inPage(page, '<gcode-playground loading="click"></gcode-playground>', async () => {
+    const { observed, properties } = await page.evaluate(() => {
+      const element = customElements.get('gcode-playground') as unknown as { readonly observedAttributes: readonly string[]; readonly prototype: object };
+      return { observed: element.observedAttributes, properties: Object.getOwnPropertyNames(element.prototype) };
+    });
+    expect(declared?.attributes.map(({ name }) => name).sort()).toEqual([...observed].sort());
+    for (const { name } of declared?.members ?? []) expect(properties).toContain(name);
+    // What TypeScript knows of the element is there.
+    const typed = [...types.split('export class')[1]?.split('\n}')[0]?.matchAll(/^ {2}(?:readonly |get )?(\w+)[(:]/gm) ?? []].map(([, name]) => name).filter((name) => name !== 'set');
+    expect(typed.length).toBeGreaterThan(15);
+    for (const name of typed) expect(properties).toContain(name);
+  });
+});
+
+test('from Node', async () => {
+  await writeFile(join(project, 'check.mjs'), await block(join(PACKAGE, 'README.md'), 'import { check'));
+  const { stdout } = await run(process.execPath, ['check.mjs'], { cwd: project });
+  const lines = stdout.trim().split('\n');
+  expect(lines[0]).toMatch(/^2 \S+ /);
+  expect(lines.at(-1)).toMatch(/^5 \d{4,}$/);
+
+  await writeFile(join(project, 'more.mjs'), `
+    import assert from 'node:assert/strict';
+    import { check, motions, svg } from 'gcode-playground';
+    import 'gcode-playground/element.js';
+    const rapid = '(STOCK D=60 LENGTH=80)\\nT0101\\nM3 S500\\nG00 X62 Z2\\nG00 Z-30 X20\\nM30\\n';
+    assert(check(rapid).some(({ severity }) => severity === 'error'), 'a rapid into the stock');
+    assert.match(check('G00 X', {}, { language: 'ru' })[0].message, /[а-я]/);
+    assert.match(check('G00 X', {}, { language: 'zh' })[0].message, /[\\u4e00-\\u9fff]/);
+    assert.equal(check(new TextEncoder().encode('G00 X50 Z2\\nM30\\n')).length, 0);
+    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', { start: { x: 52, z: 2 } }).length, 4);
+    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', '{"start": {"x": 52, "z": 2}}')[0].to.x, 40);
+    assert.match(svg(rapid), /^<svg /);
+    for (const bad of [() => check(5), () => check('', '{'), () => check('', { nothing: 1 }), () => motions(null)]) {
+      assert.throws(bad, (error) => error instanceof Error && error.message.length > 5);
+    }
+    assert.equal(check('').length, 1, 'and it goes on after an error');
+  `);
+  await run(process.execPath, ['more.mjs'], { cwd: project });
+});
+
+test('from TypeScript, strictly', async () => {
+  await writeFile(join(project, 'program.ts'), `
+    import { check, motions, svg, type Diagnostic } from 'gcode-playground';
+    import type { GcodePlayground } from 'gcode-playground/element.js';
+    const found: Diagnostic[] = check('G00 X50', { dialect: { control: 'gsk' } }, { language: 'zh' });
+    export const lines: number[] = found.map(({ line }) => line);
+    export const ends: number[] = motions('G00 X50').map(({ to }) => to.x);
+    export const picture: string = svg(new Uint8Array());
+    export function use(element: GcodePlayground): void {
+      element.setup = { stock: { diameter: 60, length: 80 } };
+      element.addEventListener('gcode-report', ({ detail }) => console.log(detail.summary.motions, detail.diagnostics[0]?.message));
+      document.querySelector('gcode-playground')?.play();
+    }
+  `);
+  const config = { compilerOptions: { target: 'ES2022', module: 'NodeNext', moduleResolution: 'NodeNext', lib: ['ES2023', 'DOM'], strict: true, exactOptionalPropertyTypes: true, noEmit: true, types: [] }, files: ['program.ts'] };
+  await writeFile(join(project, 'tsconfig.json'), JSON.stringify(config));
+  const { stdout } = await run(process.execPath, [join(WWW, 'node_modules', 'typescript', 'bin', 'tsc'), '--project', project], { cwd: project }).catch((error: { stdout: string }) => error);
+  expect(stdout).toBe('');
+});
+
+/** Opens a page with this body, with the files of the package beside it. */
+async function inPage(page: ChromiumPage, body: string, act: () => Promise<void>): Promise<void> {
+  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>${body}<script type="module" src="/gcode-playground/element.js"></script></body></html>`;
+  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({ filesAt: '/gcode-playground/', pages: { '/index.html': html } }));
+  try {
+    await page.goto(`${site.origin}/index.html`);
+    await page.evaluate(() => customElements.whenDefined('gcode-playground'));
+    await act();
+  } finally {
+    await site.close();
+  }
+}
+
+/** The motions of the only element of the page, once its picture is shown. */
+function motionsShown(page: ChromiumPage): Promise<number> {
+  return page.evaluate(async () => {
+    await customElements.whenDefined('gcode-playground');
+    const element = document.querySelector('gcode-playground') as HTMLElement & { view: string; value: string; readonly settled: Promise<number> };
+    const reported = new Promise<number>((resolve) => element.addEventListener('gcode-report', (event) => resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions)));
+    element.value = `${element.value}\n`;
+    await element.settled;
+    return reported;
+  });
+}
+
+test('in a plain page, as its README has it', async ({ page }) => {
+  const readme = await block(join(PACKAGE, 'README.md'), '<script type="module"');
+  const site = await serve(join(project, 'node_modules', 'gcode-playground'), () => ({ filesAt: '/gcode-playground/', pages: { '/index.html': `<!DOCTYPE html><title>A manual</title>${readme}` } }));
+  try {
+    await page.goto(`${site.origin}/index.html`);
+    expect(await motionsShown(page)).toBe(10);
+  } finally {
+    await site.close();
+  }
+});
+
+test('bundled by Vite, with `base: "./"`', async ({ page }) => {
+  test.setTimeout(120_000);
+  await mkdir(join(project, 'site'), { recursive: true });
+  await writeFile(join(project, 'site', 'index.html'), `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>
+    <gcode-playground>G00 X62 Z2 M03 S800\nG90 X50 Z-30 F0.2\nX45\nG00 X100 Z100\nM30</gcode-playground><script type="module" src="./main.js"></script></body></html>`);
+  await writeFile(join(project, 'site', 'main.js'), "import 'gcode-playground';\n");
+  await run(process.execPath, [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', join(project, 'site'), '--base=./', '--logLevel=warn'], { cwd: project });
+  const site = await serve(join(project, 'site', 'dist'), () => ({ filesAt: '/deep/down/' }));
+  try {
+    await page.goto(`${site.origin}/deep/down/index.html`);
+    expect(await motionsShown(page)).toBe(10);
+    await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  } finally {
+    await site.close();
+  }
+});

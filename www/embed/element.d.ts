@@ -1,0 +1,64 @@
+import type { Diagnostic, Stroke, Summary } from './node/gcode_playground.js';
+
+export type { Diagnostic, Stroke, Summary };
+
+/** A lathe program, its drawing, its problems, and the tool moving along it. `docs/element.html` of the site describes all of it. */
+export class GcodePlayground extends HTMLElement {
+  /** The program. Setting it fires no event. */
+  value: string;
+  /** UTF-16 units of the program, every line end counted as one. */
+  readonly length: number;
+  /** The control; overrides `dialect.control` of the setup. */
+  control: string | null;
+  /** What is not in the program, as JSON; an object can be assigned. */
+  get setup(): string | null;
+  set setup(setup: string | object | null);
+  /** The levels of block skip that are on: `1,2`. */
+  blockSkip: string | null;
+  /** The O number that is run. */
+  program: string | null;
+  /** The file of the program. */
+  src: string | null;
+  /** When it starts: near the view, at once, or when the reader clicks. */
+  loading: 'lazy' | 'eager' | 'click';
+  language: 'en' | 'zh' | 'ru';
+  theme: string;
+  view: 'all' | 'picture';
+  /** Any text by which the page knows whose the program is. */
+  origin: string | null;
+  /** Resolved with the number of the run once all there is to show of it is shown. */
+  readonly settled: Promise<number>;
+  play(): void;
+  pause(): void;
+  openFile(file: File): Promise<void>;
+  saveFile(): void;
+  /** Keeps the part, to lay those of later programs over it. */
+  keepPart(): void;
+  endComparison(): void;
+  /** Where the place X (a diameter), Z in mm is in the window. */
+  locate(x: number, z: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
+  /** The same of the end face. */
+  locateOnFace(x: number, c: number): Promise<{ readonly clientX: number; readonly clientY: number }>;
+}
+
+/** Puts elements in the place of marked scripts and `pre`s that have come into the page after it was read. */
+export function upgrade(root?: ParentNode): void;
+
+export interface GcodePlaygroundEvents {
+  'gcode-change': CustomEvent<{ readonly value: string }>;
+  'gcode-report': CustomEvent<{ readonly summary: Summary; readonly diagnostics: readonly Diagnostic[] }>;
+  'gcode-settled': CustomEvent<{ readonly run: number }>;
+  'gcode-select': CustomEvent<{ readonly stroke: Stroke }>;
+  'gcode-switch': CustomEvent<{ readonly blockSkip: string | null; readonly program: string | null }>;
+  'gcode-setup': CustomEvent<{ readonly setup: string | null }>;
+  'gcode-hint': CustomEvent<{ readonly left: string }>;
+  'gcode-split': CustomEvent<{ readonly split: string }>;
+  'gcode-context': CustomEvent<{ readonly control: string | null; readonly setup: string | null; readonly blockSkip: string | null; readonly program: string | null; readonly origin: string | null }>;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'gcode-playground': GcodePlayground;
+  }
+  interface HTMLElementEventMap extends GcodePlaygroundEvents {}
+}

@@ -1,0 +1,58 @@
+// The interpreter in Node: three functions over a text, and nothing to set up.
+//
+// In: a program, a setup. Out: its messages, its motions, its drawing. The module and its parts are read from the package when
+// the first of them is called. Must not know: the page or the element.
+
+import { readFileSync } from 'node:fs';
+import { initSync, Playground } from './gcode_playground.js';
+import { PART_FILES } from './part-files.js';
+import { addPart } from './parts.js';
+
+/** Blocks, and motions of material, in one go. */
+const AT_ONCE = 1_000_000;
+
+let isLoaded = false;
+
+/** Reads the module with all its parts; once. */
+function load() {
+  if (isLoaded) return;
+  const read = (address) => new WebAssembly.Module(readFileSync(new URL(address)));
+  const wasm = initSync({ module: read(new URL('../core.wasm', import.meta.url)) });
+  for (const [part, files] of Object.entries(PART_FILES)) addPart(part, wasm, files, files.map(read));
+  isLoaded = true;
+}
+
+/** Runs a program and hands it over; nothing of it stays. */
+function withRun(text, setup, { language = 'en' } = {}, use) {
+  if (typeof text !== 'string' && !(text instanceof Uint8Array)) throw new TypeError('the program is a string or a Uint8Array');
+  load();
+  const playground = new Playground();
+  try {
+    playground.setLanguage(language);
+    playground.setSetup(typeof setup === 'string' ? setup : JSON.stringify(setup ?? {}));
+    if (typeof text === 'string') playground.setText(text);
+    else playground.setBytes(text);
+    while (!playground.advance(AT_ONCE));
+    return use(playground);
+  } finally {
+    playground.free();
+  }
+}
+
+export function check(text, setup, options) {
+  return withRun(text, setup, options, (playground) => {
+    while (!playground.removeMaterial(AT_ONCE));
+    return playground.diagnostics();
+  });
+}
+
+export function motions(text, setup, options) {
+  return withRun(text, setup, options, (playground) => playground.motions(0, playground.summary().motions));
+}
+
+export function svg(text, setup, options) {
+  return withRun(text, setup, options, (playground) => {
+    while (!playground.removeMaterial(AT_ONCE));
+    return new TextDecoder().decode(playground.exportFile('svg'));
+  });
+}
