@@ -86,8 +86,8 @@ test('from Node', async () => {
     assert.match(check('G00 X', {}, { language: 'ru' })[0].message, /[а-я]/);
     assert.match(check('G00 X', {}, { language: 'zh' })[0].message, /[\\u4e00-\\u9fff]/);
     assert.equal(check(new TextEncoder().encode('G00 X50 Z2\\nM30\\n')).length, 0);
-    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', { start: { x: 52, z: 2 } }).length, 4);
-    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', '{"start": {"x": 52, "z": 2}}')[0].to.x, 40);
+    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', { initial: { x: 52, z: 2 } }).length, 4);
+    assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', '{"initial": {"x": 52, "z": 2}}')[0].to.x, 40);
     assert.match(svg(rapid), /^<svg /);
     for (const bad of [() => check(5), () => check('', '{'), () => check('', { nothing: 1 }), () => motions(null)]) {
       assert.throws(bad, (error) => error instanceof Error && error.message.length > 5);
