@@ -328,8 +328,11 @@ fn every_snippet_is_what_it_seems() {
                 assert!(analysis.diagnostics.is_empty(), "{document}: {:?}\n{block}", analysis.diagnostics);
             } else if let Some(element) =
                 block.strip_prefix(SCRIPT).unwrap_or(&block).trim_start().strip_prefix('<')
-                && element.starts_with("gcode-playground")
+                && ["gcode-playground", "script type=\"text/x-gcode\"", "pre "]
+                    .iter()
+                    .any(|tag| element.starts_with(tag))
             {
+                // `tests/browser/sources.spec.ts` shows it.
                 holds_element(element);
             } else {
                 unknown.push(format!("{document}:\n{block}"));
@@ -351,7 +354,12 @@ fn observed() -> Vec<String> {
 
 fn holds_element(snippet: &str) {
     let tag = snippet.split('>').next().unwrap_or_default();
-    for attribute in tag.split_whitespace().skip(1).filter_map(|word| word.split('=').next()) {
+    let is_element = tag.starts_with("gcode-playground");
+    let words = tag.split_whitespace().skip(1).filter(|word| word.contains('=') || *word == "readonly");
+    for name in words.filter_map(|word| word.split('=').next()) {
+        // Elsewhere the attributes of the element have `data-` before them.
+        let attribute = if is_element { Some(name) } else { name.strip_prefix("data-") };
+        let Some(attribute) = attribute.filter(|name| *name != "gcode-playground") else { continue };
         assert!(observed().iter().any(|known| known == attribute), "no attribute `{attribute}`");
     }
 }

@@ -6,9 +6,11 @@
 //     G90 X50 Z-30 F0.2
 //   </gcode-playground>
 //
-// Its own text is the program it starts with. Attributes (each is a property too):
+// The program is at the address in `src`, or stands inside: in a script, in a `pre`, or as text (source.ts). Attributes
+// (each is a property too):
+//   src       the address of the program
 //   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
-//   setup     JSON: start point, tools, stock, dialect switches
+//   setup     JSON, the property also an object: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
 //   theme     auto | light | dark
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
@@ -54,10 +56,12 @@ import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
 import type { ClientPlace, Services } from '../panels/panel';
 import { viewOf, type View } from './layout';
+import { whenParsed } from './parsed';
 import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
-import { initialProgram } from './start';
+import { Source } from './source';
 import { adopt } from './style-sheets';
+import { upgradeIn, upgradeThePage } from './upgrade';
 import colours from '../colours.css?inline';
 import styles from './styles.css?inline';
 
@@ -70,7 +74,7 @@ export interface OpenedProgram {
 const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
 
 export class GcodePlayground extends HTMLElement {
-  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
+  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -78,6 +82,8 @@ export class GcodePlayground extends HTMLElement {
   #made: PlaygroundShell | undefined;
   /** What was set before. */
   #early: OpenedProgram | undefined;
+  /** Where the program comes from as long as nobody sets one. */
+  #source: Source | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
 
   constructor() {
@@ -89,7 +95,9 @@ export class GcodePlayground extends HTMLElement {
   connectedCallback(): void {
     inDocument.add(this);
     if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
-    (this.#made ??= this.#make()).connect();
+    this.#takeEarlyProperties();
+    if (this.#made !== undefined || this.#early !== undefined) this.#begin();
+    else whenParsed(this, () => this.isConnected && this.#begin());
   }
 
   disconnectedCallback(): void {
@@ -109,6 +117,7 @@ export class GcodePlayground extends HTMLElement {
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
     else if (attribute === 'view') this.#viewChanged();
+    else if (attribute === 'src') this.#source?.addressChanged();
     else this.#made?.setupChanged();
   }
 
@@ -159,6 +168,15 @@ export class GcodePlayground extends HTMLElement {
     this.setAttribute('language', language);
   }
 
+  /** The address of the program. */
+  get src(): string | null {
+    return this.getAttribute('src');
+  }
+
+  set src(address: string | null) {
+    this.#setOrRemove('src', address);
+  }
+
   get control(): string | null {
     return this.getAttribute('control');
   }
@@ -171,8 +189,9 @@ export class GcodePlayground extends HTMLElement {
     return this.getAttribute('setup');
   }
 
-  set setup(json: string | null) {
-    this.#setOrRemove('setup', json);
+  /** JSON, or what it says. */
+  set setup(setup: string | object | null) {
+    this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
   }
 
   get blockSkip(): string | null {
@@ -283,6 +302,20 @@ export class GcodePlayground extends HTMLElement {
     if (this.isConnected) this.connectedCallback();
   }
 
+  /** What was set on the element before its class was there stands in the way of the properties. */
+  #takeEarlyProperties(): void {
+    for (const name of Object.getOwnPropertyNames(this)) {
+      if (Object.getOwnPropertyDescriptor(GcodePlayground.prototype, name)?.set === undefined) continue;
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
+  }
+
+  #begin(): void {
+    (this.#made ??= this.#make()).connect();
+  }
+
   #make(): PlaygroundShell {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
     adopt(root, [colours, styles]);
@@ -292,9 +325,21 @@ export class GcodePlayground extends HTMLElement {
       unsettled: () => this.#settling.unsettle(),
       settled: (run) => this.#settling.settle(run),
     });
-    const { text, file } = this.#early ?? { text: initialProgram(this), file: undefined };
-    shell.start(text, file);
+    if (this.#early === undefined) {
+      this.#source = this.#sourceFor(() => this.#made ?? shell);
+      shell.start(this.#source.begin(), undefined);
+    } else shell.start(this.#early.text, this.#early.file);
     return shell;
+  }
+
+  #sourceFor(shell: () => PlaygroundShell): Source {
+    return new Source(this, {
+      current: () => shell().editor.text,
+      program: (text, file) => shell().programCame(text, file),
+      setup: (json) => this.setAttribute('setup', json),
+      coming: (address, how) => shell().programComing(address, how),
+      failed: (address, reason) => shell().programFailed(address, reason),
+    });
   }
 
   #changed(): void {
@@ -335,4 +380,13 @@ function playKeys(event: KeyboardEvent): void {
   [...inDocument].at(-1)?.pressed(event);
 }
 
+/**
+ * Puts elements around the marked programs of a part of a page that came after the page was read:
+ * `<script type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
+ */
+export function upgrade(root: ParentNode = document): void {
+  upgradeIn(root, GcodePlayground.observedAttributes);
+}
+
 if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);
+upgradeThePage(GcodePlayground.observedAttributes);

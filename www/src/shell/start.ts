@@ -1,23 +1,9 @@
-// What the element starts from: its light-DOM text and its setup.
+// The setup the element is run with.
 //
-// In: the element, its attributes. Out: the program's text; the setup as one JSON text.
+// In: its attributes. Out: the setup as one JSON text.
 // Must not know: what a setup may hold beyond the keys that are attributes too.
 
 import type { SwitchesSet } from '../panels/panel';
-
-/**
- * The element's own text, without slotted children, without the blank first and last
- * line and the common indent.
- */
-export function initialProgram(element: HTMLElement): string {
-  const own = [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
-  const lines = own.map((node) => (node.nodeType === Node.COMMENT_NODE ? '' : (node.textContent ?? ''))).join('').split('\n');
-  while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
-  while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
-  const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
-  const indent = indents.length === 0 ? 0 : Math.min(...indents);
-  return lines.map((line) => line.slice(indent)).join('\n');
-}
 
 /** The control where a setup names none. */
 const CONTROL_IF_UNSAID = 'fanuc';

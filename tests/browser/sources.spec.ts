@@ -1,0 +1,159 @@
+// Where an element has its program from: each form that the reference names gives the same text, whenever it comes.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test, expect } from './engines';
+import { manual, openHtml, openInPieces, programOf, SCRIPT, settled } from './embedded';
+import { embed, PROGRAM, type Form } from './forms';
+
+const FORMS: readonly Form[] = ['text', 'script', 'pre', 'marked script', 'marked pre', 'src'];
+
+for (const form of FORMS) {
+  for (const ends of ['LF', 'CRLF'] as const) {
+    test(`the program comes whole from: ${form}, ${ends}`, async ({ page }) => {
+      const text = ends === 'LF' ? PROGRAM : PROGRAM.replaceAll('\n', '\r\n');
+      await openHtml(page, manual(embed(form, text)));
+      await settled(page);
+      await expect.poll(() => programOf(page)).toBe(PROGRAM);
+    });
+  }
+
+  test(`the program comes whole while the page is still read: ${form}`, async ({ page }) => {
+    const html = embed(form, PROGRAM);
+    const at = html.indexOf('SMALL');
+    // The class is there before the element, whose text comes in three pieces.
+    await openInPieces(page, manual('<p>before</p>').replace('</body></html>', ''), html.slice(0, at), html.slice(at, at + 9), `${html.slice(at + 9)}<p>after</p>`);
+    await settled(page);
+    await expect.poll(() => programOf(page)).toBe(PROGRAM);
+  });
+}
+
+/** The blocks of the reference that are HTML with a program in it. */
+function snippets(): string[] {
+  const reference = readFileSync(join(__dirname, '../../www/docs/element.md'), 'utf8');
+  const blocks = reference.match(/(?<=\n\n) {4}<.*\n(?:\n* {4}.*\n)*/g) ?? [];
+  return blocks.map((block) => block.replace(/^ {4}/gm, '').trim());
+}
+
+test('every snippet of the reference draws what its program says', async ({ page }) => {
+  const found = snippets().filter((html) => html.includes('G00'));
+  expect(found.length).toBeGreaterThan(4);
+  for (const html of found) {
+    await openHtml(page, manual(html));
+    await settled(page);
+    const element = page.locator('gcode-playground');
+    expect(await element.evaluate((element) => (element as unknown as { value: string }).value), html).toContain('G00');
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  }
+});
+
+test('what stands in a slot is never read as the program', async ({ page }) => {
+  await openHtml(page, manual(`
+    <gcode-playground view="picture">
+      <pre slot="fallback">G00 X1</pre><svg slot="fallback"><text>G00 X2</text></svg><script slot="fallback" type="text/x-gcode">G00 X3</script>
+      <style>p { color: red }</style><!-- G00 X4 -->
+      G00 X5
+    </gcode-playground>`));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X5');
+});
+
+test('a setup stands in a script beside the program', async ({ page }) => {
+  await openHtml(page, manual(`
+    <gcode-playground>
+      <script type="application/json">{"blockSkip": [1]}</script>
+      <script type="text/x-gcode">
+        G00 X50
+        /G00 X60
+        </script>
+    </gcode-playground>`));
+  await settled(page);
+  await expect(page.getByRole('status')).toContainText('1 motion');
+  expect(await page.locator('gcode-playground').getAttribute('setup')).toBe('{"blockSkip": [1]}');
+});
+
+test('a marked program brings the attributes of the element, and nothing else', async ({ page }) => {
+  await openHtml(page, manual(`
+    <pre data-gcode-playground data-view="picture" data-control="gsk" data-onclick="window.ran = true" data-style="color: red">G00 X50</pre>`));
+  await settled(page);
+  const element = page.locator('gcode-playground');
+  expect(await element.evaluate((element) => [...element.attributes].map(({ name, value }) => `${name}=${value}`).sort())).toEqual(['control=gsk', 'view=picture']);
+  await expect(page.getByRole('img')).toHaveCount(1);
+});
+
+test('marked programs that come later are upgraded when the page says so', async ({ page }) => {
+  await openHtml(page, manual('<main></main>'));
+  await page.evaluate(async () => {
+    document.querySelector('main')!.innerHTML = '<script type="text/x-gcode" data-gcode-playground data-view="picture">G00 X1</' + 'script>';
+    const { upgrade } = (await import(new URL('../../element.js', location.href).href)) as { upgrade(root?: ParentNode): void };
+    upgrade(document.querySelector('main')!);
+    upgrade();
+  });
+  await settled(page);
+  await expect(page.locator('gcode-playground')).toHaveCount(1);
+  expect(await programOf(page)).toBe('G00 X1');
+});
+
+test('properties set before the class is there count', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground view="picture">G00 X1</gcode-playground>').replace(SCRIPT, '').concat(`<script>
+    Object.assign(document.querySelector('gcode-playground'), { value: 'G00 X9', setup: { stock: { diameter: 60, length: 80 } }, control: 'gsk' });
+    document.head.insertAdjacentElement('beforeend', Object.assign(document.createElement('script'), { type: 'module', src: '../../element.js' }));
+  </script>`));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X9');
+  const element = page.locator('gcode-playground');
+  expect(await element.getAttribute('setup')).toBe('{"stock":{"diameter":60,"length":80}}');
+  expect(await element.getAttribute('control')).toBe('gsk');
+});
+
+test('text put in after the element, and changed later, is followed until the reader edits', async ({ page }) => {
+  await openHtml(page, manual('<main></main>'));
+  const change = (text: string): Promise<void> =>
+    page.evaluate(async (text) => {
+      const element = document.querySelector('gcode-playground') ?? document.querySelector('main')!.appendChild(document.createElement('gcode-playground'));
+      element.setAttribute('control', 'gsk');
+      element.textContent = text;
+      await new Promise((done) => setTimeout(done));
+    }, text);
+  await change('G00 X1');
+  expect(await programOf(page)).toBe('G00 X1');
+  await change('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+  expect(await programOf(page)).toBe('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+  // It is the page's own program, whatever it says: its context stays.
+  expect(await page.locator('gcode-playground').getAttribute('control')).toBe('gsk');
+  await settled(page);
+  await page.getByRole('textbox', { name: 'Program' }).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.insertText('N1 ');
+  await change('G00 X3');
+  expect(await programOf(page)).toBe('N1 G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+});
+
+test('an element that is moved, taken out and put back keeps its program', async ({ page }) => {
+  await openHtml(page, manual('<main><gcode-playground view="picture">G00 X1\nG01 Z-5 F0.2</gcode-playground></main><aside></aside>'));
+  await settled(page);
+  await page.evaluate(() => document.querySelector('aside')!.append(document.querySelector('gcode-playground')!));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X1\nG01 Z-5 F0.2');
+  await page.evaluate(async () => {
+    const element = document.querySelector('gcode-playground')!;
+    element.remove();
+    await new Promise((done) => setTimeout(done, 50));
+    document.querySelector('main')!.append(element);
+  });
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X1\nG01 Z-5 F0.2');
+});
+
+test('a program that cannot be had is a message within a second', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground view="picture" src="nowhere/at-all.nc"></gcode-playground>'));
+  // The server answers with a page where it has no file: an address that nobody serves is not to be had.
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'http://127.0.0.1:9/part.nc'));
+  const begun = Date.now();
+  await expect(page.getByRole('alert')).toContainText('http://127.0.0.1:9/part.nc');
+  expect(Date.now() - begun).toBeLessThan(1_500);
+  await expect(page.getByRole('alert')).toContainText('could not be loaded');
+  // Another address is another try.
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'data:text/plain,G00 X7'));
+  await expect.poll(() => programOf(page)).toBe('G00 X7');
+  await expect(page.getByRole('alert')).toHaveCount(0);
+});

@@ -1,0 +1,158 @@
+// Where the program of an element comes from: the address in `src`, a script or a `pre` inside, or the text of the
+// element itself; and the setup, where a script inside holds one.
+//
+// In: the element, its children and how they change. Out: the program each time it is another one, as long as nobody
+// has put in one of their own; the setup as JSON. Must not know: what a program or a setup says, or how it is shown.
+
+import type { ProgramFile } from '../editor/program-text';
+import type { Encoding } from '../files/encodings';
+
+/** A reader is told of an address that gives no answer for so long. */
+const PATIENCE_MS = 700;
+
+export const PROGRAM_SCRIPT = 'script[type="text/x-gcode"]';
+const SETUP_SCRIPT = 'script[type="application/json"]';
+/** What is in these is no text of a page. */
+const NO_TEXT = 'script, style, template, noscript';
+
+export interface SourceEvents {
+  /** The program of now, as whoever has changed it last wants it. */
+  current(): string;
+  program(text: string, file: ProgramFile | undefined): void;
+  setup(json: string): void;
+  /** A program is fetched from its address; `slow` after a while. */
+  coming(address: string, how: 'begun' | 'slow'): void;
+  failed(address: string, reason: string): void;
+}
+
+export class Source {
+  readonly #element: HTMLElement;
+  readonly #events: SourceEvents;
+  /** What the element was given last. */
+  #text: string | undefined;
+  #setup: string | undefined;
+  /** The address whose program is on its way, or has come. */
+  #address: string | undefined;
+  #fetching: AbortController | undefined;
+
+  constructor(element: HTMLElement, events: SourceEvents) {
+    this.#element = element;
+    this.#events = events;
+    new MutationObserver(() => this.#look()).observe(element, { childList: true, characterData: true, subtree: true });
+  }
+
+  /** The program to start with; one that has to be fetched follows. */
+  begin(): string {
+    this.#takeSetup();
+    if (this.#address !== undefined || addressOf(this.#element) !== undefined) {
+      this.addressChanged();
+      return (this.#text = '');
+    }
+    return (this.#text = textInside(this.#element));
+  }
+
+  /** The attribute `src` is another one: its program takes the place of any other. */
+  addressChanged(): void {
+    const address = addressOf(this.#element);
+    if (address === this.#address) return;
+    this.#address = address;
+    this.#fetching?.abort();
+    if (address === undefined) this.#put(textInside(this.#element), undefined);
+    else void this.#fetch(address);
+  }
+
+  /** Something inside has changed. */
+  #look(): void {
+    this.#takeSetup();
+    if (this.#address !== undefined || this.#text === undefined || this.#events.current() !== this.#text) return;
+    const text = textInside(this.#element);
+    if (text !== this.#text) this.#put(text, undefined);
+  }
+
+  #takeSetup(): void {
+    const json = setupInside(this.#element);
+    if (json === undefined || json === this.#setup) return;
+    const given = this.#element.getAttribute('setup');
+    if (given !== null && given !== this.#setup) return;
+    this.#setup = json;
+    this.#events.setup(json);
+  }
+
+  async #fetch(address: string): Promise<void> {
+    const { signal } = (this.#fetching = new AbortController());
+    this.#events.coming(address, 'begun');
+    const patience = setTimeout(() => this.#events.coming(address, 'slow'), PATIENCE_MS);
+    try {
+      const response = await fetch(new URL(address, document.baseURI), { signal });
+      if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
+      const { text, encoding } = await decoded(new Uint8Array(await response.arrayBuffer()));
+      signal.throwIfAborted();
+      this.#put(text, { name: nameOf(address), encoding });
+    } catch (error) {
+      if (!signal.aborted) this.#events.failed(address, error instanceof Error ? error.message : String(error));
+    } finally {
+      clearTimeout(patience);
+    }
+  }
+
+  #put(text: string, file: ProgramFile | undefined): void {
+    this.#events.program(text, file);
+    this.#text = this.#events.current();
+  }
+}
+
+function addressOf(element: HTMLElement): string | undefined {
+  const address = element.getAttribute('src')?.trim();
+  return address === '' ? undefined : address;
+}
+
+/** Children that are not for a slot. */
+function own(element: HTMLElement): ChildNode[] {
+  return [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
+}
+
+function child(element: HTMLElement, selector: string): Element | undefined {
+  return own(element).find((node): node is Element => node instanceof Element && node.matches(selector));
+}
+
+/**
+ * The program inside of an element: that of a script or of a `pre`, or else the text; without the blank first and
+ * last line and the common indent.
+ */
+export function textInside(element: HTMLElement): string {
+  const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
+  const text = holder?.textContent ?? own(element).map(textOf).join('');
+  const lines = text.replace(/\r\n?/g, '\n').split('\n');
+  while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
+  while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
+  const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
+  const indent = indents.length === 0 ? 0 : Math.min(...indents);
+  return lines.map((line) => line.slice(indent)).join('\n');
+}
+
+function textOf(node: ChildNode): string {
+  if (node.nodeType === Node.COMMENT_NODE || (node instanceof Element && node.matches(NO_TEXT))) return '';
+  return node.textContent ?? '';
+}
+
+function setupInside(element: HTMLElement): string | undefined {
+  const json = child(element, SETUP_SCRIPT)?.textContent.trim();
+  return json === '' ? undefined : json;
+}
+
+/** The name of the file at an address. */
+function nameOf(address: string): string {
+  const { pathname } = new URL(address, document.baseURI);
+  const name = pathname.split('/').at(-1) ?? '';
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    return name;
+  }
+}
+
+/** Most programs are ASCII; only for others is it loaded how encodings are told apart. */
+async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
+  if (bytes.every((byte) => byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
+  return (await import('../files/encoding-guess')).guess(bytes);
+}
