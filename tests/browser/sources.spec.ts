@@ -1,133 +1,166 @@
-// Where a program comes from: each form that www/docs/element.md names gives the same text, whenever it is read.
+// Where an element has its program from: each form that the reference names gives the same text, whenever it comes.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { test, expect, type Page } from './engines';
-import { serve } from './sites';
+import { test, expect } from './engines';
+import { manual, openHtml, openInPieces, programOf, SCRIPT, settled } from './embedded';
+import { embed, PROGRAM, type Form } from './forms';
 
-const FILES = join(__dirname, '..', '..', 'www', 'dist', 'embed');
+const FORMS: readonly Form[] = ['text', 'script', 'pre', 'marked script', 'marked pre', 'src'];
 
-/** What HTML and Markdown could take for their own. */
-const PROGRAM = 'O0001\n#1=7\n#3=3\n#100=#1*2+#3*4\n\nIF[#100 LT 5](SMALL)\n(A<B *bold* _it_ [link](x) &amp; `code`)\nM98<SUB>\n\n\n  G00 X50 Z2\nG01 Z-30 F0.2\nM30';
-const ESCAPED = PROGRAM.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
-const PICTURE = '<svg slot="fallback" xmlns="http://www.w3.org/2000/svg" width="40" height="20"><title>The picture</title><text y="12">NOT G00 X1</text></svg>';
-const ELEMENT = '<script type="module" src="/embed/element.js"></script>';
-
-interface Playground extends HTMLElement {
-  value: string;
-  setup: string | null;
-  readonly settled: Promise<number>;
-}
-
-/** Opens a page with this body. */
-async function withPage(page: Page, body: string, act: () => Promise<void>, more: Readonly<Record<string, string>> = {}): Promise<void> {
-  const html = body.startsWith('<!DOCTYPE') ? body : `<!DOCTYPE html>\n<html lang="en"><head><title>A manual</title>${ELEMENT}</head><body>\n${body}\n</body></html>`;
-  const site = await serve(FILES, () => ({ filesAt: '/embed/', pages: { '/index.html': html, ...more } }));
-  try {
-    await page.goto(`${site.origin}/index.html`);
-    await act();
-  } finally {
-    await site.close();
-  }
-}
-
-/** The program of the element once it is shown, and whether there is a picture. */
-function program(page: Page): Promise<string> {
-  return page.evaluate(async () => {
-    await customElements.whenDefined('gcode-playground');
-    const element = document.querySelector('gcode-playground') as Playground;
-    await element.settled;
-    return element.value;
-  });
-}
-
-const FORMS: Readonly<Record<string, string>> = {
-  'a script inside': `<gcode-playground view="picture">\n<script type="text/x-gcode">\n${PROGRAM}\n</script>\n</gcode-playground>`,
-  'a pre inside': `<gcode-playground view="picture">\n<pre>\n${ESCAPED}\n</pre>\n</gcode-playground>`,
-  'a picture and a pre inside': `<gcode-playground view="picture">${PICTURE}<pre>\n${ESCAPED}\n</pre></gcode-playground>`,
-  'its own text': `<gcode-playground view="picture">\n${ESCAPED}\n</gcode-playground>`,
-  'its own text, beside a pre in a slot': `<gcode-playground view="picture"><pre slot="fallback">G00 X1</pre>\n${ESCAPED}\n</gcode-playground>`,
-  'a marked script': `<script type="text/x-gcode" data-gcode-playground data-view="picture">\n${PROGRAM}\n</script>`,
-  'a marked pre': `<pre data-gcode-playground data-view="picture">\n${ESCAPED}\n</pre>`,
-  'a marked pre with a picture': `<pre data-gcode-playground data-view="picture">${PICTURE}\n${ESCAPED}\n</pre>`,
-  'a file': `<gcode-playground view="picture" src="part.nc"><pre slot="fallback">G00 X1</pre></gcode-playground>`,
-};
-
-for (const [form, body] of Object.entries(FORMS)) {
-  test(`the same program from ${form}`, async ({ page }) => {
-    await withPage(page, body, async () => {
-      await expect.poll(() => program(page)).toBe(PROGRAM);
-      expect(await page.evaluate(() => document.querySelector('gcode-playground')?.getAttribute('view'))).toBe('picture');
-    }, { '/part.nc': PROGRAM.replaceAll('\n', '\r\n') });
-  });
-}
-
-test('every form is described', () => {
-  const document = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
-  for (const words of ['<script type="text/x-gcode">', '<pre>', '<script type="text/x-gcode" data-gcode-playground', '<pre data-gcode-playground', '`src`', 'slot="fallback"']) {
-    expect(document).toContain(words);
-  }
-});
-
-test('a file that cannot be had is reported, and what stands in for the picture stays', async ({ page }) => {
-  await withPage(page, '<gcode-playground view="picture" src="none.nc"></gcode-playground>', async () => {
-    await expect(page.getByText('The program could not be loaded (none.nc: 404).')).toBeVisible();
-  });
-});
-
-test('text that comes in pieces, later, or by a script, ends at the same program', async ({ page }) => {
-  await test.step('pieces', () => withPage(page, '<gcode-playground view="picture"></gcode-playground>', async () => {
-    await page.evaluate(async (text) => {
-      await customElements.whenDefined('gcode-playground');
-      const element = document.querySelector('gcode-playground')!;
-      for (const line of text.split('\n')) {
-        element.append(`${line}\n`);
-        await new Promise((done) => setTimeout(done, 5));
-      }
-    }, PROGRAM);
-    await expect.poll(() => program(page)).toBe(PROGRAM);
-  }));
-  await test.step('set before it is defined', () => withPage(page, `<!DOCTYPE html><html lang="en"><body><gcode-playground></gcode-playground><script>
-    const element = document.querySelector('gcode-playground');
-    element.view = 'picture';
-    element.setup = { stock: { diameter: 60, length: 80 } };
-    element.value = ${JSON.stringify(PROGRAM).replaceAll('<', '\\u003c')};
-  </script>${ELEMENT}</body></html>`, async () => {
-    await expect.poll(() => program(page)).toBe(PROGRAM);
-    expect(await page.evaluate(() => {
-      const element = document.querySelector('gcode-playground') as Playground;
-      return [element.getAttribute('view'), element.setup];
-    })).toEqual(['picture', '{"stock":{"diameter":60,"length":80}}']);
-  }));
-  await test.step('moved, and put in again', () => withPage(page, `<main></main><gcode-playground view="picture">\n${ESCAPED}\n</gcode-playground>`, async () => {
-    await program(page);
-    await page.evaluate(() => {
-      const element = document.querySelector('gcode-playground')!;
-      document.querySelector('main')!.append(element);
-      element.remove();
-      document.body.prepend(element);
+for (const form of FORMS) {
+  for (const ends of ['LF', 'CRLF'] as const) {
+    test(`the program comes whole from: ${form}, ${ends}`, async ({ page }) => {
+      const text = ends === 'LF' ? PROGRAM : PROGRAM.replaceAll('\n', '\r\n');
+      await openHtml(page, manual(embed(form, text)));
+      await settled(page);
+      await expect.poll(() => programOf(page)).toBe(PROGRAM);
     });
-    await expect.poll(() => program(page)).toBe(PROGRAM);
-  }));
+  }
+
+  test(`the program comes whole while the page is still read: ${form}`, async ({ page }) => {
+    const html = embed(form, PROGRAM);
+    const at = html.indexOf('SMALL');
+    // The class is there before the element, whose text comes in three pieces.
+    await openInPieces(page, manual('<p>before</p>').replace('</body></html>', ''), html.slice(0, at), html.slice(at, at + 9), `${html.slice(at + 9)}<p>after</p>`);
+    await settled(page);
+    await expect.poll(() => programOf(page)).toBe(PROGRAM);
+  });
+}
+
+/** The blocks of the reference that are HTML with a program in it. */
+function snippets(): string[] {
+  const reference = readFileSync(join(__dirname, '../../www/docs/element.md'), 'utf8');
+  const blocks = reference.match(/(?<=\n\n) {4}<.*\n(?:\n* {4}.*\n)*/g) ?? [];
+  return blocks.map((block) => block.replace(/^ {4}/gm, '').trim());
+}
+
+test('every snippet of the reference draws what its program says', async ({ page }) => {
+  const found = snippets().filter((html) => html.includes('G00'));
+  expect(found.length).toBeGreaterThan(4);
+  for (const html of found) {
+    await openHtml(page, manual(html));
+    await settled(page);
+    const element = page.locator('gcode-playground');
+    expect(await element.evaluate((element) => (element as unknown as { value: string }).value), html).toContain('G00');
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  }
 });
 
-test('what the page writes is followed until the reader edits', async ({ page }) => {
-  await withPage(page, '<gcode-playground>G00 X50 Z2</gcode-playground>', async () => {
-    await program(page);
-    const write = (text: string) => page.evaluate((text) => void (document.querySelector('gcode-playground')!.textContent = text), text);
-    await write('G00 X40 Z2');
-    await expect.poll(() => program(page)).toBe('G00 X40 Z2');
-    await page.getByRole('textbox', { name: 'Program' }).focus();
-    await page.keyboard.type('(MINE)');
-    await write('G00 X30 Z2');
-    await page.waitForTimeout(200);
-    expect(await program(page)).toBe('(MINE)G00 X40 Z2');
-  });
+test('what stands in a slot is never read as the program', async ({ page }) => {
+  await openHtml(page, manual(`
+    <gcode-playground view="picture">
+      <pre slot="fallback">G00 X1</pre><svg slot="fallback"><text>G00 X2</text></svg><script slot="fallback" type="text/x-gcode">G00 X3</script>
+      <style>p { color: red }</style><!-- G00 X4 -->
+      G00 X5
+    </gcode-playground>`));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X5');
 });
 
-test('a setup inside, and one that is an object', async ({ page }) => {
-  const setup = '{"stock":{"diameter":60,"length":80}}';
-  await withPage(page, `<gcode-playground view="picture"><script type="application/json">${setup}</script><pre>G00 X62 Z2</pre></gcode-playground>`, async () => {
-    expect(await program(page)).toBe('G00 X62 Z2');
-    expect(await page.evaluate(() => (document.querySelector('gcode-playground') as Playground).setup)).toBe(setup);
+test('a picture in a marked program is one for readers without scripts', async ({ page }) => {
+  await openHtml(page, manual('<pre data-gcode-playground data-view="picture"><svg slot="fallback" xmlns="http://www.w3.org/2000/svg"><title>G00 X2</title></svg>\nG00 X5\n</pre>'));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X5');
+  expect(await page.evaluate(() => document.querySelector('gcode-playground > svg')?.getAttribute('slot'))).toBe('fallback');
+});
+
+test('a setup stands in a script beside the program', async ({ page }) => {
+  await openHtml(page, manual(`
+    <gcode-playground>
+      <script type="application/json">{"blockSkip": [1]}</script>
+      <script type="text/x-gcode">
+        G00 X50
+        /G00 X60
+        </script>
+    </gcode-playground>`));
+  await settled(page);
+  await expect(page.getByRole('status')).toContainText('1 motion');
+  expect(await page.locator('gcode-playground').getAttribute('setup')).toBe('{"blockSkip": [1]}');
+});
+
+test('a marked program brings the attributes of the element, and nothing else', async ({ page }) => {
+  await openHtml(page, manual(`
+    <pre data-gcode-playground data-view="picture" data-control="gsk" data-onclick="window.ran = true" data-style="color: red">G00 X50</pre>`));
+  await settled(page);
+  const element = page.locator('gcode-playground');
+  expect(await element.evaluate((element) => [...element.attributes].map(({ name, value }) => `${name}=${value}`).sort())).toEqual(['control=gsk', 'view=picture']);
+  await expect(page.getByRole('img')).toHaveCount(1);
+});
+
+test('marked programs that come later are upgraded when the page says so', async ({ page }) => {
+  await openHtml(page, manual('<main></main>'));
+  await page.evaluate(async () => {
+    document.querySelector('main')!.innerHTML = '<script type="text/x-gcode" data-gcode-playground data-view="picture">G00 X1</' + 'script>';
+    const { upgrade } = (await import(new URL('../../element.js', location.href).href)) as { upgrade(root?: ParentNode): void };
+    upgrade(document.querySelector('main')!);
+    upgrade();
   });
+  await settled(page);
+  await expect(page.locator('gcode-playground')).toHaveCount(1);
+  expect(await programOf(page)).toBe('G00 X1');
+});
+
+test('properties set before the class is there count', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground view="picture">G00 X1</gcode-playground>').replace(SCRIPT, '').concat(`<script>
+    Object.assign(document.querySelector('gcode-playground'), { value: 'G00 X9', setup: { stock: { diameter: 60, length: 80 } }, control: 'gsk' });
+    document.head.insertAdjacentElement('beforeend', Object.assign(document.createElement('script'), { type: 'module', src: '../../element.js' }));
+  </script>`));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X9');
+  const element = page.locator('gcode-playground');
+  expect(await element.getAttribute('setup')).toBe('{"stock":{"diameter":60,"length":80}}');
+  expect(await element.getAttribute('control')).toBe('gsk');
+});
+
+test('text put in after the element, and changed later, is followed until the reader edits', async ({ page }) => {
+  await openHtml(page, manual('<main></main>'));
+  const change = (text: string): Promise<void> =>
+    page.evaluate(async (text) => {
+      const element = document.querySelector('gcode-playground') ?? document.querySelector('main')!.appendChild(document.createElement('gcode-playground'));
+      element.setAttribute('control', 'gsk');
+      element.textContent = text;
+      await new Promise((done) => setTimeout(done));
+    }, text);
+  await change('G00 X1');
+  expect(await programOf(page)).toBe('G00 X1');
+  await change('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+  expect(await programOf(page)).toBe('G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+  // It is the page's own program, whatever it says: its context stays.
+  expect(await page.locator('gcode-playground').getAttribute('control')).toBe('gsk');
+  await settled(page);
+  await page.getByRole('textbox', { name: 'Program' }).focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.insertText('N1 ');
+  await change('G00 X3');
+  expect(await programOf(page)).toBe('N1 G01 X22 Z-33 F0.2 (ANOTHER PROGRAM)');
+});
+
+test('an element that is moved, taken out and put back keeps its program', async ({ page }) => {
+  await openHtml(page, manual('<main><gcode-playground view="picture">G00 X1\nG01 Z-5 F0.2</gcode-playground></main><aside></aside>'));
+  await settled(page);
+  await page.evaluate(() => document.querySelector('aside')!.append(document.querySelector('gcode-playground')!));
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X1\nG01 Z-5 F0.2');
+  await page.evaluate(async () => {
+    const element = document.querySelector('gcode-playground')!;
+    element.remove();
+    await new Promise((done) => setTimeout(done, 50));
+    document.querySelector('main')!.append(element);
+  });
+  await settled(page);
+  expect(await programOf(page)).toBe('G00 X1\nG01 Z-5 F0.2');
+});
+
+test('a program that cannot be had is a message within a second', async ({ page }) => {
+  await openHtml(page, manual('<gcode-playground view="picture" src="nowhere/at-all.nc"></gcode-playground>'));
+  // The server answers with a page where it has no file: an address that nobody serves is not to be had.
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'http://127.0.0.1:9/part.nc'));
+  const begun = Date.now();
+  await expect(page.getByRole('alert')).toContainText('http://127.0.0.1:9/part.nc');
+  expect(Date.now() - begun).toBeLessThan(1_500);
+  await expect(page.getByRole('alert')).toContainText('could not be loaded');
+  // Another address is another try.
+  await page.locator('gcode-playground').evaluate((element) => element.setAttribute('src', 'data:text/plain,G00 X7'));
+  await expect.poll(() => programOf(page)).toBe('G00 X7');
+  await expect(page.getByRole('alert')).toHaveCount(0);
 });

@@ -85,7 +85,7 @@ export interface ClientPlace {
 }
 
 /** What a notice is about; another run hides `core` and `program`. */
-export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor';
+export type Topic = 'file' | 'program' | 'program-setup' | 'setup' | 'core' | 'editor' | 'source';
 
 /** A button of a notice: what can be done about it. */
 export interface Remedy {

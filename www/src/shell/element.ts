@@ -6,16 +6,17 @@
 //     G90 X50 Z-30 F0.2
 //   </gcode-playground>
 //
-// What is written inside is the program it starts with: see source.ts. Attributes (each is a property too):
+// The program is at the address in `src`, or stands inside: in a script, in a `pre`, or as text (source.ts). Attributes
+// (each is a property too):
+//   src       the address of the program
 //   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
-//   setup     JSON: start point, tools, stock, dialect switches
+//   setup     JSON, the property also an object: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
 //   theme     auto | light | dark
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
 //   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
-//   src       program.nc           the file of the program, instead of what is written inside
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
 // `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
@@ -57,10 +58,12 @@ import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
 import type { ClientPlace, Services } from '../panels/panel';
 import { viewOf, type View } from './layout';
+import { whenParsed } from './parsed';
 import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
-import { fetchedProgram, upgrade, watchWritten, writtenProgram, writtenSetup } from './source';
+import { Source, textInside } from './source';
 import { adopt } from './style-sheets';
+import { upgradeIn, upgradeThePage } from './upgrade';
 import { loadingOf, startButton, whenNear, type Loading } from './when-seen';
 import colours from '../colours.css?inline';
 import styles from './styles.css?inline';
@@ -73,16 +76,11 @@ export interface OpenedProgram {
 /** Attributes that go with the program. */
 const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
 
-/** Read by Node, where there are no elements, it is a class that nobody makes anything of. */
+/** Where Node reads this, there are no elements, and nobody makes one. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
-/** What a page may have set before the element was defined. */
-const PROPERTIES = ['origin', 'control', 'setup', 'blockSkip', 'program', 'language', 'theme', 'view', 'src', 'loading', 'value', 'opened'] as const;
-
-export { upgrade };
-
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'src', 'loading'];
+  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'loading'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
@@ -90,41 +88,32 @@ export class GcodePlayground extends Base {
   #made: PlaygroundShell | undefined;
   /** What was set before. */
   #early: OpenedProgram | undefined;
-  /** The program as the page has written it into the element; none once it has come from elsewhere. */
-  #written: string | undefined;
-  #watch: MutationObserver | undefined;
+  /** Where the program comes from as long as nobody sets one. */
+  #source: Source | undefined;
   /** Ends the wait for the element to come near the view. */
   #stopWaiting: (() => void) | undefined;
-  /** The file the program is being fetched from. */
-  #fetching: string | undefined;
   readonly #settling = new Settling((run) => this.#fire('gcode-settled', { run }));
 
   constructor() {
     super();
     this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
     for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
-    for (const name of PROPERTIES) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value = this[name];
-      Reflect.deleteProperty(this, name);
-      Reflect.set(this, name, value);
-    }
   }
 
   connectedCallback(): void {
     inDocument.add(this);
     if (inDocument.size === 1) document.addEventListener('keydown', playKeys);
-    if (this.#made !== undefined || this.loading === 'eager') return this.#start();
-    const root = this.#root();
-    if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#start());
-    else root.replaceChildren(make('slot', { name: 'fallback' }), startButton(this.language, () => this.#start()));
+    this.#takeEarlyProperties();
+    if (this.#made !== undefined) return this.#begin();
+    this.#root();
+    if (this.#early !== undefined) this.#wait();
+    else whenParsed(this, () => this.#wait());
   }
 
   disconnectedCallback(): void {
     inDocument.delete(this);
     if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
     this.#stopWaiting?.();
-    this.#watch?.disconnect();
     this.#made?.disconnect();
   }
 
@@ -139,19 +128,19 @@ export class GcodePlayground extends Base {
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
     else if (attribute === 'view') this.#viewChanged();
-    else if (attribute === 'src') this.#fetch();
-    else if (attribute === 'loading') this.#loadingChanged();
+    else if (attribute === 'src') this.#source?.addressChanged();
+    else if (attribute === 'loading') this.#wait();
     else this.#made?.setupChanged();
   }
 
   /** Resolved with the number of the run once all there is to show of it is shown. Who asks does not wait for the reader to come near. */
   get settled(): Promise<number> {
-    if (this.isConnected && this.#made === undefined) this.#start();
+    if (this.#made === undefined) whenParsed(this, () => this.isConnected && this.#begin());
     return this.#settling.promise;
   }
 
   get value(): string {
-    return this.#made?.editor.text ?? this.#early?.text ?? writtenProgram(this);
+    return this.#made?.editor.text ?? this.#early?.text ?? textInside(this);
   }
 
   set value(text: string) {
@@ -171,14 +160,12 @@ export class GcodePlayground extends Base {
   /** The program and the file it came from; the text has the file's own line ends. */
   get opened(): OpenedProgram {
     const editor = this.#made?.editor;
-    if (editor === undefined) return this.#early ?? { text: writtenProgram(this), file: undefined };
+    if (editor === undefined) return this.#early ?? { text: textInside(this), file: undefined };
     return { text: editor.textWithLineEnds, file: editor.file };
   }
 
   set opened(opened: OpenedProgram) {
     const { text, file } = opened;
-    this.#written = undefined;
-    this.#fetching = undefined;
     if (this.#made === undefined) {
       this.#early = opened;
       return;
@@ -194,6 +181,23 @@ export class GcodePlayground extends Base {
     this.setAttribute('language', language);
   }
 
+  /** The address of the program. */
+  get src(): string | null {
+    return this.getAttribute('src');
+  }
+
+  set src(address: string | null) {
+    this.#setOrRemove('src', address);
+  }
+
+  get loading(): Loading {
+    return loadingOf(this.getAttribute('loading'));
+  }
+
+  set loading(loading: Loading) {
+    this.setAttribute('loading', loading);
+  }
+
   get control(): string | null {
     return this.getAttribute('control');
   }
@@ -206,24 +210,9 @@ export class GcodePlayground extends Base {
     return this.getAttribute('setup');
   }
 
+  /** JSON, or what it says. */
   set setup(setup: string | object | null) {
     this.#setOrRemove('setup', typeof setup === 'object' && setup !== null ? JSON.stringify(setup) : setup);
-  }
-
-  get loading(): Loading {
-    return loadingOf(this.getAttribute('loading'));
-  }
-
-  set loading(loading: Loading) {
-    this.setAttribute('loading', loading);
-  }
-
-  get src(): string | null {
-    return this.getAttribute('src');
-  }
-
-  set src(address: string | null) {
-    this.#setOrRemove('src', address);
   }
 
   get blockSkip(): string | null {
@@ -313,19 +302,29 @@ export class GcodePlayground extends Base {
 
   /** What is asked of an element that waits to be seen starts it. */
   get #shell(): PlaygroundShell {
-    if (this.isConnected && this.#made === undefined) this.#start();
+    if (this.isConnected && this.#made === undefined) this.#begin();
     if (this.#made === undefined) throw new Error('the playground is not in a document');
     return this.#made;
   }
 
-  #start(): void {
+  /** Begins when it is time. */
+  #wait(): void {
+    this.#stopWaiting?.();
+    if (!this.isConnected || this.#made !== undefined) return;
+    const root = this.#root();
+    root.replaceChildren();
+    if (this.loading === 'eager') this.#begin();
+    else if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#begin());
+    else root.append(make('slot', { name: 'fallback' }), startButton(this.language, () => this.#begin()));
+  }
+
+  #begin(): void {
     this.#stopWaiting?.();
     if (this.#made === undefined) {
-      this.shadowRoot?.replaceChildren();
+      this.#root().replaceChildren();
       this.#made = this.#make();
     }
     this.#made.connect();
-    this.#watch = watchWritten(this, () => this.#followWritten());
   }
 
   /** The element's box is there with its styles before anything stands in it. */
@@ -342,13 +341,6 @@ export class GcodePlayground extends Base {
     void shell.complete.then(() => act(shell.service(name)), () => undefined);
   }
 
-  /** An element that waits may not have to any more. */
-  #loadingChanged(): void {
-    if (!this.isConnected || this.#made !== undefined) return;
-    this.#stopWaiting?.();
-    this.connectedCallback();
-  }
-
   /** Another view is made anew, around the same program. */
   #viewChanged(): void {
     const made = this.#made;
@@ -357,7 +349,17 @@ export class GcodePlayground extends Base {
     made.disconnect();
     this.#made = undefined;
     this.shadowRoot?.replaceChildren();
-    if (this.isConnected) this.#start();
+    if (this.isConnected) this.#begin();
+  }
+
+  /** What was set on the element before its class was there stands in the way of the properties. */
+  #takeEarlyProperties(): void {
+    for (const name of Object.getOwnPropertyNames(this)) {
+      if (Object.getOwnPropertyDescriptor(GcodePlayground.prototype, name)?.set === undefined) continue;
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
   }
 
   #make(): PlaygroundShell {
@@ -368,40 +370,21 @@ export class GcodePlayground extends Base {
       unsettled: () => this.#settling.unsettle(),
       settled: (run) => this.#settling.settle(run),
     });
-    if (!this.hasAttribute('setup')) this.#setOrRemove('setup', writtenSetup(this));
-    if (this.#early !== undefined) shell.start(this.#early.text, this.#early.file);
-    else if (this.src !== null) {
-      shell.start('', undefined);
-      queueMicrotask(() => this.#fetch());
-    } else {
-      this.#written = writtenProgram(this);
-      shell.start(this.#written, undefined);
-    }
+    if (this.#early === undefined) {
+      this.#source = this.#sourceFor(() => this.#made ?? shell);
+      shell.start(this.#source.begin(), undefined);
+    } else shell.start(this.#early.text, this.#early.file);
     return shell;
   }
 
-  /** The page has written another program into the element: that of a reader who has begun to edit stays. */
-  #followWritten(): void {
-    const [made, before] = [this.#made, this.#written];
-    if (made === undefined || before === undefined) return;
-    const now = writtenProgram(this);
-    if (now === before) return;
-    this.#written = made.editor.text === before ? now : undefined;
-    if (this.#written !== undefined) made.follow(now);
-  }
-
-  #fetch(): void {
-    const [address, made] = [this.src, this.#made];
-    if (address === null || made === undefined || this.#fetching === address) return;
-    this.#fetching = address;
-    fetchedProgram(address).then(
-      (text) => {
-        if (this.#fetching === address) made.follow(text);
-      },
-      (reason: unknown) => {
-        if (this.#fetching === address) made.sourceFailed(reason instanceof Error ? reason.message : String(reason));
-      },
-    );
+  #sourceFor(shell: () => PlaygroundShell): Source {
+    return new Source(this, {
+      current: () => shell().editor.text,
+      program: (text, file) => shell().programCame(text, file),
+      setup: (json) => this.setAttribute('setup', json),
+      coming: (address, how) => shell().programComing(address, how),
+      failed: (address, reason) => shell().programFailed(address, reason),
+    });
   }
 
   #changed(): void {
@@ -442,8 +425,15 @@ function playKeys(event: KeyboardEvent): void {
   [...inDocument].at(-1)?.pressed(event);
 }
 
+/**
+ * Puts elements around the marked programs of a part of a page that came after the page was read:
+ * `<script type="text/x-gcode" data-gcode-playground>` and `<pre data-gcode-playground>`.
+ */
+export function upgrade(root: ParentNode = document): void {
+  upgradeIn(root, GcodePlayground.observedAttributes);
+}
+
 if (typeof customElements !== 'undefined') {
   if (customElements.get('gcode-playground') === undefined) customElements.define('gcode-playground', GcodePlayground);
-  upgrade();
-  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => upgrade());
+  upgradeThePage(GcodePlayground.observedAttributes);
 }

@@ -67,7 +67,7 @@ export class PlaygroundShell implements Shell {
   /** What panels that come later have to hear of the newest run; nothing once all are there. */
   #missed: Missed | undefined = { heard: new Map() };
   /** What of the page is still to come, and the run that is shown but for that. */
-  readonly #coming: Set<'panels' | 'editor'>;
+  readonly #coming: Set<'panels' | 'editor' | 'program'>;
   #settledRun: number | undefined;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
   #contextGiven: ReturnType<typeof setTimeout> | undefined;
@@ -80,7 +80,7 @@ export class PlaygroundShell implements Shell {
     this.#events = events;
     this.#language = host.language;
     this.view = host.view;
-    this.#coming = new Set(this.view === 'all' ? ['panels', 'editor'] as const : []);
+    this.#coming = new Set<'panels' | 'editor' | 'program'>(this.view === 'all' ? ['panels', 'editor'] : []);
     this.editor = new Program(this.#language, {
       changed: () => this.#runs.typed(),
       context: () => this.#context,
@@ -186,16 +186,25 @@ export class PlaygroundShell implements Shell {
     this.editor.setText(programText(text), file, 'final');
   }
 
-  /** What the page has written, or a file it has named, takes the place of what it was before. */
-  follow(text: string): void {
-    this.editor.setText(programText(text), undefined, 'final');
+  /** The element's own program has come from its address, or is another one in the page. */
+  programCame(text: string, file: ProgramFile | undefined): void {
+    this.editor.setText(programText(text), file, this.editor.length > 0 ? 'undoable' : 'final');
+    this.service('hideNotice')('source');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
+    this.#arrived('program');
   }
 
-  /** The file that the page has named could not be had. */
-  sourceFailed(reason: string): void {
-    this.service('notice')(WORDS[this.#language].sourceFailed(reason), 'file');
+  /** The program is on its way: nothing is settled before it is there. */
+  programComing(address: string, how: 'begun' | 'slow'): void {
+    if (how === 'slow') return this.service('notice')(WORDS[this.#language].programComing(address), 'source');
+    this.#coming.add('program');
+    this.#events.unsettled();
+  }
+
+  programFailed(address: string, reason: string): void {
+    this.service('notice')(WORDS[this.#language].programFailed(address, reason), 'source');
+    this.#arrived('program');
   }
 
   /** Another program from outside, with no word to the page around. */
@@ -400,7 +409,7 @@ export class PlaygroundShell implements Shell {
   }
 
   /** There, or not to be had. */
-  #arrived(part: 'panels' | 'editor'): void {
+  #arrived(part: 'panels' | 'editor' | 'program'): void {
     this.#coming.delete(part);
     this.#settle();
   }
@@ -464,33 +473,36 @@ const WORDS = words({
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
     partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
     pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}). Reload the page to try again.`,
+    programComing: (address: string) => `The program is being loaded: ${address}`,
+    programFailed: (address: string, reason: string) => `The program could not be loaded from ${address} (${reason}).`,
     editorFailed: (reason: string) => `The editor could not be loaded (${reason}). The picture is right.`,
     tryAgain: 'Try again',
     stopped: 'The run took too long and was stopped. Your program is still here: change it to run it again.',
     crashed: 'The interpreter failed on this program; that is our fault. Your program is still here: change it to run it again.',
-    sourceFailed: (reason: string) => `The program could not be loaded (${reason}).`,
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
     pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。请刷新页面重试。`,
+    programComing: (address) => `正在加载程序：${address}`,
+    programFailed: (address, reason) => `无法从 ${address} 加载程序（${reason}）。`,
     editorFailed: (reason) => `编辑器加载失败（${reason}）。图形是正确的。`,
     tryAgain: '重试',
     stopped: '运行时间过长，已停止。您的程序仍在，修改后会重新运行。',
     crashed: '解释器处理此程序时出错，这是我们的问题。您的程序仍在，修改后会重新运行。',
-    sourceFailed: (reason) => `程序加载失败（${reason}）。`,
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
     pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}). Обновите страницу.`,
+    programComing: (address) => `Программа загружается: ${address}`,
+    programFailed: (address, reason) => `Не удалось загрузить программу ${address} (${reason}).`,
     editorFailed: (reason) => `Не удалось загрузить редактор (${reason}). Чертёж верен.`,
     tryAgain: 'Повторить',
     stopped: 'Выполнение длилось слишком долго и было остановлено. Программа сохранена: измените её, чтобы запустить снова.',
     crashed: 'Интерпретатор не справился с этой программой — это наша ошибка. Программа сохранена: измените её, чтобы запустить снова.',
-    sourceFailed: (reason) => `Не удалось загрузить программу (${reason}).`,
     setupRejected: (reason) => `Наладка отклонена: ${reason}`,
   },
 });

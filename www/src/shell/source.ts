@@ -1,76 +1,158 @@
-// Where the program of an element comes from: a script or a `pre` inside of it, its own text, or a file.
+// Where the program of an element comes from: the address in `src`, a script or a `pre` inside, or the text of the
+// element itself; and the setup, where a script inside holds one.
 //
-// In: the element as the page has it. Out: the program's text, and word when that changes. What stands in a slot, as a
-// picture for readers without scripts, is no program. Must not know: what becomes of the text.
+// In: the element, its children and how they change. Out: the program each time it is another one, as long as nobody
+// has put in one of their own; the setup as JSON. Must not know: what a program or a setup says, or how it is shown.
 
-/** What a program is written in where the page's language could read signs of it as its own. */
-const SCRIPT = 'script[type="text/x-gcode"]';
-const SETUP = 'script[type="application/json"]';
-/** In Markdown these can stand outermost: there an element ends at a blank line. */
-const MARKED = `${SCRIPT}[data-gcode-playground], pre[data-gcode-playground]`;
+import type { ProgramFile } from '../editor/program-text';
+import type { Encoding } from '../files/encodings';
 
-/**
- * The program that the page has written into the element: that of a script, of a `pre`, or the element's own text; without
- * the blank first and last lines and the common indent.
- */
-export function writtenProgram(element: Element): string {
-  const own = [...element.childNodes].filter((node) => !(node instanceof Element && (node.hasAttribute('slot') || node.matches(SETUP))));
-  const holder = child(own, SCRIPT) ?? child(own, 'pre');
-  return holder === undefined ? withoutIndent(own.map(textOf).join('')) : withoutIndent([...holder.childNodes].filter(isNotSlotted).map(textOf).join(''));
+/** A reader is told of an address that gives no answer for so long. */
+const PATIENCE_MS = 700;
+
+export const PROGRAM_SCRIPT = 'script[type="text/x-gcode"]';
+const SETUP_SCRIPT = 'script[type="application/json"]';
+/** What is in these is no text of a page. */
+const NO_TEXT = 'script, style, template, noscript';
+
+export interface SourceEvents {
+  /** The program of now, as whoever has changed it last wants it. */
+  current(): string;
+  program(text: string, file: ProgramFile | undefined): void;
+  setup(json: string): void;
+  /** A program is fetched from its address; `slow` after a while. */
+  coming(address: string, how: 'begun' | 'slow'): void;
+  failed(address: string, reason: string): void;
 }
 
-/** The setup that the page has written into the element, as JSON. */
-export function writtenSetup(element: Element): string | null {
-  return child([...element.children], SETUP)?.textContent ?? null;
-}
+export class Source {
+  readonly #element: HTMLElement;
+  readonly #events: SourceEvents;
+  /** What the element was given last. */
+  #text: string | undefined;
+  #setup: string | undefined;
+  /** The address whose program is on its way, or has come. */
+  #address: string | undefined;
+  #fetching: AbortController | undefined;
 
-/** Calls when what is written in the element changes: also while the page is still being read. */
-export function watchWritten(element: Element, changed: () => void): MutationObserver {
-  const observer = new MutationObserver(changed);
-  observer.observe(element, { childList: true, characterData: true, subtree: true });
-  return observer;
-}
+  constructor(element: HTMLElement, events: SourceEvents) {
+    this.#element = element;
+    this.#events = events;
+    new MutationObserver(() => this.#look()).observe(element, { childList: true, characterData: true, subtree: true });
+  }
 
-/**
- * Puts an element in the place of each `<script type="text/x-gcode" data-gcode-playground>` and
- * `<pre data-gcode-playground>`, with that inside. What is said of it as `data-view` and the like is said of the element.
- */
-export function upgrade(root: ParentNode = document): void {
-  for (const marked of root.querySelectorAll<HTMLElement>(MARKED)) {
-    if (marked.parentElement?.localName === 'gcode-playground') continue;
-    const element = document.createElement('gcode-playground');
-    for (const { name, value } of marked.attributes) if (name.startsWith('data-') && name !== 'data-gcode-playground') element.setAttribute(name.slice('data-'.length), value);
-    marked.replaceWith(element);
-    // Pictures for readers without scripts belong to the element.
-    const slotted = [...marked.children].filter((inside) => inside.hasAttribute('slot'));
-    element.append(...slotted, marked);
+  /** The program to start with; one that has to be fetched follows. */
+  begin(): string {
+    this.#takeSetup();
+    if (this.#address !== undefined || addressOf(this.#element) !== undefined) {
+      this.addressChanged();
+      return (this.#text = '');
+    }
+    return (this.#text = textInside(this.#element));
+  }
+
+  /** The attribute `src` is another one: its program takes the place of any other. */
+  addressChanged(): void {
+    const address = addressOf(this.#element);
+    if (address === this.#address) return;
+    this.#address = address;
+    this.#fetching?.abort();
+    if (address === undefined) this.#put(textInside(this.#element), undefined);
+    else void this.#fetch(address);
+  }
+
+  /** Something inside has changed. */
+  #look(): void {
+    this.#takeSetup();
+    if (this.#address !== undefined || this.#text === undefined || this.#events.current() !== this.#text) return;
+    const text = textInside(this.#element);
+    if (text !== this.#text) this.#put(text, undefined);
+  }
+
+  #takeSetup(): void {
+    const json = setupInside(this.#element);
+    if (json === undefined || json === this.#setup) return;
+    const given = this.#element.getAttribute('setup');
+    if (given !== null && given !== this.#setup) return;
+    this.#setup = json;
+    this.#events.setup(json);
+  }
+
+  async #fetch(address: string): Promise<void> {
+    const { signal } = (this.#fetching = new AbortController());
+    this.#events.coming(address, 'begun');
+    const patience = setTimeout(() => this.#events.coming(address, 'slow'), PATIENCE_MS);
+    try {
+      const response = await fetch(new URL(address, document.baseURI), { signal });
+      if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
+      const { text, encoding } = await decoded(new Uint8Array(await response.arrayBuffer()));
+      signal.throwIfAborted();
+      this.#put(text, { name: nameOf(address), encoding });
+    } catch (error) {
+      if (!signal.aborted) this.#events.failed(address, error instanceof Error ? error.message : String(error));
+    } finally {
+      clearTimeout(patience);
+    }
+  }
+
+  #put(text: string, file: ProgramFile | undefined): void {
+    this.#events.program(text, file);
+    this.#text = this.#events.current();
   }
 }
 
-/** The text of a file of a program. */
-export async function fetchedProgram(address: string): Promise<string> {
-  const response = await fetch(address, { credentials: 'same-origin' });
-  if (!response.ok) throw new Error(`${address}: ${response.status}`);
-  return response.text();
+function addressOf(element: HTMLElement): string | undefined {
+  const address = element.getAttribute('src')?.trim();
+  return address === '' ? undefined : address;
 }
 
-function child(nodes: readonly Node[], selector: string): Element | undefined {
-  return nodes.find((node): node is Element => node instanceof Element && node.matches(selector));
+/** Children that are not for a slot. */
+function own(element: Element): ChildNode[] {
+  return [...element.childNodes].filter((node) => !(node instanceof Element && node.hasAttribute('slot')));
 }
 
-function isNotSlotted(node: Node): boolean {
-  return !(node instanceof Element && node.hasAttribute('slot'));
+function child(element: HTMLElement, selector: string): Element | undefined {
+  return own(element).find((node): node is Element => node instanceof Element && node.matches(selector));
 }
 
-function textOf(node: Node): string {
-  return node.nodeType === Node.COMMENT_NODE ? '' : (node.textContent ?? '');
-}
-
-function withoutIndent(text: string): string {
+/**
+ * The program inside of an element: that of a script or of a `pre`, or else the text; without the blank first and
+ * last line and the common indent.
+ */
+export function textInside(element: HTMLElement): string {
+  const holder = child(element, PROGRAM_SCRIPT) ?? child(element, 'pre');
+  const text = holder === undefined ? own(element).map(textOf).join('') : own(holder).map((node) => node.textContent ?? '').join('');
   const lines = text.replace(/\r\n?/g, '\n').split('\n');
   while (lines.length > 0 && lines[0]?.trim() === '') lines.shift();
   while (lines.length > 0 && lines.at(-1)?.trim() === '') lines.pop();
   const indents = lines.filter((line) => line.trim() !== '').map((line) => line.length - line.trimStart().length);
   const indent = indents.length === 0 ? 0 : Math.min(...indents);
   return lines.map((line) => line.slice(indent)).join('\n');
+}
+
+function textOf(node: ChildNode): string {
+  if (node.nodeType === Node.COMMENT_NODE || (node instanceof Element && node.matches(NO_TEXT))) return '';
+  return node.textContent ?? '';
+}
+
+function setupInside(element: HTMLElement): string | undefined {
+  const json = child(element, SETUP_SCRIPT)?.textContent.trim();
+  return json === '' ? undefined : json;
+}
+
+/** The name of the file at an address. */
+function nameOf(address: string): string {
+  const { pathname } = new URL(address, document.baseURI);
+  const name = pathname.split('/').at(-1) ?? '';
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    return name;
+  }
+}
+
+/** Most programs are ASCII; only for others is it loaded how encodings are told apart. */
+async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
+  if (bytes.every((byte) => byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
+  return (await import('../files/encoding-guess')).guess(bytes);
 }

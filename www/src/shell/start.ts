@@ -1,4 +1,4 @@
-// The setup an element runs its program under.
+// The setup the element is run with.
 //
 // In: its attributes. Out: the setup as one JSON text.
 // Must not know: what a setup may hold beyond the keys that are attributes too.
