@@ -12,6 +12,7 @@ pub mod per_plane;
 mod picked;
 
 use std::cell::OnceCell;
+use std::ops::Range;
 
 use crate::geometry::Point;
 use crate::machine::compare::Comparison;
@@ -66,6 +67,8 @@ struct ViewState {
     views: PerPlane<View>,
     /// Place of the cursor, UTF-16 offset.
     cursor: Option<u32>,
+    /// Lines, from 0, whose strokes are lit up as long as there is no cursor.
+    marked: Vec<Range<u32>>,
     /// The side the reader has turned the turret to; that of the setup where nothing is chosen.
     turret: Option<Turret>,
     /// The part that later ones are laid over.
@@ -103,6 +106,7 @@ impl Current {
         let view_state = ViewState {
             views,
             cursor: None,
+            marked: Vec::new(),
             turret: None,
             kept: None,
             unit: None,
@@ -342,6 +346,14 @@ impl Current {
         }
     }
 
+    /// Lights up the strokes of lines, from 0, as long as no block is chosen by the cursor.
+    pub fn set_marked_lines(&mut self, lines: Vec<Range<u32>>) {
+        self.view_state.marked = lines;
+        if self.derived.measured {
+            self.light_up();
+        }
+    }
+
     /// Lights up the strokes of the block at an offset.
     pub fn set_cursor(&mut self, offset: Option<u32>) {
         self.view_state.cursor = offset;
@@ -561,7 +573,7 @@ impl Current {
         self.show();
     }
 
-    /// Marks the strokes of the block the cursor is in.
+    /// Marks the strokes of the block the cursor is in, or of the lines that are marked.
     fn light_up(&mut self) {
         if PICKING_OUT.is_loaded() {
             light_up(self);
@@ -588,10 +600,13 @@ in_part! {
 
     Machine "0083"
     fn light_up(current: &mut Current) {
-        let cursor = current.view_state.cursor;
-        let picked = cursor.map(|at| picked::at(&current.run, current.lines(), &current.scene(), at));
+        let (run, lines, scene) = (&current.run, current.lines(), current.scene());
+        let picked = match current.view_state.cursor {
+            Some(at) => picked::at(run, lines, &scene, at),
+            None => (picked::of_lines(run, lines, &scene, &current.view_state.marked), Vec::new()),
+        };
         let section = current.section_mut();
-        (section.highlight, section.marks) = picked.unwrap_or_default();
+        (section.highlight, section.marks) = picked;
         name_steps(current);
     }
 

@@ -248,6 +248,13 @@ impl Playground {
         self.current.set_cursor(offset);
     }
 
+    /// Lights up the strokes of lines as long as there is no cursor: pairs of the first line, from 0, and the end.
+    #[wasm_bindgen(js_name = setMarkedLines)]
+    pub fn set_marked_lines(&mut self, lines: &[u32]) {
+        self.current
+            .set_marked_lines(lines.as_chunks::<2>().0.iter().map(|&[first, end]| first..end).collect());
+    }
+
     /// Marks the stroke under the pointer.
     #[wasm_bindgen(js_name = setHover)]
     pub fn set_hover(&mut self, motion: Option<u32>) {

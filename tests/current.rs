@@ -8,7 +8,7 @@ use gcode_playground::scene::Plane;
 use gcode_playground::scene::camera::{Pixel, Size};
 use gcode_playground::scene::ruler::Scale;
 use gcode_playground::scene::source::{Picture, Stage};
-use gcode_playground::scene::view::View;
+use gcode_playground::scene::view::{Frame, View};
 use gcode_playground::setup::{Setup, Turret};
 use gcode_playground::units::Unit;
 use proptest::prelude::*;
@@ -286,4 +286,34 @@ proptest! {
         prop_assert!(found.2 == wanted.2, "the face");
         prop_assert_eq!(current.motions(), expected.motions());
     }
+}
+
+/// The page around can mark lines: their strokes are lit up until the reader chooses a block, and after an edit again.
+#[test]
+fn marked_lines_are_lit_up_until_a_block_is_chosen() {
+    let text = "G00 X50 Z2\nG01 Z-10 F0.2\nX60\n(NO MOTION)\nG00 X70\n";
+    let mut current = fresh(text, &Setup::default());
+    let lit = |current: &mut Current| section(current).view.highlight.clone();
+    current.set_marked_lines(vec![4..9, 1..3, 70..80]);
+    assert_eq!(lit(&mut current), [1..4]);
+    current.set_cursor(Some(0));
+    assert_eq!(lit(&mut current), [0..1]);
+    current.set_cursor(None);
+    current.edit(0, 0, "\n");
+    run(&mut current);
+    assert_eq!(lit(&mut current), [0..2, 3..4]);
+}
+
+/// A picture can be fitted to the part, or to the whole path with the place of the tool change.
+#[test]
+fn a_picture_is_fitted_to_the_part_or_to_the_path() {
+    let text = "G00 X300 Z400\nX50 Z2\nG01 Z-10 F0.2\nG00 X300 Z400\n";
+    let setup = Setup::from_json(r#"{"stock": {"diameter": 60, "length": 80}}"#).expect("a setup");
+    let mut current = fresh(text, &setup);
+    let mut scale = |frame: Frame| {
+        current.look(Plane::Section, |view, scene| view.set_frame(scene, frame));
+        section(&mut current).view.camera().scale()
+    };
+    let [usual, part, path] = [Frame::Usual, Frame::Part, Frame::Path].map(&mut scale);
+    assert!(part >= usual && usual > 2.0 * path, "{part} {usual} {path}");
 }

@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+use crate::order;
 use crate::run::Run;
 use crate::scene::Scene;
 use crate::scene::view::Mark;
@@ -15,6 +16,31 @@ pub(super) fn at(run: &Run, lines: &LineIndex, scene: &Scene, offset: u32) -> (V
     let motions = scene.motions_of(block);
     let marks = marks(run, block, motions.first());
     (motions, marks)
+}
+
+/// The motions of lines, from 0; of lines that the text has not, nothing.
+pub(super) fn of_lines(
+    run: &Run,
+    lines: &LineIndex,
+    scene: &Scene,
+    marked: &[Range<u32>],
+) -> Vec<Range<usize>> {
+    let text = run.text();
+    let span = |range: &Range<u32>| {
+        let end = range.end.min(lines.len());
+        (range.start < end).then(|| lines.line(text, range.start).to(lines.line(text, end - 1)))
+    };
+    let mut found: Vec<Range<usize>> =
+        marked.iter().filter_map(span).flat_map(|block| scene.motions_of(block)).collect();
+    order::by_key(&mut found, |range| range.start);
+    let mut joined: Vec<Range<usize>> = Vec::new();
+    for range in found {
+        match joined.last_mut() {
+            Some(last) if range.start <= last.end => last.end = last.end.max(range.end),
+            _ => joined.push(range),
+        }
+    }
+    joined
 }
 
 /// The first motion of the block at a UTF-16 offset, or of the next one in the text that has any.

@@ -34,6 +34,7 @@ use crate::source::Span;
 use crate::geometry::bounds::{Bounds, join};
 use path_index::{PathIndex, Stretch};
 use ruler::Axis;
+use view::Frame;
 use work::Work;
 
 /// The line style of a stroke: what a technical drawing distinguishes.
@@ -391,17 +392,35 @@ impl<'a> Scene<'a> {
         ranges
     }
 
-    /// The box worth looking at: what cuts and the stock, with the rapids that end nearby; all motions where
-    /// nothing cuts. The spindle axis is always in it.
-    pub fn bounds(&self) -> Bounds {
-        // Both sides of the centre line are drawn.
-        let stock = self.work.map(|work| {
+    /// The box that a fitted picture shows.
+    pub fn bounds_of(&self, frame: Frame) -> Bounds {
+        match frame {
+            Frame::Usual => self.bounds(),
+            Frame::Part => {
+                let core = self.stock().or(self.path_index.cuts());
+                core.map_or_else(|| self.bounds(), with_axis)
+            }
+            Frame::Path => {
+                join(self.path_index.bounds(), Some(self.bounds())).unwrap_or_else(|| self.bounds())
+            }
+        }
+    }
+
+    /// The box of the stock on both sides of the centre line.
+    fn stock(&self) -> Option<Bounds> {
+        self.work.map(|work| {
             let bounds = work.bounds();
             match self.plane {
                 Plane::Section => bounds.with(Point::new(-bounds.max.x, bounds.min.z)),
                 Plane::Face => bounds.with(Point::default()),
             }
-        });
+        })
+    }
+
+    /// The box worth looking at: what cuts and the stock, with the rapids that end nearby; all motions where
+    /// nothing cuts. The spindle axis is always in it.
+    pub fn bounds(&self) -> Bounds {
+        let stock = self.stock();
         let Some(cuts) = self.path_index.cuts() else {
             let all = join(self.path_index.rapids(), stock)
                 .unwrap_or(Bounds { min: Point::new(0.0, -50.0), max: Point::new(20.0, 10.0) });

@@ -29,6 +29,18 @@ pub enum Framing {
     Moved,
 }
 
+/// What a fitted picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// What cuts, the stock, and the rapids that end nearby.
+    #[default]
+    Usual,
+    /// The stock, or what cuts where there is none.
+    Part,
+    /// All motions, from the first place to the last.
+    Path,
+}
+
 /// A place with a name, such as the start point A of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
@@ -43,6 +55,7 @@ pub struct Mark {
 pub struct View {
     camera: Camera,
     framing: Framing,
+    frame: Frame,
     pixel_ratio: f64,
     /// The colours.
     pub palette: Palette,
@@ -68,6 +81,7 @@ impl View {
         Self {
             camera: Camera::fit(scene.bounds(), size),
             framing: Framing::Fitted,
+            frame: Frame::default(),
             pixel_ratio: 1.0,
             palette: Palette::default(),
             scale: Scale::default(),
@@ -125,7 +139,8 @@ impl View {
 
     /// Shows all that is worth looking at.
     pub fn fit(&mut self, scene: &Scene) {
-        self.camera = Camera::fit_with(scene.bounds(), self.camera.size(), self.camera.x_plus());
+        let bounds = scene.bounds_of(self.frame);
+        self.camera = Camera::fit_with(bounds, self.camera.size(), self.camera.x_plus());
         self.framing = Framing::Fitted;
     }
 
@@ -135,6 +150,12 @@ impl View {
             Framing::Fitted => self.fit(scene),
             Framing::Moved => {}
         }
+    }
+
+    /// Chooses what a fitted picture shows.
+    pub fn set_frame(&mut self, scene: &Scene, frame: Frame) {
+        self.frame = frame;
+        self.follow(scene);
     }
 
     /// Draws X+ up or down.

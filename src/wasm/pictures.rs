@@ -17,6 +17,7 @@ use crate::scene::Plane;
 use crate::scene::camera::{Pixel, Size};
 use crate::scene::canvas::{Painter, Progress};
 use crate::scene::palette::Palette;
+use crate::scene::view::Frame;
 use crate::setup::Turret;
 use crate::units::Diameter;
 
@@ -85,6 +86,19 @@ impl Playground {
     /// Shows everything worth looking at.
     pub fn fit(&mut self, picture: PictureName) {
         self.current.look(picture.into(), |view, scene| view.fit(scene));
+    }
+
+    /// Chooses what a fitted picture shows: the `part` or the whole `path`; anything else is what is usual.
+    #[wasm_bindgen(js_name = setFrame)]
+    pub fn set_frame(&mut self, frame: &str) {
+        let frame = match frame {
+            "part" => Frame::Part,
+            "path" => Frame::Path,
+            _ => Frame::Usual,
+        };
+        for plane in [Plane::Section, Plane::Face] {
+            self.current.look(plane, |view, scene| view.set_frame(scene, frame));
+        }
     }
 
     /// Moves a picture, CSS pixels.

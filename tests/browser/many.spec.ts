@@ -140,7 +140,7 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
 
 /** How many elements have a picture. */
 function drawn(page: ChromiumPage): Promise<number> {
-  return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[data-drawn]')).length);
+  return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[part=fallback][hidden]')).length);
 }
 
 test('elements start as they come near the view, and nothing on the page moves', async ({ page }) => {
@@ -151,7 +151,7 @@ test('elements start as they come near the view, and nothing on the page moves',
     expect(first).toBeLessThan(10);
     expect(await page.evaluate(() => customElements.whenDefined('gcode-playground').then(() => (document.querySelector('gcode-playground:last-of-type') as Picture).value))).toBe(PROGRAM.trim());
     await page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.scrollIntoView());
-    await expect.poll(() => page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.shadowRoot!.querySelector('[data-drawn]') !== null)).toBe(true);
+    await expect.poll(() => page.evaluate(() => document.querySelector('gcode-playground:last-of-type')!.shadowRoot!.querySelector('[part=fallback][hidden]') !== null)).toBe(true);
     expect(await drawn(page)).toBeLessThan(20);
     expect(page.workers().length).toBe(1);
     expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);

@@ -23,7 +23,20 @@ export class GcodePlayground extends HTMLElement {
   loading: 'lazy' | 'eager' | 'click';
   language: 'en' | 'zh' | 'ru';
   theme: string;
-  view: 'all' | 'picture';
+  view: 'all' | 'picture' | 'playback' | 'code';
+  /** Which groups of panels stand around program and drawing: names, or `none`; all of the view where it is null. */
+  controls: string | null;
+  /** The reader cannot change the program. */
+  readonly: boolean;
+  /** Where the tool stands at the start: `12` motions on, or before `line 8`. */
+  step: string | null;
+  /** Lines that are marked, with their strokes: `6-8, 12`. */
+  highlight: string | null;
+  /** Lines that are shown; the others are folded. */
+  lines: string | null;
+  fit: string | null;
+  turret: string | null;
+  caption: string | null;
   /** Any text by which the page knows whose the program is. */
   origin: string | null;
   /** Resolved with the number of the run once all there is to show of it is shown. */

@@ -15,11 +15,12 @@ import {
   lineNumbers, tooltips, type ViewUpdate,
 } from '@codemirror/view';
 import { applyFix, areShown, lintDiagnostics } from './lint';
-import { marks, runningLine, showHovered, showRunning, showTokens } from './marks';
+import { foldOthers, folds, unfoldAt } from './folds';
+import { marks, runningLine, showHovered, showMarked, showRunning, showTokens } from './marks';
 import { contextEffect, contextOf, programContext } from './context';
 import { docOf, fileOf, fileOfText, origin, renamed, textWithLineEnds } from './file';
 import { Follower } from './follow';
-import type { Change, EditorEvents, ProgramContext, Span, Start, TextHolder } from './holder';
+import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, Start, TextHolder } from './holder';
 import { editorPhrases } from './phrases';
 import { announceProblem } from './problem-announcement';
 import { problemGutter } from './problem-gutter';
@@ -49,6 +50,9 @@ export class Editor implements TextHolder {
   readonly #follower: Follower;
   readonly #events: EditorEvents;
   readonly #language = new Compartment();
+  readonly #access: Access;
+  /** What of the text is shown; it is folded anew around each text of the page's. */
+  #shownLines: readonly LineRange[] = [];
   #shownLanguage: Language;
   #diagnostics: readonly Diagnostic[] = [];
   /** What is to be shown over the text with the next update. */
@@ -58,10 +62,11 @@ export class Editor implements TextHolder {
   #revision = 0;
   readonly #unsent: Unsent;
 
-  constructor(root: ShadowRoot, parent: HTMLElement, language: Language, start: Start, events: EditorEvents) {
+  constructor(root: ShadowRoot, parent: HTMLElement, language: Language, access: Access, start: Start, events: EditorEvents) {
     const { program, file, unsent } = start;
     this.#events = events;
     this.#shownLanguage = language;
+    this.#access = access;
     this.#unsent = new Unsent(unsent);
     // Not at the window: WebKit would move it there after it was shown. Not in the frame, which would cut it off.
     const aboveTheFrame = make('div');
@@ -75,6 +80,8 @@ export class Editor implements TextHolder {
           lineNumbers(), problemGutter(), highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(),
           history(), fileOfText(program.ends, file), programContext(events), drawSelection(), dropCursor(), bracketMatching(), highlightSelectionMatches(),
           search({ top: false }), linter(null), tooltips({ position: 'absolute', parent: aboveTheFrame }), marks, editorTheme,
+          folds(() => this.#shownLanguage),
+          EditorState.readOnly.of(access === 'readonly'), EditorView.editable.of(access === 'editable'),
           // Tab is not bound: it leaves the editor.
           keymap.of([
             { key: 'F8', run: () => this.nextProblem('next'), shift: () => this.nextProblem('previous') },
@@ -157,6 +164,7 @@ export class Editor implements TextHolder {
       scrollIntoView: true,
     });
     this.#unsent.replaced(program.pieces);
+    this.#fold();
     this.#view.dom.classList.remove('cm-chosen');
   }
 
@@ -207,6 +215,21 @@ export class Editor implements TextHolder {
     this.#view.dispatch({ effects: showHovered.of(span) });
   }
 
+  /** The lines that the page around marks. */
+  set marked(lines: readonly LineRange[]) {
+    this.#view.dispatch({ effects: showMarked.of(lines) });
+  }
+
+  set shownLines(lines: readonly LineRange[]) {
+    this.#shownLines = lines;
+    this.#fold();
+  }
+
+  #fold(): void {
+    const effects = foldOthers(this.#view.state, this.#shownLines);
+    if (effects.length > 0) this.#view.dispatch({ effects });
+  }
+
   /** The block that runs comes into sight, even if the reader has just looked elsewhere. */
   follow(): void {
     this.#follower.resume();
@@ -227,7 +250,7 @@ export class Editor implements TextHolder {
     if (span.to > this.length) return;
     this.#view.dispatch({
       selection: { anchor: span.from, head: span.to },
-      effects: EditorView.scrollIntoView(span.from, { y: 'center' }),
+      effects: [...unfoldAt(this.#view, span.from, span.to), EditorView.scrollIntoView(span.from, { y: 'center' })],
       annotations: byProgram.of(true),
     });
     this.#view.dom.classList.add('cm-chosen');
@@ -261,7 +284,8 @@ export class Editor implements TextHolder {
   }
 
   #languageExtension(language: Language): Extension {
-    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters', tabindex: '0' };
+    const reading = this.#access === 'readonly' ? { 'aria-readonly': 'true' } : {};
+    const attributes = { 'aria-label': COMMON[language].program, lang: 'en', autocapitalize: 'characters', tabindex: '0', ...reading };
     return [EditorView.contentAttributes.of(attributes), editorPhrases(language)];
   }
 

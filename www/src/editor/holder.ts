@@ -14,6 +14,15 @@ export interface Span {
 /** A place of the text and what is to stand there. */
 export type Change = Pick<Fix['edits'][number], 'from' | 'to' | 'text'>;
 
+/** Lines counted from 1, both included. */
+export interface LineRange {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** Whether the reader can change the text. */
+export type Access = 'editable' | 'readonly';
+
 export interface TextEvents {
   changed(): void;
   fileChanged(): void;

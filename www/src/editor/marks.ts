@@ -6,7 +6,7 @@
 
 import { StateEffect, StateField, type EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
-import type { Span } from './holder';
+import type { LineRange, Span } from './holder';
 
 /** The names the style sheet gives to the token classes 0, 1, 2 … */
 const TOKEN_STYLES = [
@@ -14,12 +14,14 @@ const TOKEN_STYLES = [
 ].map((style) => Decoration.mark({ class: `tok-${style}` }));
 
 const HOVERED = Decoration.mark({ class: 'cm-hovered-block' });
+const MARKED = Decoration.line({ class: 'cm-marked-line' });
 const RUNNING = Decoration.line({ class: 'cm-running-line' });
 
 /** Triples `from, to, class`, in order. */
 export const showTokens = StateEffect.define<Uint32Array>();
 export const showHovered = StateEffect.define<Span | undefined>();
 export const showRunning = StateEffect.define<Span | undefined>();
+export const showMarked = StateEffect.define<readonly LineRange[]>();
 
 const tokens = StateField.define<DecorationSet>({
   create: () => Decoration.none,
@@ -66,7 +68,27 @@ function blockField(
 
 const running = blockField(showRunning, (span, doc) => RUNNING.range(doc.lineAt(span.from).from), 'moves');
 
-export const marks: Extension = [tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), running];
+/** Lines that the page around marks, by their numbers: another text has them, too. */
+const markedLines = StateField.define<{ readonly lines: readonly LineRange[]; readonly shown: DecorationSet }>({
+  create: () => ({ lines: [], shown: Decoration.none }),
+  update(before, transaction) {
+    const said = transaction.effects.filter((effect) => effect.is(showMarked)).at(-1)?.value;
+    if (said === undefined && !transaction.docChanged) return before;
+    const lines = said ?? before.lines;
+    return { lines, shown: lineMarks(lines, transaction.newDoc) };
+  },
+  provide: (field) => EditorView.decorations.from(field, ({ shown }) => shown),
+});
+
+function lineMarks(lines: readonly LineRange[], doc: Text): DecorationSet {
+  const marks: Range<Decoration>[] = [];
+  for (const { first, last } of lines) {
+    for (let line = first; line <= Math.min(last, doc.lines); line++) marks.push(MARKED.range(doc.line(line).from));
+  }
+  return Decoration.set(marks, true);
+}
+
+export const marks: Extension = [markedLines, tokens, blockField(showHovered, (span) => HOVERED.range(span.from, span.to), 'goes'), running];
 
 /** Where the line of the block that runs begins now, if it is marked. */
 export function runningLine(state: EditorState): number | undefined {

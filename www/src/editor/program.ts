@@ -10,7 +10,7 @@ import type { Language } from '../dom/language';
 import { COMMON } from '../dom/words';
 import type { Diagnostic, Fix, TextCommand } from '../protocol/protocol';
 import type { Editor } from './editor';
-import type { Change, EditorEvents, ProgramContext, Span, TextHolder } from './holder';
+import type { Access, Change, EditorEvents, LineRange, ProgramContext, Span, TextHolder } from './holder';
 import { PlainProgram } from './plain-program';
 import type { ProgramFile, ProgramText } from './program-text';
 
@@ -21,6 +21,7 @@ export class Program implements TextHolder {
   /** Where the editor stands. */
   readonly element = make('div', { className: 'editor', part: 'editor' });
   readonly #events: EditorEvents;
+  readonly #access: Access;
   readonly #waiting = make('pre', { className: 'waiting', tabIndex: 0, lang: 'en' });
   #holder: TextHolder;
   #editor: Editor | undefined;
@@ -31,10 +32,13 @@ export class Program implements TextHolder {
   #diagnostics: readonly Diagnostic[] = [];
   #hovered: Span | undefined;
   #running: Span | undefined;
+  #marked: readonly LineRange[] = [];
+  #shownLines: readonly LineRange[] = [];
   #focusWanted = false;
 
-  constructor(language: Language, events: EditorEvents) {
+  constructor(language: Language, access: Access, events: EditorEvents) {
     this.#events = events;
+    this.#access = access;
     this.#language = language;
     this.#holder = new PlainProgram({
       changed: () => {
@@ -54,7 +58,7 @@ export class Program implements TextHolder {
     // Another call was faster.
     if (!(plain instanceof PlainProgram)) return;
     const focused = this.#focusWanted || root.activeElement === this.#waiting;
-    const editor = new Editor(root, this.element, this.#language, plain.start, this.#events);
+    const editor = new Editor(root, this.element, this.#language, this.#access, plain.start, this.#events);
     this.#revisionsBefore = plain.revision;
     this.#holder = this.#editor = editor;
     this.#waiting.remove();
@@ -62,6 +66,8 @@ export class Program implements TextHolder {
     editor.diagnostics = this.#diagnostics;
     editor.hovered = this.#hovered;
     editor.running = this.#running;
+    editor.marked = this.#marked;
+    editor.shownLines = this.#shownLines;
     editor.showNow();
     if (focused) editor.focus();
     this.#events.viewMoved();
@@ -120,18 +126,21 @@ export class Program implements TextHolder {
   }
 
   rewrite(text: string): void {
+    if (this.#access === 'readonly') return;
     this.#diagnostics = [];
     this.#holder.rewrite(text);
     this.#showWaiting();
   }
 
   change(edits: readonly Change[]): void {
+    if (this.#access === 'readonly') return;
     this.#holder.change(edits);
     this.#showWaiting();
   }
 
   /** Makes repairs; when the text has changed since they were offered, their places are no more. */
   apply(edits: Fix['edits']): void {
+    if (this.#access === 'readonly') return;
     if (this.#editor !== undefined) this.#editor.apply(edits);
     else if (this.#diagnostics.length > 0) this.change(edits);
   }
@@ -183,6 +192,30 @@ export class Program implements TextHolder {
   set running(span: Span | undefined) {
     this.#running = span;
     if (this.#editor !== undefined) this.#editor.running = span;
+  }
+
+  /** The lines that the page around marks. */
+  set marked(lines: readonly LineRange[]) {
+    this.#marked = lines;
+    if (this.#editor !== undefined) this.#editor.marked = lines;
+  }
+
+  /** The lines that are shown, the others are folded; all where there are none. */
+  set shownLines(lines: readonly LineRange[]) {
+    this.#shownLines = lines;
+    if (this.#editor !== undefined) this.#editor.shownLines = lines;
+  }
+
+  /** Where a line (from 1) begins; nothing where the text has not so many. */
+  startOfLine(line: number): number | undefined {
+    const text = this.text;
+    let at = 0;
+    for (let before = 1; before < line; before++) {
+      const end = text.indexOf('\n', at);
+      if (end < 0) return undefined;
+      at = end + 1;
+    }
+    return at;
   }
 
   /** The block that runs comes into sight, even if the reader has just looked elsewhere. */

@@ -52,6 +52,17 @@ export const editorTheme: Extension = EditorView.theme({
   '&.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--playground-selection)' },
   '&.cm-focused .cm-nonmatchingBracket': { backgroundColor: 'transparent' },
   '.cm-hovered-block': { backgroundColor: 'var(--playground-hovered-block)', borderRadius: '3px' },
+  '.cm-marked-line': { backgroundColor: 'var(--playground-marked-line)', boxShadow: 'inset 3px 0 0 var(--playground-highlight)' },
+  '.folded-lines': {
+    minBlockSize: '0',
+    padding: '0 6px',
+    border: '1px solid var(--playground-line-strong)',
+    borderRadius: '5px',
+    color: 'var(--playground-muted)',
+    fontFamily: 'var(--playground-font)',
+    fontSize: '0.8125rem',
+    lineHeight: '1.4',
+  },
   '.cm-running-line': {
     backgroundColor: 'var(--playground-running-line) !important',
     boxShadow: 'inset 3px 0 0 var(--playground-accent)',

@@ -19,7 +19,7 @@ interface Shown {
   readonly words: string;
 }
 
-export const codes: PanelKind = { styles: codesStyles, make: (shell) => new CodesPanel(shell) };
+export const codes: PanelKind = { control: 'help', styles: codesStyles, make: (shell) => new CodesPanel(shell) };
 
 class CodesPanel implements Panel {
   readonly #shell: Shell;

@@ -12,7 +12,7 @@ import type { ExportFormat } from '../protocol/protocol';
 import type { Panel, PanelKind, Shell } from './panel';
 import exportsStyles from './exports.css?inline';
 
-export const exports: PanelKind = { styles: exportsStyles, make: (shell) => new Exports(shell) };
+export const exports: PanelKind = { control: 'file', styles: exportsStyles, make: (shell) => new Exports(shell) };
 
 class Exports implements Panel {
   readonly #shell: Shell;

@@ -14,7 +14,7 @@ import { ENCODING_NAMES, ENCODINGS, type Encoding } from '../files/encodings';
 import type { Key, Panel, PanelKind, Services, Shell } from './panel';
 import fileBarStyles from './file-bar.css?inline';
 
-export const fileBar: PanelKind = { styles: fileBarStyles, make: (shell) => new FileBar(shell) };
+export const fileBar: PanelKind = { control: 'file', styles: fileBarStyles, make: (shell) => new FileBar(shell) };
 
 class FileBar implements Panel {
   readonly #shell: Shell;
@@ -30,6 +30,7 @@ class FileBar implements Panel {
   constructor(shell: Shell) {
     this.#shell = shell;
     for (const encoding of ENCODINGS) this.#encoding.append(make('option', { value: encoding }, ENCODING_NAMES[encoding]));
+    this.#encoding.disabled = shell.readonly;
     this.#encoding.addEventListener('change', () => {
       const chosen = this.#encoding.value as Encoding;
       // It stands where the file is, which may become another one.
@@ -38,7 +39,7 @@ class FileBar implements Panel {
     });
     this.#element.append(this.#name, this.#encoding);
     // Over the drawing, too, where the browser would leave the page for the file.
-    acceptFiles(shell.root.host as HTMLElement, { hint: () => COMMON[shell.language].dropHere, dropped: (file) => void this.#open(file) });
+    acceptFiles(shell.root.host as HTMLElement, { hint: () => COMMON[shell.language].dropHere, dropped: (file) => void (shell.readonly ? undefined : this.#open(file)) });
   }
 
   set language(language: Language) {

@@ -10,7 +10,7 @@ import { allRulesLink, referenceLink } from '../editor/rule-link';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import helpStyles from './help.css?inline';
 
-export const help: PanelKind = { styles: helpStyles, make: (shell) => new Help(shell) };
+export const help: PanelKind = { control: 'help', styles: helpStyles, make: (shell) => new Help(shell) };
 
 class Help implements Panel {
   readonly #shell: Shell;

@@ -16,7 +16,7 @@ import motionsStyles from './motions.css?inline';
 const ROWS = 60;
 const PAGE = 10;
 
-export const motions: PanelKind = { styles: motionsStyles, make: (shell) => new MotionsPanel(shell) };
+export const motions: PanelKind = { control: 'tools', styles: motionsStyles, make: (shell) => new MotionsPanel(shell) };
 
 class MotionsPanel implements Panel {
   readonly #shell: Shell;
@@ -145,7 +145,7 @@ class MotionsPanel implements Panel {
   /** The tool goes to the end of a motion; its row has the keys. */
   #go(motion: number): void {
     this.#active = motion;
-    this.#shell.service('goTo')(motion);
+    void this.#shell.service('goTo')(motion);
   }
 
   /** The row of the tool is on the page, and in view. */

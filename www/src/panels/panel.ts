@@ -18,7 +18,15 @@ import type { Heard } from '../worker/core-client';
 export const REGIONS = ['tabs', 'notices', 'bar', 'problems', 'divider', 'views', 'assumptions', 'pictures', 'playback', 'foot', 'dialogs'] as const;
 export type Region = (typeof REGIONS)[number];
 
+/** What of the panels the page around can leave out. */
+export const CONTROLS = ['file', 'setup', 'problems', 'views', 'playback', 'status', 'tools', 'help'] as const;
+export type Control = (typeof CONTROLS)[number];
+
 export interface PanelKind {
+  /** It is shown only where these are; one without is always shown. */
+  readonly control?: Control;
+  /** It is there to change the program, and is not shown where that is only read. */
+  readonly edits?: true;
   /** Its own style sheet. */
   readonly styles?: string;
   /** Called once for each element, when other panels may not be there. */
@@ -103,7 +111,9 @@ export interface Services {
   /** The tool goes on, or back, by one of these. */
   step(unit: StepUnit, direction: StepDirection): void;
   /** Puts the tool at the end of a motion. */
-  goTo(motion: number): void;
+  goTo(motion: number): Promise<void>;
+  /** Puts the tool at the start of the block at an offset, or of the next one that moves it. */
+  goToBlock(offset: number): Promise<void>;
   openFile(file: File): Promise<void>;
   saveFile(): void;
   locate(x: number, z: number): Promise<ClientPlace>;
@@ -135,6 +145,10 @@ export interface Shell {
   /** The program, and the editor it stands in. */
   readonly editor: Program;
   readonly language: Language;
+  /** The reader cannot change the program. */
+  readonly readonly: boolean;
+  /** The program is shown, not only what comes of it. */
+  readonly showsProgram: boolean;
   /** What all regions stand in. */
   readonly frame: HTMLElement;
   /** What the panels of a region stand in. */

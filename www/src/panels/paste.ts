@@ -20,7 +20,7 @@ const SEARCHED = 1_000_000;
 /** A shorter text is a word or two. */
 const WORTH_SEARCHING = 12;
 
-export const paste: PanelKind = { styles: pasteStyles, make: (shell) => new Paste(shell) };
+export const paste: PanelKind = { control: 'file', edits: true, styles: pasteStyles, make: (shell) => new Paste(shell) };
 
 class Paste implements Panel {
   readonly #shell: Shell;

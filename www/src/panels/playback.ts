@@ -22,7 +22,7 @@ const UNITS: readonly StepUnit[] = ['motion', 'block', 'pass'];
 /** A frame that took longer, s, was no frame: the page was hidden, or the computer slept. */
 const LONGEST_FRAME = 0.5;
 
-export const playback: PanelKind = { styles: playbackStyles, make: (shell) => new Playback(shell) };
+export const playback: PanelKind = { control: 'playback', styles: playbackStyles, make: (shell) => new Playback(shell) };
 
 class Playback implements Panel {
   readonly #shell: Shell;
@@ -62,7 +62,8 @@ class Playback implements Panel {
     pause: () => this.#stop(),
     playOrPause: () => this.#toggle(),
     step: (unit, direction) => this.#step(unit, direction),
-    goTo: (motion) => this.#goTo(motion),
+    goTo: (motion) => this.#put(this.#shell.ask('go-to', { motion })),
+    goToBlock: (offset) => this.#put(this.#shell.ask('seek-block', { offset })),
   };
 
   constructor(shell: Shell) {
@@ -84,6 +85,7 @@ class Playback implements Panel {
       ],
     };
     this.#play.addEventListener('click', () => this.#toggle());
+    this.#here.hidden = !shell.showsProgram;
     this.#here.addEventListener('click', () => void this.#playFromHere());
     this.#back.addEventListener('click', () => this.#step(this.#chosenUnit, 'previous'));
     this.#forward.addEventListener('click', () => this.#step(this.#chosenUnit, 'next'));
@@ -219,10 +221,10 @@ class Playback implements Panel {
     void this.#shell.ask('step', { unit, direction }).then((place) => this.#showTool(place));
   }
 
-  #goTo(motion: number): void {
+  async #put(asked: Promise<Readout | undefined>): Promise<void> {
     this.#stop();
     this.#shell.editor.follow();
-    void this.#shell.ask('go-to', { motion }).then((place) => this.#showTool(place));
+    this.#showTool(await asked);
   }
 
   #showWholePath(): void {

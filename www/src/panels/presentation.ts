@@ -12,7 +12,7 @@ import presentationStyles from './presentation.css?inline';
 /** How much larger everything is that is measured by the type of the page. */
 const LARGER = '150%';
 
-export const presentation: PanelKind = { styles: presentationStyles, make: (shell) => new Presentation(shell) };
+export const presentation: PanelKind = { control: 'tools', styles: presentationStyles, make: (shell) => new Presentation(shell) };
 
 class Presentation implements Panel {
   readonly #shell: Shell;

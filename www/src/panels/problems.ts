@@ -22,7 +22,7 @@ const SHOWN = 200;
 /** Places of a group that are shown; the others when the reader asks for them. */
 const PLACES = 10;
 
-export const problems: PanelKind = { styles: problemsStyles, make: (shell) => new Problems(shell) };
+export const problems: PanelKind = { control: 'problems', styles: problemsStyles, make: (shell) => new Problems(shell) };
 
 /** A row of the list; an edit elsewhere moves its problems, and the row stays. */
 interface Row {

@@ -13,7 +13,7 @@ import type { ProfilesDialog } from './profiles-dialog';
 import { chooseMachine, chosenMachine, profile } from './profiles-kept';
 import profilesStyles from './profiles.css?inline';
 
-export const profiles: PanelKind = { styles: profilesStyles, make: (shell) => new Profiles(shell) };
+export const profiles: PanelKind = { control: 'setup', edits: true, styles: profilesStyles, make: (shell) => new Profiles(shell) };
 
 class Profiles implements Panel {
   readonly #shell: Shell;

@@ -12,7 +12,7 @@ import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import readAsStyles from './read-as.css?inline';
 
-export const readAs: PanelKind = { styles: readAsStyles, make: (shell) => new ReadAsLine(shell) };
+export const readAs: PanelKind = { control: 'setup', styles: readAsStyles, make: (shell) => new ReadAsLine(shell) };
 
 /** Where the reader begins who wants to change something, but says not what. */
 const FIRST_FIELD = 'dialect.control';

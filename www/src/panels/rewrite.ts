@@ -12,7 +12,7 @@ import type { Rewriting } from '../protocol/protocol';
 import type { Key, Panel, PanelKind, Shell } from './panel';
 import rewriteStyles from './rewrite.css?inline';
 
-export const rewrite: PanelKind = { styles: rewriteStyles, make: (shell) => new Rewrite(shell) };
+export const rewrite: PanelKind = { control: 'tools', edits: true, styles: rewriteStyles, make: (shell) => new Rewrite(shell) };
 
 class Rewrite implements Panel {
   readonly #shell: Shell;

@@ -13,7 +13,7 @@ import type { Panel, PanelKind, Services, Shell } from './panel';
 import setupStyles from './setup.css?inline';
 import type { SetupDialog, SetupEntries } from './setup-form';
 
-export const setup: PanelKind = { styles: setupStyles, make: (shell) => new Setup(shell) };
+export const setup: PanelKind = { control: 'setup', edits: true, styles: setupStyles, make: (shell) => new Setup(shell) };
 
 class Setup implements Panel {
   readonly #shell: Shell;

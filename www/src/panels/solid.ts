@@ -16,7 +16,7 @@ import solidStyles from './solid.css?inline';
 
 type Missing = 'loading' | 'no-part' | 'no-webgl';
 
-export const solid: PanelKind = { styles: solidStyles, make: (shell) => new Solid(shell) };
+export const solid: PanelKind = { control: 'views', styles: solidStyles, make: (shell) => new Solid(shell) };
 
 class Solid implements Panel {
   readonly #shell: Shell;

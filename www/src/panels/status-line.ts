@@ -12,7 +12,7 @@ import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 import statusLineStyles from './status-line.css?inline';
 
-export const statusLine: PanelKind = { styles: statusLineStyles, make: (shell) => new StatusLine(shell) };
+export const statusLine: PanelKind = { control: 'status', styles: statusLineStyles, make: (shell) => new StatusLine(shell) };
 
 type Shown =
   | { readonly kind: 'loading' }

@@ -12,7 +12,7 @@ import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell, SwitchesSet } from './panel';
 import switchesStyles from './switches.css?inline';
 
-export const switches: PanelKind = { styles: switchesStyles, make: (shell) => new Switches(shell) };
+export const switches: PanelKind = { control: 'setup', styles: switchesStyles, make: (shell) => new Switches(shell) };
 
 class Switches implements Panel {
   readonly #shell: Shell;

@@ -15,7 +15,7 @@ import totalsStyles from './totals.css?inline';
 /** Motions of a program that is added up with each change; a longer one when its table is opened. */
 const ADDED_UP_AT_ONCE = 50_000;
 
-export const totals: PanelKind = { styles: totalsStyles, make: (shell) => new TotalsPanel(shell) };
+export const totals: PanelKind = { control: 'tools', styles: totalsStyles, make: (shell) => new TotalsPanel(shell) };
 
 class TotalsPanel implements Panel {
   readonly #shell: Shell;

@@ -10,7 +10,7 @@ import type { Command, LengthUnit, Units } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
 import type { Panel, PanelKind, Shell } from './panel';
 
-export const units: PanelKind = { make: (shell) => new UnitsButton(shell) };
+export const units: PanelKind = { control: 'setup', make: (shell) => new UnitsButton(shell) };
 
 class UnitsButton implements Panel {
   readonly #shell: Shell;

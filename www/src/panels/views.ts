@@ -17,7 +17,7 @@ const ROOM_FOR_BOTH = 620;
 
 type Pictures = 'section' | 'face' | 'both';
 
-export const views: PanelKind = { styles: viewsStyles, make: (shell) => new Views(shell) };
+export const views: PanelKind = { control: 'views', styles: viewsStyles, make: (shell) => new Views(shell) };
 
 class Views implements Panel {
   readonly #shell: Shell;

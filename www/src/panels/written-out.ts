@@ -15,7 +15,7 @@ import writtenOutStyles from './written-out.css?inline';
 
 const COPIED_FOR_MS = 2_000;
 
-export const writtenOut: PanelKind = { styles: writtenOutStyles, make: (shell) => new WrittenOutPanel(shell) };
+export const writtenOut: PanelKind = { control: 'tools', styles: writtenOutStyles, make: (shell) => new WrittenOutPanel(shell) };
 
 class WrittenOutPanel implements Panel {
   readonly #shell: Shell;
@@ -74,7 +74,7 @@ class WrittenOutPanel implements Panel {
   #show(written: WrittenOut, before: string, View: typeof CodeView): void {
     const changed = written.text.trimEnd() !== before.trimEnd();
     this.#dialog.about = changed ? this.#words.writtenOutAbout : this.#words.nothingToWriteOut;
-    this.#take.hidden = !changed;
+    this.#take.hidden = !changed || this.#shell.readonly;
     this.#view?.destroy();
     this.#view = new View(this.#text, this.#shell.root, written.text.trimEnd(), written.tokens, this.#words.writtenOut);
     this.#dialog.show();

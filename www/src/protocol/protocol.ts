@@ -64,7 +64,12 @@ export type Command =
   | { readonly kind: 'load-parts' }
   | { readonly kind: 'cursor'; readonly offset: number | undefined }
   | { readonly kind: 'hover'; readonly motion: number | undefined }
-  | { readonly kind: 'turret'; readonly side: TurretSide }
+  /** Lines, from 0, end exclusive, whose strokes are lit up as long as the reader has chosen no block. */
+  | { readonly kind: 'mark'; readonly lines: readonly { readonly firstLine: number; readonly endLine: number }[] }
+  /** What a fitted picture shows; without it, what is usual. */
+  | { readonly kind: 'frame'; readonly frame: 'part' | 'path' | undefined }
+  /** Without a side, that of the setup. */
+  | { readonly kind: 'turret'; readonly side: TurretSide | undefined }
   /** Keeps the part, to lay later ones over it. */
   | { readonly kind: 'keep' }
   | { readonly kind: 'end-comparison' }

@@ -15,12 +15,21 @@
 //   theme     auto | light | dark
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
-//   view      all | picture        the picture alone: no editor, whose code is then not loaded at all
+//   view      all | picture | playback | code   the picture alone, with the bar that plays it, or the program alone; what is
+//                                  not shown is not loaded
+//   controls  "playback status"    the groups of panels that are shown (panels/panel.ts), or none
+//   readonly                       the reader cannot change the program
+//   step      12 | line 8          where the tool stands at the start
+//   highlight "6-8, 12"            lines that are marked, with their strokes
+//   lines     "3-20"               lines that are shown at first; the others are folded
+//   fit       part | path          what the picture shows
+//   turret    front | rear
+//   caption   a line under the element, which names it
 //   loading   lazy | eager | click     when it starts: near the view, at once, or when the reader asks for it
 //   split     40                       percent of the width for the program, where it stands beside the drawing; follows the divider
 //   hints     "edit play pick"     the hints of the first minute that are still to be shown; none without it
 // `hints`, `block-skip` and `program` follow the reader, who finds a switch for each where the text has a use for it.
-// Another `view` is made anew around the program: what could be undone is forgotten, and the tool stands at the end.
+// Other `view`, `controls` or `readonly`: it is made anew around the program, what could be undone is forgotten.
 // Properties: value (the program), length (of it, each line end counted as one), opened (its file, with the
 // text as it is in it), origin (any text by which the page knows whose the program is). Setting one, or an attribute, fires no event.
 // A text that replaces most of the one before is another program: the attributes of the program are removed and
@@ -44,11 +53,11 @@
 //   gcode-split    detail {split}: the reader has dragged the divider
 //   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
 //                  one before, or undo has brought one back; attributes and `origin` are as the detail says
-// Slots: `intro` above the program; `fallback`, shown until there is a picture.
+// Slots: `intro` above the program; `fallback`, what is shown until there is a picture.
 // CSS custom properties: --playground-height, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
 // drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
-// motions written-out rewrite codes solid export-menu paste help read-as profiles.
+// motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
 //
 // What is inside is the shell's: see shell.ts, and panels/panel.ts for how to add to it.
 
@@ -57,7 +66,7 @@ import { languageOf, type Language } from '../dom/language';
 import { programText, type ProgramFile } from '../editor/program-text';
 import { ENCODINGS } from '../files/encodings';
 import type { ClientPlace, Services } from '../panels/panel';
-import { viewOf, type View } from './layout';
+import { controlsOf, viewOf, type View } from './layout';
 import { whenParsed } from './parsed';
 import { Settling } from './settling';
 import { PlaygroundShell } from './shell';
@@ -75,17 +84,23 @@ export interface OpenedProgram {
 
 /** Attributes that go with the program. */
 const OF_THE_PROGRAM: readonly string[] = ['control', 'setup', 'block-skip', 'program'];
+/** Attributes that say what is there at all. */
+const MAKES_ANEW: readonly string[] = ['view', 'controls', 'readonly'];
+/** What the author says of lines and picture. */
+const AUTHORS: readonly string[] = ['highlight', 'lines', 'fit', 'turret', 'caption'];
 
 /** Where Node reads this, there are no elements, and nobody makes one. */
 const Base = (globalThis as { HTMLElement?: typeof HTMLElement }).HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class GcodePlayground extends Base {
-  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'loading'];
+  static readonly observedAttributes = ['src', 'control', 'setup', 'block-skip', 'program', 'language', 'theme', 'view', 'controls', 'readonly', 'step', 'highlight', 'lines', 'fit', 'turret', 'caption', 'loading'];
 
   /** Whose the program is: set by the page, which knows it by this; none after another program has taken its place. */
   #origin: string | null = null;
   /** Made when the element is first in a document. */
   #made: PlaygroundShell | undefined;
+  /** The view, and what else is there at all. */
+  #madeFor = '';
   /** What was set before. */
   #early: OpenedProgram | undefined;
   /** Where the program comes from as long as nobody sets one. */
@@ -127,7 +142,9 @@ export class GcodePlayground extends Base {
     if (before === now) return;
     if (attribute === 'language') this.#made?.languageChanged();
     else if (attribute === 'theme') this.#made?.coloursChanged();
-    else if (attribute === 'view') this.#viewChanged();
+    else if (MAKES_ANEW.includes(attribute)) this.#lookChanged();
+    else if (attribute === 'step') this.#made?.stepChanged();
+    else if (AUTHORS.includes(attribute)) this.#made?.authorChanged();
     else if (attribute === 'src') this.#source?.addressChanged();
     else if (attribute === 'loading') this.#wait();
     else this.#made?.setupChanged();
@@ -256,6 +273,78 @@ export class GcodePlayground extends Base {
     this.setAttribute('view', view);
   }
 
+  /** The panels that are shown: names of groups, or `none`; all where nothing is said. */
+  get controls(): string | null {
+    return this.getAttribute('controls');
+  }
+
+  set controls(names: string | null) {
+    this.#setOrRemove('controls', names);
+  }
+
+  /** The reader cannot change the program. */
+  get readonly(): boolean {
+    return this.hasAttribute('readonly');
+  }
+
+  set readonly(readonly: boolean) {
+    this.toggleAttribute('readonly', readonly);
+  }
+
+  /** Where the tool stands at the start: after so many motions, or before `line 8`. */
+  get step(): string | null {
+    return this.getAttribute('step');
+  }
+
+  set step(step: string | number | null) {
+    this.#setOrRemove('step', step);
+  }
+
+  /** The lines that are marked, with their strokes: `6-8, 12`. */
+  get highlight(): string | null {
+    return this.getAttribute('highlight');
+  }
+
+  set highlight(lines: string | number | null) {
+    this.#setOrRemove('highlight', lines);
+  }
+
+  /** The lines that are shown at first: `3-20`. */
+  get lines(): string | null {
+    return this.getAttribute('lines');
+  }
+
+  set lines(lines: string | number | null) {
+    this.#setOrRemove('lines', lines);
+  }
+
+  /** What the picture shows: the `part`, or the whole `path`. */
+  get fit(): string | null {
+    return this.getAttribute('fit');
+  }
+
+  set fit(fit: string | null) {
+    this.#setOrRemove('fit', fit);
+  }
+
+  /** Where the turret is drawn: `front` or `rear`. */
+  get turret(): string | null {
+    return this.getAttribute('turret');
+  }
+
+  set turret(side: string | null) {
+    this.#setOrRemove('turret', side);
+  }
+
+  /** The line under the element, which names it for screen readers. */
+  get caption(): string | null {
+    return this.getAttribute('caption');
+  }
+
+  set caption(text: string | null) {
+    this.#setOrRemove('caption', text);
+  }
+
   play(): void {
     this.#with('play', (play) => play());
   }
@@ -337,19 +426,23 @@ export class GcodePlayground extends Base {
   /** At once where the view has what it takes; as soon as that is loaded where it is on its way. */
   #with<S extends 'play' | 'pause' | 'saveFile' | 'keepPart' | 'endComparison'>(name: S, act: (service: Services[S]) => void): void {
     const shell = this.#shell;
-    if (shell.view !== 'all') throw new Error(`view="${shell.view}" does not offer ${name}`);
+    if (!shell.offers(name)) throw new Error(`view="${shell.view}" does not offer ${name}`);
     void shell.complete.then(() => act(shell.service(name)), () => undefined);
   }
 
-  /** Another view is made anew, around the same program. */
-  #viewChanged(): void {
+  /** What is there at all is another: it is made anew, around the same program. */
+  #lookChanged(): void {
     const made = this.#made;
-    if (made === undefined || made.view === this.view) return;
+    if (made === undefined || this.#look === this.#madeFor) return;
     this.#early = this.opened;
     made.disconnect();
     this.#made = undefined;
     this.shadowRoot?.replaceChildren();
     if (this.isConnected) this.#begin();
+  }
+
+  get #look(): string {
+    return JSON.stringify([this.view, controlsOf(this.view, this.controls), this.readonly]);
   }
 
   /** What was set on the element before its class was there stands in the way of the properties. */
@@ -364,6 +457,7 @@ export class GcodePlayground extends Base {
 
   #make(): PlaygroundShell {
     const root = this.#root();
+    this.#madeFor = this.#look;
     const shell = new PlaygroundShell(root, this, {
       fire: (type, detail) => this.#fire(type, detail),
       changed: () => this.#changed(),
@@ -401,9 +495,10 @@ export class GcodePlayground extends Base {
     this.dispatchEvent(new CustomEvent<Detail>(type, { detail, bubbles: true, composed: true }));
   }
 
-  #setOrRemove(attribute: string, value: string | null): void {
-    if (value === null) this.removeAttribute(attribute);
-    else this.setAttribute(attribute, value);
+  /** Frameworks take nothing away by `undefined`. */
+  #setOrRemove(attribute: string, value: string | number | null | undefined): void {
+    if (value === null || value === undefined) this.removeAttribute(attribute);
+    else this.setAttribute(attribute, String(value));
   }
 }
 

@@ -11,11 +11,12 @@ import { isAnotherProgram } from '../editor/another-program';
 import type { ProgramContext } from '../editor/holder';
 import { Program } from '../editor/program';
 import { programText, type ProgramFile, type ProgramText } from '../editor/program-text';
-import { FIRST } from '../panels/index';
-import { REGIONS, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
+import { ALWAYS, PICTURES } from '../panels/index';
+import { REGIONS, type Control, type NewestQuestion, type Panel, type PanelKind, type Region, type Services, type Shell, type SwitchesSet } from '../panels/panel';
 import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Report, Stroke, Summary } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
-import { layout, type View } from './layout';
+import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
+import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
 import { Runs, type OwnLoss } from './runs';
 import { mergedSetup, switchesSet } from './start';
 import { adopt } from './style-sheets';
@@ -24,6 +25,14 @@ import { adopt } from './style-sheets';
 export interface Host {
   readonly language: Language;
   readonly view: View;
+  readonly controls: string | null;
+  readonly readonly: boolean;
+  readonly highlight: string | null;
+  readonly lines: string | null;
+  readonly step: string | null;
+  readonly fit: string | null;
+  readonly turret: string | null;
+  readonly caption: string | null;
   control: string | null;
   setup: string | null;
   blockSkip: string | null;
@@ -53,13 +62,19 @@ export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
   readonly editor: Program;
   readonly view: View;
+  readonly readonly: boolean;
   readonly frame: HTMLElement;
   /** All panels of the view are there; rejected where those of it could not be loaded. */
   readonly complete: Promise<void>;
   readonly #host: Host;
   readonly #events: ShellEvents;
   readonly #regions: Readonly<Record<Region, HTMLElement>>;
+  /** What of the panels is shown. */
+  readonly #controls: readonly Control[];
+  readonly #layout: Layout;
   readonly #panels: Panel[] = [];
+  /** Those of them that are made for what they do for others alone. */
+  readonly #unseen = new Set<Panel>();
   readonly #services: Partial<Services> = {};
   readonly #runs: Runs;
   readonly #dark = matchMedia('(prefers-color-scheme: dark)');
@@ -67,7 +82,7 @@ export class PlaygroundShell implements Shell {
   /** What panels that come later have to hear of the newest run; nothing once all are there. */
   #missed: Missed | undefined = { heard: new Map() };
   /** What of the page is still to come, and the run that is shown but for that. */
-  readonly #coming: Set<'panels' | 'editor' | 'program'>;
+  readonly #coming: Set<'panels' | 'editor' | 'program' | 'step'>;
   #settledRun: number | undefined;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
   #contextGiven: ReturnType<typeof setTimeout> | undefined;
@@ -80,9 +95,14 @@ export class PlaygroundShell implements Shell {
     this.#events = events;
     this.#language = host.language;
     this.view = host.view;
-    this.#coming = new Set<'panels' | 'editor' | 'program'>(this.view === 'all' ? ['panels', 'editor'] : []);
-    this.editor = new Program(this.#language, {
-      changed: () => this.#runs.typed(),
+    this.readonly = host.readonly;
+    this.#controls = controlsOf(this.view, host.controls);
+    this.#coming = new Set([...(FURTHER[this.view] === undefined ? [] : ['panels'] as const), ...(this.showsProgram ? ['editor'] as const : [])]);
+    this.editor = new Program(this.#language, host.readonly ? 'readonly' : 'editable', {
+      changed: () => {
+        this.#coming.delete('step');
+        this.#runs.typed();
+      },
       context: () => this.#context,
       neutral: () => this.#neutral,
       contextChanged: (context) => {
@@ -102,14 +122,15 @@ export class PlaygroundShell implements Shell {
     this.#runs = new Runs(this.editor, {
       setup: () => this.#mergedSetup(),
       heard: (event) => {
-        this.#missed?.heard.set(event.kind, event);
-        this.#tell((panel) => panel.heard?.(event));
-        if (event.kind === 'report') this.#reported(event.report);
+        const said = this.readonly && event.kind === 'report' ? withoutFixes(event) : event;
+        this.#missed?.heard.set(event.kind, said);
+        this.#tell((panel) => panel.heard?.(said));
+        if (said.kind === 'report') this.#reported(said.report);
         else if (event.kind === 'part-failed') this.#partFailed(event.reason);
       },
       pictures: (pictures) => {
         this.#tell((panel) => panel.showPictures?.(pictures));
-        this.frame.toggleAttribute('data-drawn', true);
+        this.#layout.fallback.hidden = true;
       },
       outdated: () => {
         this.#missed?.heard.clear();
@@ -123,6 +144,9 @@ export class PlaygroundShell implements Shell {
       ready: () => this.#editIfShown(),
       connected: (client) => {
         client.send({ kind: 'language', tag: this.#language });
+        // A worker that knows nothing shows nothing of it.
+        const { highlight, fit, turret } = host;
+        if (highlight !== null || fit !== null || turret !== null) this.#lookAsSaid((command) => client.send(command));
         this.#tell((panel) => panel.connected?.((command) => client.send(command)));
       },
       lost: (loss) => this.#lost(loss),
@@ -136,12 +160,14 @@ export class PlaygroundShell implements Shell {
         this.#settle();
       },
     });
-    const { frame, regions } = layout(this.view, this.editor.element);
-    this.frame = frame;
-    this.#regions = regions;
-    this.#add(FIRST);
-    root.append(frame);
-    this.complete = this.view === 'all' ? this.#addFurther() : Promise.resolve();
+    const made = (this.#layout = layout(this.view, this.editor.element));
+    this.frame = made.frame;
+    this.#regions = made.regions;
+    this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
+    this.authorChanged();
+    root.append(made.whole);
+    const further = FURTHER[this.view];
+    this.complete = further === undefined ? Promise.resolve() : this.#addFurther(further);
     // Whoever asks for it hears of a failure, and so does the reader.
     this.complete.catch(() => undefined);
   }
@@ -152,6 +178,7 @@ export class PlaygroundShell implements Shell {
     this.#dark.addEventListener('change', this.coloursChanged);
     this.#runs.connect();
     this.#runs.wanted('keep');
+    this.stepChanged();
   }
 
   disconnect(): void {
@@ -162,10 +189,59 @@ export class PlaygroundShell implements Shell {
 
   languageChanged(): void {
     this.#language = this.#host.language;
+    this.#showCaption();
     // What a panel asks then is answered in this language.
     this.send({ kind: 'language', tag: this.#language });
     for (const panel of this.#panels) panel.language = this.#language;
     this.editor.language = this.#language;
+  }
+
+  /** What the page around says of lines, of the picture and of its caption. */
+  authorChanged(): void {
+    this.editor.marked = linesOf(this.#host.highlight);
+    this.editor.shownLines = linesOf(this.#host.lines);
+    this.#lookAsSaid((command) => this.send(command));
+    this.#showCaption();
+  }
+
+  #lookAsSaid(send: (command: Command) => void): void {
+    const { highlight, fit, turret } = this.#host;
+    send({ kind: 'mark', lines: linesOf(highlight).map(({ first, last }) => ({ firstLine: first - 1, endLine: last })) });
+    send({ kind: 'frame', frame: oneOf(FRAMES, fit) });
+    send({ kind: 'turret', side: oneOf(SIDES, turret) });
+  }
+
+  #showCaption(): void {
+    const { whole, caption } = this.#layout;
+    const text = this.#host.caption ?? '';
+    caption.hidden = text === '';
+    caption.textContent = text;
+    whole.setAttribute('aria-label', text === '' ? WORDS[this.#language].playground : text);
+  }
+
+  /** Where the tool stands is said anew. */
+  stepChanged(): void {
+    if (stepOf(this.#host.step) === undefined) return;
+    this.#coming.add('step');
+    this.#events.unsettled();
+    if (this.#settledRun !== undefined) void this.#takeStep();
+  }
+
+  /** The tool goes to its place once the run is whole and all that shows it is there. */
+  async #takeStep(): Promise<void> {
+    const step = stepOf(this.#host.step);
+    const run = this.#settledRun;
+    if (step === undefined || !this.#coming.has('step') || run === undefined) return;
+    await this.complete.catch(() => undefined);
+    // The reader may have been faster.
+    if (run !== this.#settledRun || !this.#coming.delete('step')) return;
+    const { goTo, goToBlock } = this.#services;
+    if (step.kind === 'motion') await (goTo?.(step.motion) ?? this.ask('go-to', { motion: step.motion }));
+    else {
+      const offset = this.editor.startOfLine(step.line);
+      if (offset !== undefined) await (goToBlock?.(offset) ?? this.ask('seek-block', { offset }));
+    }
+    this.#settle();
   }
 
   readonly coloursChanged = (): void => this.#tell((panel) => panel.coloursChanged?.());
@@ -192,6 +268,7 @@ export class PlaygroundShell implements Shell {
     this.service('hideNotice')('source');
     this.#runs.forgetCursor();
     this.#runs.textChanged('fit');
+    this.stepChanged();
     this.#arrived('program');
   }
 
@@ -225,7 +302,7 @@ export class PlaygroundShell implements Shell {
     const target = event.composedPath()[0];
     const typing = target instanceof HTMLElement && (target.isContentEditable || target.matches('input:not([type=range]), textarea'));
     const key = { event, inside: typing ? 'text' : 'elsewhere' } as const;
-    if (!this.#panels.some((panel) => panel.pressed?.(key) === 'own')) return;
+    if (!this.#panels.some((panel) => !this.#unseen.has(panel) && panel.pressed?.(key) === 'own')) return;
     event.preventDefault();
     event.stopPropagation();
   }
@@ -238,6 +315,14 @@ export class PlaygroundShell implements Shell {
 
   get setup(): string | null {
     return this.#host.setup;
+  }
+
+  get showsProgram(): boolean {
+    return SHOWN[this.view].program;
+  }
+
+  offers(name: Offered): boolean {
+    return SHOWN[this.view].offers.includes(name);
   }
 
   region(region: Region): HTMLElement {
@@ -334,17 +419,28 @@ export class PlaygroundShell implements Shell {
   #add(kinds: readonly PanelKind[]): readonly Panel[] {
     adopt(this.root, kinds.map(({ styles }) => styles ?? ''));
     const added = kinds.map(({ make }) => make(this));
-    for (const region of REGIONS) this.#regions[region].prepend(...added.flatMap(({ places }) => places[region] ?? []));
+    for (const [at, kind] of kinds.entries()) {
+      const panel = added[at];
+      if (panel !== undefined && !this.#shows(kind)) this.#unseen.add(panel);
+    }
+    for (const region of REGIONS) {
+      const seen = added.filter((panel) => region === 'dialogs' || !this.#unseen.has(panel));
+      this.#regions[region].prepend(...seen.flatMap(({ places }) => places[region] ?? []));
+    }
     for (const panel of added) Object.assign(this.#services, panel.services);
     this.#panels.unshift(...added);
     for (const panel of added) panel.language = this.#language;
     return added;
   }
 
+  #shows({ control, edits }: PanelKind): boolean {
+    return (control === undefined || this.#controls.includes(control)) && !(edits === true && this.readonly);
+  }
+
   /** The panels that the picture does not need; they hear what has been since. */
-  async #addFurther(): Promise<void> {
+  async #addFurther(load: () => Promise<Further>): Promise<void> {
     try {
-      const { FURTHER, SHARED_STYLES } = await import('../panels/further');
+      const { FURTHER, SHARED_STYLES } = await load();
       adopt(this.root, SHARED_STYLES);
       const missed = this.#missed;
       this.#missed = undefined;
@@ -409,17 +505,19 @@ export class PlaygroundShell implements Shell {
   }
 
   /** There, or not to be had. */
-  #arrived(part: 'panels' | 'editor' | 'program'): void {
+  #arrived(part: 'panels' | 'editor' | 'program' | 'step'): void {
     this.#coming.delete(part);
     this.#settle();
   }
 
   #settle(): void {
-    if (this.#settledRun !== undefined && this.#coming.size === 0) this.#events.settled(this.#settledRun);
+    if (this.#settledRun === undefined) return;
+    if (this.#coming.size === 0) this.#events.settled(this.#settledRun);
+    else if (this.#coming.has('step') && this.#coming.size === 1) void this.#takeStep();
   }
 
   #editIfShown(): void {
-    if (this.view === 'all') void this.#edit();
+    if (this.showsProgram) void this.#edit();
   }
 
   /** Puts the editor in its place. */
@@ -456,6 +554,25 @@ export class PlaygroundShell implements Shell {
   }
 }
 
+/** The panels of a view that come after the first picture. */
+interface Further {
+  readonly FURTHER: readonly PanelKind[];
+  readonly SHARED_STYLES: readonly string[];
+}
+
+const FURTHER: Readonly<Record<View, (() => Promise<Further>) | undefined>> = {
+  all: () => import('../panels/further'),
+  picture: undefined,
+  playback: () => import('../panels/with-playback'),
+  code: () => import('../panels/with-code'),
+};
+
+/** Repairs are for whoever can make them. */
+function withoutFixes(event: Extract<Heard, { readonly kind: 'report' }>): Heard {
+  const diagnostics = event.report.diagnostics.map((diagnostic) => ({ ...diagnostic, fixes: [] }));
+  return { ...event, report: { ...event.report, diagnostics } };
+}
+
 /** The context of a program of which nothing is known but its text. */
 const NEUTRAL: ProgramContext = { control: null, setup: null, blockSkip: null, program: null, origin: null };
 const CONTEXT_KEYS = Object.keys(NEUTRAL) as readonly (keyof ProgramContext)[];
@@ -470,6 +587,7 @@ function describe(error: unknown): string {
 
 const WORDS = words({
   en: {
+    playground: 'G-code playground',
     loadFailed: (reason: string) => `The interpreter could not be loaded (${reason}). Reload the page to try again.`,
     partFailed: (reason: string) => `Not all of the playground could be loaded (${reason}). What is drawn is right, and you can go on editing.`,
     pageFailed: (reason: string) => `What stands around the picture could not be loaded (${reason}). Reload the page to try again.`,
@@ -482,6 +600,7 @@ const WORDS = words({
     setupRejected: (reason: string) => `The setup was not accepted: ${reason}`,
   },
   zh: {
+    playground: 'G 代码演练场',
     loadFailed: (reason) => `解释器加载失败（${reason}）。请刷新页面重试。`,
     partFailed: (reason) => `部分内容加载失败（${reason}）。已画出的轨迹是正确的，可以继续编辑。`,
     pageFailed: (reason) => `图形周围的内容加载失败（${reason}）。请刷新页面重试。`,
@@ -494,6 +613,7 @@ const WORDS = words({
     setupRejected: (reason) => `设置未被接受：${reason}`,
   },
   ru: {
+    playground: 'Песочница G-кода',
     loadFailed: (reason) => `Не удалось загрузить интерпретатор (${reason}). Обновите страницу.`,
     partFailed: (reason) => `Загружено не всё (${reason}). То, что нарисовано, верно; можно редактировать дальше.`,
     pageFailed: (reason) => `Не удалось загрузить то, что окружает чертёж (${reason}). Обновите страницу.`,

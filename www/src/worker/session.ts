@@ -183,7 +183,7 @@ export class Session implements Waiter {
         return message.what.kind === 'resize' ? true : this.#showCurrent();
       case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
         return true;
-      case 'palette': case 'language': case 'unit': case 'turret': case 'keep': case 'end-comparison':
+      case 'palette': case 'language': case 'unit': case 'turret': case 'mark': case 'frame': case 'keep': case 'end-comparison':
         return this.#showCurrent();
     }
   }
@@ -242,10 +242,15 @@ export class Session implements Waiter {
     'load-parts': { draws: 'no', act: (session) => session.#parts.loadAll() },
     cursor: { draws: 'when-whole', act: (session, { offset }) => session.#core.setCursor(offset) },
     hover: { draws: 'when-whole', act: (session, { motion }) => session.#core.setHover(motion) },
+    mark: {
+      draws: 'when-whole',
+      act: (session, { lines }) => session.#core.setMarkedLines(Uint32Array.from(lines.flatMap(({ firstLine, endLine }) => [firstLine, endLine]))),
+    },
+    frame: { draws: 'when-whole', act: (session, { frame }) => session.#core.setFrame(frame ?? '') },
     turret: {
       draws: 'now',
       act(session, { side }) {
-        session.#core.setTurret(side);
+        session.#core.setTurret(side ?? '');
         session.#tellViews();
       },
     },
@@ -273,7 +278,8 @@ export class Session implements Waiter {
   }
 
   #tellViews(): void {
-    if (this.#stage.kind === 'done') this.#tell({ kind: 'views', views: viewsState(this.#core) });
+    // Before the first run there is nothing to see, and what tells of it may not be loaded.
+    if (this.#stage.kind === 'done' && this.#run > 0) this.#tell({ kind: 'views', views: viewsState(this.#core) });
   }
 
   #ask(question: Question): void {

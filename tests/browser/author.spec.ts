@@ -1,0 +1,205 @@
+// What the author of a manual says of an element beside its program: what is shown, what is marked, where the tool stands.
+import { expect, test, type BasicPage } from './engines';
+import { manual, openHtml, programOf, settled, type Playground } from './embedded';
+
+const PROGRAM = ['O0001', 'T0101 (T01 R0.4) M03 S800', 'G00 X52 Z2', 'G01 X40 F0.2', 'Z-20', 'X50 Z-30', 'G00 X300 Z400', 'M30'].join('\n');
+
+/** An element with the program and these attributes. */
+async function show(page: BasicPage, attributes: string, text = PROGRAM): Promise<void> {
+  await openHtml(page, manual(`<gcode-playground ${attributes}><pre>\n${text}\n</pre></gcode-playground>`));
+  await settled(page);
+}
+
+function set(page: BasicPage, attribute: string, value: string | null): Promise<void> {
+  return page.evaluate(async ({ attribute, value }) => {
+    const element = document.querySelector('gcode-playground') as Playground;
+    Reflect.set(element, attribute, value);
+    await element.settled;
+  }, { attribute, value });
+}
+
+/** The scripts that were loaded, without their hashes. */
+function scripts(page: BasicPage): Promise<string[]> {
+  return page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => /([\w-]+?)(-[\w-]{8})?\.js$/.exec(name)?.[1]).filter((name) => name !== undefined));
+}
+
+/** How many pixels of the section have a colour of the style sheet. */
+function pixels(page: BasicPage, colour: string): Promise<number> {
+  return page.evaluate((colour) => {
+    const root = document.querySelector('gcode-playground')!.shadowRoot!;
+    const canvas = root.querySelector('canvas')!;
+    const probe = root.querySelector('[part~=drawing]')!.appendChild(document.createElement('span'));
+    probe.style.color = `var(--playground-${colour})`;
+    const [red = 0, green = 0, blue = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
+    probe.remove();
+    const context = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height }).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    let found = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      if (Math.abs(data[at]! - red) + Math.abs(data[at + 1]! - green) + Math.abs(data[at + 2]! - blue) < 40) found++;
+    }
+    return found;
+  }, colour);
+}
+
+/** The text of the lines of the program that have a class. */
+function lines(page: BasicPage, name: string): Promise<string[]> {
+  return page.locator(`gcode-playground .${name}`).evaluateAll((elements) => elements.map((element) => element.textContent ?? ''));
+}
+
+test('view="playback" shows the picture and plays it, without the program', async ({ page }) => {
+  await show(page, 'view="playback"');
+  await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
+  await expect(page.getByRole('textbox')).toHaveCount(0);
+  await expect(page.getByRole('slider', { name: 'Position' })).toBeVisible();
+  await page.getByRole('button', { name: /Next motion/ }).click();
+  await expect(page.getByText(/line 3/).first()).toBeVisible();
+  const loaded = await scripts(page);
+  expect(loaded.filter((name) => ['editor', 'further', 'problems'].includes(name))).toEqual([]);
+  const played = await page.locator('gcode-playground').evaluate((element) => {
+    (element as unknown as { play(): void }).play();
+    try {
+      (element as unknown as { saveFile(): void }).saveFile();
+      return 'saved';
+    } catch (error) {
+      return String(error);
+    }
+  });
+  expect(played).toContain('view="playback" does not offer saveFile');
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+});
+
+test('view="code" shows the program and its problems, without a picture', async ({ page }) => {
+  await show(page, 'view="code"', PROGRAM.replace('M30', 'G999\nM30'));
+  await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Problems' })).toContainText('G999');
+  for (const role of ['img', 'slider', 'status'] as const) await expect(page.getByRole(role)).toHaveCount(0);
+  expect((await scripts(page)).filter((name) => ['further', 'playback'].includes(name))).toEqual([]);
+});
+
+test('controls names the parts of the page that are shown', async ({ page }) => {
+  await show(page, 'controls="none"');
+  await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
+  await expect(page.getByRole('img', { name: /tool path/ })).toBeVisible();
+  for (const role of ['slider', 'status'] as const) await expect(page.getByRole(role)).toHaveCount(0);
+  for (const name of ['Setup', 'Export', 'Play', 'Help (?)', 'Time']) await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  await set(page, 'controls', 'playback status');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
+  await expect(page.getByRole('status')).toContainText('5 motions');
+  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toHaveCount(0);
+  await set(page, 'controls', null);
+  await expect(page.getByRole('button', { name: 'Setup', exact: true })).toBeVisible();
+});
+
+test('a readonly program can be read, copied and played, but not changed', async ({ page }) => {
+  const text = PROGRAM.replace('M30', 'G1 X5O\nM30');
+  await show(page, 'readonly', text);
+  const editor = page.getByRole('textbox', { name: 'Program' });
+  await editor.focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('X1');
+  await page.keyboard.press('Backspace');
+  expect(await programOf(page)).toBe(text);
+  await expect(page.getByRole('region', { name: 'Problems' })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^(Fix|Apply)/ })).toHaveCount(0);
+  for (const name of ['Write as a cycle…', 'Setup']) await expect(page.getByRole('button', { name, exact: true })).toHaveCount(0);
+  expect(await editor.getAttribute('aria-readonly')).toBe('true');
+  await page.evaluate(() => Reflect.set(document.querySelector('gcode-playground')!, 'readonly', false));
+  await editor.focus();
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.insertText('(X)');
+  await expect.poll(() => programOf(page)).toBe(`(X)${text}`);
+});
+
+test('highlight marks lines and their strokes until the reader chooses a block', async ({ page }) => {
+  await show(page, '');
+  expect(await pixels(page, 'highlight')).toBe(0);
+  await set(page, 'highlight', '5-6, 99');
+  expect(await lines(page, 'cm-marked-line')).toEqual(['Z-20', 'X50 Z-30']);
+  const both = await pixels(page, 'highlight');
+  expect(both).toBeGreaterThan(50);
+  await page.getByRole('textbox', { name: 'Program' }).focus();
+  await page.keyboard.press('Control+Home');
+  for (let line = 1; line < 5; line++) await page.keyboard.press('ArrowDown');
+  await page.evaluate(async () => void (await (document.querySelector('gcode-playground') as Playground).settled));
+  expect(await pixels(page, 'highlight')).toBeLessThan(both);
+  expect(await lines(page, 'cm-marked-line')).toHaveLength(2);
+  await set(page, 'highlight', null);
+  expect(await lines(page, 'cm-marked-line')).toEqual([]);
+});
+
+test('highlight is there from the start, also in the picture alone', async ({ page }) => {
+  await show(page, 'view="picture" highlight="5"');
+  await expect.poll(() => pixels(page, 'highlight')).toBeGreaterThan(20);
+});
+
+test('lines shows a part of the program; the rest unfolds', async ({ page }) => {
+  await show(page, 'lines="3-6"');
+  await expect(page.getByRole('button', { name: 'Show lines 1–2' })).toBeVisible();
+  expect((await lines(page, 'cm-line')).filter((line) => !line.startsWith('Show'))).toEqual(PROGRAM.split('\n').slice(2, 6));
+  expect(await programOf(page)).toBe(PROGRAM);
+  await page.getByRole('button', { name: 'Show lines 7–8' }).click();
+  expect((await lines(page, 'cm-line')).slice(-2)).toEqual(['G00 X300 Z400', 'M30']);
+  await set(page, 'lines', null);
+  expect(await lines(page, 'cm-line')).toEqual(PROGRAM.split('\n'));
+});
+
+for (const view of ['all', 'playback', 'picture']) {
+  test(`step puts the tool to its place at the start: view="${view}"`, async ({ page }) => {
+    await show(page, `view="${view}" step="3"`);
+    const drawn = await pixels(page, 'tool');
+    expect(drawn).toBeGreaterThan(20);
+    // Of the path after that place nothing is drawn.
+    const cut = await pixels(page, 'feed');
+    await set(page, 'step', 'line 6');
+    await set(page, 'step', '4');
+    expect(await pixels(page, 'feed')).toBeGreaterThan(cut);
+    if (view === 'picture') return;
+    await expect(page.getByText(/line 6/).first()).toBeVisible();
+    await set(page, 'step', 'line 5');
+    await expect(page.getByText(/line 5/).first()).toBeVisible();
+  });
+}
+
+test('fit says whether the picture shows the part or the whole path', async ({ page }) => {
+  await show(page, 'view="picture"');
+  const size = (): Promise<number> =>
+    page.evaluate(async () => {
+      const element = document.querySelector('gcode-playground') as Playground & { locate(x: number, z: number): Promise<{ clientX: number }> };
+      const [a, b] = await Promise.all([element.locate(0, 0), element.locate(0, -30)]);
+      return a.clientX - b.clientX;
+    });
+  const usual = await size();
+  await set(page, 'fit', 'path');
+  const path = await size();
+  expect(path).toBeLessThan(usual / 2);
+  await set(page, 'fit', 'part');
+  expect(await size()).toBeGreaterThanOrEqual(usual);
+});
+
+test('turret and caption', async ({ page }) => {
+  await show(page, 'view="picture" turret="front" caption="Figure 3: a shoulder"');
+  const down = (): Promise<boolean> =>
+    page.evaluate(async () => {
+      const element = document.querySelector('gcode-playground') as Playground & { locate(x: number, z: number): Promise<{ clientY: number }> };
+      return (await element.locate(50, 0)).clientY > (await element.locate(0, 0)).clientY;
+    });
+  expect(await down()).toBe(true);
+  await expect(page.getByText('Figure 3: a shoulder')).toBeVisible();
+  await expect(page.getByRole('group', { name: 'Figure 3: a shoulder' })).toHaveCount(1);
+  await set(page, 'turret', 'rear');
+  await expect.poll(down).toBe(false);
+  await set(page, 'caption', null);
+  await expect(page.getByRole('group', { name: 'G-code playground' })).toHaveCount(1);
+});
+
+test('every attribute of the reference is a property', async ({ page }) => {
+  await show(page, 'view="picture"');
+  const missing = await page.evaluate(() => {
+    const element = document.querySelector('gcode-playground')!;
+    const { observedAttributes } = element.constructor as unknown as { readonly observedAttributes: readonly string[] };
+    return observedAttributes.filter((name) => !(name.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase()) in element));
+  });
+  expect(missing).toEqual([]);
+});

@@ -1,0 +1,8 @@
+// The panels of the picture that is played, without the program.
+
+import type { PanelKind } from './panel';
+import { playback } from './playback';
+import { print } from './print';
+
+export const FURTHER: readonly PanelKind[] = [playback, print];
+export const SHARED_STYLES: readonly string[] = [];

@@ -1,0 +1,42 @@
+// What the author of a page says beyond program and setup: lines that are marked, lines that are shown, where the tool
+// stands at the start.
+//
+// In: texts of attributes. Out: what they mean; what is not understood counts as not said. Must not know: the program.
+
+/** Lines of the program, counted from 1, both included. */
+export interface Lines {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** `6-8, 12`. */
+export function linesOf(attribute: string | null): readonly Lines[] {
+  const parts = (attribute ?? '').split(',').map((part) => /^\s*(\d{1,9})(?:\s*[-–]\s*(\d{1,9}))?\s*$/.exec(part));
+  return parts.flatMap((part) => {
+    if (part === null) return [];
+    const first = Number(part[1]);
+    const last = part[2] === undefined ? first : Number(part[2]);
+    return first >= 1 && first <= last ? [{ first, last }] : [];
+  });
+}
+
+/** Where the tool stands: after so many motions, or before a line. */
+export type Step = { readonly kind: 'motion'; readonly motion: number } | { readonly kind: 'line'; readonly line: number };
+
+/** `12`: after the twelfth motion; `line 8`: before what line 8 does. */
+export function stepOf(attribute: string | null): Step | undefined {
+  const found = /^\s*(line)?\s*(\d{1,9})\s*$/i.exec(attribute ?? '');
+  const number = Number(found?.[2] ?? 0);
+  if (found === null || number < 1) return undefined;
+  return found[1] === undefined ? { kind: 'motion', motion: number - 1 } : { kind: 'line', line: number };
+}
+
+export const FRAMES = ['part', 'path'] as const;
+export type Frame = (typeof FRAMES)[number];
+export const SIDES = ['front', 'rear'] as const;
+export type Side = (typeof SIDES)[number];
+
+/** One of some words, or nothing. */
+export function oneOf<T extends string>(words: readonly T[], attribute: string | null): T | undefined {
+  return words.find((word) => word === attribute);
+}
