@@ -39,9 +39,12 @@ test('every snippet of the reference draws what its program says', async ({ page
   expect(found.length).toBeGreaterThan(4);
   for (const html of found) {
     await openHtml(page, manual(html));
-    await settled(page);
-    const element = page.locator('gcode-playground');
-    expect(await element.evaluate((element) => (element as unknown as { value: string }).value), html).toContain('G00');
+    // One after another is one block.
+    const count = await page.locator('gcode-playground').count();
+    for (let which = 0; which < count; which++) {
+      await settled(page, which);
+      expect(await programOf(page, which), html).toContain('G00');
+    }
     await expect(page.getByRole('alert')).toHaveCount(0);
   }
 });

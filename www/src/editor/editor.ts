@@ -69,7 +69,7 @@ export class Editor implements TextHolder {
     this.#access = access;
     this.#unsent = new Unsent(unsent);
     // Not at the window: WebKit would move it there after it was shown. Not in the frame, which would cut it off.
-    const aboveTheFrame = make('div');
+    const aboveTheFrame = make('div', { className: 'own' });
     root.append(aboveTheFrame);
     this.#view = new EditorView({
       parent,

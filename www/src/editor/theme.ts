@@ -20,6 +20,11 @@ const squiggles = Object.fromEntries(
   ]),
 );
 
+/** So many times the element's size of type; what stands in its style sheets as `rem`. */
+function rem(times: number): string {
+  return `calc(${times} * var(--playground-rem))`;
+}
+
 export const editorTheme: Extension = EditorView.theme({
   '&': { height: '100%', color: 'var(--playground-ink)', backgroundColor: 'var(--playground-surface)' },
   '&.cm-focused': { outline: 'none' },
@@ -60,7 +65,7 @@ export const editorTheme: Extension = EditorView.theme({
     borderRadius: '5px',
     color: 'var(--playground-muted)',
     fontFamily: 'var(--playground-font)',
-    fontSize: '0.8125rem',
+    fontSize: rem(0.8125),
     lineHeight: '1.4',
   },
   '.cm-running-line': {
@@ -77,22 +82,22 @@ export const editorTheme: Extension = EditorView.theme({
     boxShadow: 'var(--playground-shadow)',
     // Its size does not depend on its place, which is worked out from it.
     width: 'max-content',
-    maxWidth: 'min(44rem, 92vw)',
+    maxWidth: `min(${rem(44)}, 92vw)`,
     overflow: 'hidden',
     fontFamily: 'var(--playground-font)',
-    fontSize: '0.875rem',
+    fontSize: rem(0.875),
   },
   // Low, so that it finds room over the first lines as well: below it would cover the lines that are read next.
   '.cm-diagnostic': { display: 'flex', flexWrap: 'wrap', alignItems: 'flex-end', gap: '4px 10px', padding: '8px 14px', border: 'none', whiteSpace: 'normal', marginLeft: '0' },
-  '.cm-diagnostic > :first-child': { flex: '1 1 16rem' },
+  '.cm-diagnostic > :first-child': { flex: `1 1 ${rem(16)}` },
   '.cm-diagnostic + .cm-diagnostic': { borderTop: '1px solid var(--playground-line)' },
   '.cm-diagnostic p': { margin: '0' },
   '.cm-diagnostic p + p': { marginTop: '4px' },
   '.cm-diagnostic .help-text, .cm-diagnostic .facts': { color: 'var(--playground-muted)' },
-  '.cm-diagnostic .facts': { fontSize: '0.8125rem' },
+  '.cm-diagnostic .facts': { fontSize: rem(0.8125) },
   '.cm-diagnosticAction': {
     font: 'inherit',
-    fontSize: '0.8125rem',
+    fontSize: rem(0.8125),
     margin: '0',
     padding: '5px 10px',
     borderRadius: '6px',
@@ -106,8 +111,8 @@ export const editorTheme: Extension = EditorView.theme({
   },
   '.cm-panels.cm-panels-bottom': { borderTop: '1px solid var(--playground-line)' },
   '.cm-panel.cm-search': { padding: '8px 28px 8px 10px' },
-  '.cm-panel.cm-search label': { fontSize: '0.8125rem' },
-  '.cm-panel.cm-search [name=close]': { fontSize: '1.25rem', right: '8px', color: 'inherit' },
+  '.cm-panel.cm-search label': { fontSize: rem(0.8125) },
+  '.cm-panel.cm-search [name=close]': { fontSize: rem(1.25), right: '8px', color: 'inherit' },
   '.cm-textfield': {
     font: 'inherit',
     color: 'inherit',
@@ -118,7 +123,7 @@ export const editorTheme: Extension = EditorView.theme({
   },
   '.cm-button': {
     font: 'inherit',
-    fontSize: '0.8125rem',
+    fontSize: rem(0.8125),
     color: 'inherit',
     backgroundImage: 'none',
     backgroundColor: 'var(--playground-surface)',

@@ -25,6 +25,8 @@ export interface DrawingEvents {
   left(): void;
   /** `keepFocus`: a finger tapped, and an on-screen keyboard must not come up. */
   clicked(x: number, y: number, keepFocus: boolean): void;
+  /** The colours of the page around are others. */
+  recoloured?(): void;
   /** The buttons act on this picture too. */
   companion?(): Drawing | undefined;
 }
@@ -53,6 +55,8 @@ export class Drawing {
   readonly #type = make('div', { className: 'type-size' });
   #scale = 1;
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
+  /** Says whether the page around scrolls. */
+  readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
   readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
   readonly #shown = this.#canvas.getContext('bitmaprenderer');
   #language: Language;
@@ -96,6 +100,9 @@ export class Drawing {
     this.#listen(this.#canvas);
     this.#sizes.observe(this.#holder);
     this.#sizes.observe(this.#type);
+    this.#page.observe(this.#holder);
+    this.#page.observe(document.documentElement);
+    this.#type.addEventListener('transitionend', () => events.recoloured?.());
   }
 
   /** `label` is what it is for a reader who does not see it. */
@@ -145,6 +152,7 @@ export class Drawing {
       colours[key] = style.color;
     }
     probe.remove();
+    this.#canvas.classList.toggle('is-dark', isDark(colours.background));
     return colours;
   }
 
@@ -251,6 +259,7 @@ export class Drawing {
 
   #move(event: PointerEvent): void {
     const now = this.#place(event);
+    if (this.#isOfThePage(event)) return;
     const before = this.#pointers.get(event.pointerId);
     if (before === undefined) {
       this.#at = now;
@@ -277,8 +286,14 @@ export class Drawing {
     this.#pan();
   }
 
+  /** A finger that scrolls the page. */
+  #isOfThePage(event: PointerEvent): boolean {
+    return event.pointerType === 'touch' && this.#canvas.matches('.of-a-page:not(:focus)');
+  }
+
   #up(event: PointerEvent): void {
     if (!this.#pointers.delete(event.pointerId)) return;
+    if (event.pointerType === 'touch') this.#canvas.focus({ preventScroll: true });
     if (this.#travel >= this.#slop(event) || this.#pointers.size > 0) return;
     this.#at = this.#place(event);
     this.#events.pointed(this.#at.x, this.#at.y);
@@ -305,9 +320,7 @@ export class Drawing {
 
   /** In a page that scrolls, the wheel is the page's until the drawing has the focus (or Ctrl is held). */
   #wheel(event: WheelEvent): void {
-    const page = document.scrollingElement;
-    const scrolls = page !== null && page.scrollHeight > page.clientHeight + 1;
-    if (scrolls && !event.ctrlKey && !this.#canvas.matches(':focus')) return;
+    if (pageScrolls() && !event.ctrlKey && !this.#canvas.matches(':focus')) return;
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY : event.deltaY * 30;
     const { x, y } = this.#place(event);
@@ -328,6 +341,17 @@ export class Drawing {
     }
     event.preventDefault();
   }
+}
+
+function pageScrolls(): boolean {
+  const page = document.scrollingElement;
+  return page !== null && page.scrollHeight > page.clientHeight + 1;
+}
+
+/** Of a colour as the browser writes it, `rgb(20, 25, 31)`. */
+function isDark(colour: string): boolean {
+  const [red = 255, green = 255, blue = 255] = (colour.match(/[\d.]+/g) ?? []).map(Number);
+  return 0.3 * red + 0.6 * green + 0.1 * blue < 128;
 }
 
 function swatch(kind: Stroke['kind']): string {

@@ -35,6 +35,8 @@ class Pictures implements Panel {
   /** The run of the old picture. */
   #oldRun: number | undefined;
   #unit: LengthUnit = 'mm';
+  /** What the worker paints with. */
+  #colours = '';
   /** The motion under the pointer. */
   #hovered: number | undefined;
 
@@ -56,6 +58,7 @@ class Pictures implements Panel {
         onSection.left();
       },
       companion: () => face,
+      recoloured: () => this.coloursChanged(),
     });
     const face = new Drawing(shell.language, this.#events('face'));
     this.#drawings = { section, face };
@@ -110,14 +113,20 @@ class Pictures implements Panel {
   }
 
   coloursChanged(): void {
-    this.#shell.send(this.#palette);
+    const { palette } = this.#drawings.section;
+    const colours = JSON.stringify(palette);
+    if (colours === this.#colours) return;
+    this.#colours = colours;
+    this.#shell.send({ kind: 'palette', palette });
   }
 
   connected(send: (command: Command) => void): void {
     for (const picture of ['section', 'face'] as const) {
       send({ kind: 'picture', picture, what: { kind: 'canvas', size: this.#drawings[picture].size } });
     }
-    send(this.#palette);
+    const { palette } = this.#drawings.section;
+    this.#colours = JSON.stringify(palette);
+    send({ kind: 'palette', palette });
   }
 
   outdated(): void {
@@ -134,10 +143,6 @@ class Pictures implements Panel {
     this.#age(undefined);
     this.#drawings.section.summary = undefined;
     this.#drawings.section.showTip(undefined);
-  }
-
-  get #palette(): Command {
-    return { kind: 'palette', palette: this.#drawings.section.palette };
   }
 
   /** The events of each picture, the same for all of them. */

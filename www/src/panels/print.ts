@@ -28,6 +28,10 @@ class Print implements Panel {
 
   constructor(shell: Shell) {
     this.#shell = shell;
+    this.connected();
+  }
+
+  connected(): void {
     window.addEventListener('beforeprint', this.#before);
     window.addEventListener('afterprint', this.#after);
   }

@@ -95,6 +95,6 @@ export function layout(view: View, editor: HTMLElement): Layout {
   }
   frame.append(regions.dialogs);
   const caption = make('p', { className: 'caption', part: 'caption', dir: 'auto', hidden: true });
-  const whole = make('div', { className: 'whole', role: 'group' }, frame, caption);
+  const whole = make('div', { className: 'own whole', role: 'group' }, frame, caption);
   return { whole, frame, regions, fallback, caption };
 }

@@ -17,6 +17,7 @@ import type { Answer, Command, Diagnostic, QuestionKind, Questions, Readout, Rep
 import type { Heard } from '../worker/core-client';
 import { linesOf, oneOf, stepOf, FRAMES, SIDES } from './author';
 import { controlsOf, layout, SHOWN, type Layout, type Offered, type View } from './layout';
+import { Paper } from './paper';
 import { Runs, type OwnLoss } from './runs';
 import { mergedSetup, switchesSet } from './start';
 import { adopt } from './style-sheets';
@@ -72,6 +73,7 @@ export class PlaygroundShell implements Shell {
   /** What of the panels is shown. */
   readonly #controls: readonly Control[];
   readonly #layout: Layout;
+  readonly #paper: Paper | undefined;
   readonly #panels: Panel[] = [];
   /** Those of them that are made for what they do for others alone. */
   readonly #unseen = new Set<Panel>();
@@ -165,6 +167,10 @@ export class PlaygroundShell implements Shell {
     this.#regions = made.regions;
     this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
     this.authorChanged();
+    if (this.view === 'picture') {
+      this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
+      made.whole.append(this.#paper.element);
+    }
     root.append(made.whole);
     const further = FURTHER[this.view];
     this.complete = further === undefined ? Promise.resolve() : this.#addFurther(further);
@@ -176,6 +182,7 @@ export class PlaygroundShell implements Shell {
 
   connect(): void {
     this.#dark.addEventListener('change', this.coloursChanged);
+    this.#paper?.connect();
     this.#runs.connect();
     this.#runs.wanted('keep');
     this.stepChanged();
@@ -183,6 +190,7 @@ export class PlaygroundShell implements Shell {
 
   disconnect(): void {
     this.#dark.removeEventListener('change', this.coloursChanged);
+    this.#paper?.disconnect();
     this.#tell((panel) => panel.left?.());
     this.#runs.end();
   }
