@@ -404,7 +404,7 @@ export class GcodePlayground extends Base {
     root.replaceChildren();
     if (this.loading === 'eager') this.#begin();
     else if (this.loading === 'lazy') this.#stopWaiting = whenNear(this, () => this.#begin());
-    else root.append(make('slot', { name: 'fallback' }), startButton(this.language, () => this.#begin()));
+    else root.append(make('slot', { name: 'fallback' }), make('div', { className: 'own' }, startButton(this.language, () => this.#begin())));
   }
 
   #begin(): void {
