@@ -45,7 +45,7 @@ function pixels(page: BasicPage, colour: string): Promise<number> {
 
 /** The text of the lines of the program that have a class. */
 function lines(page: BasicPage, name: string): Promise<string[]> {
-  return page.locator(`gcode-playground .${name}`).evaluateAll((elements) => elements.map((element) => element.textContent ?? ''));
+  return page.locator(`.${name}`).evaluateAll((elements) => elements.map((element) => element.textContent ?? ''));
 }
 
 test('view="playback" shows the picture and plays it, without the program', async ({ page }) => {
