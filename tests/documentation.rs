@@ -34,7 +34,9 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
 /// reads the same documents.
-const NOT_RUN: [(&str, &str); 10] = [
+const NOT_RUN: [(&str, &str); 12] = [
+    ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
+    ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),
     (
         "<link rel=\"preload\"",
         "the name of the file is another one in each build; `index.html` has the same line",

@@ -2,6 +2,7 @@
 // of them is no matter of the others.
 import { expect } from '@playwright/test';
 import { chromiumTest as test, type ChromiumPage } from './engines';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { program } from './page';
 import { serve } from './sites';
@@ -116,10 +117,13 @@ for (const { fault, does, says } of [
   });
 }
 
+/** As the reference has it. */
+const KEEPS_THE_PLACE = '<style>gcode-playground { display: block; height: 24rem; }</style>';
+
 /** A page with so many elements, one below the other, as an author writes it. */
 async function manual(page: ChromiumPage, count: number, attributes: string, act: () => Promise<void>): Promise<void> {
   const element = `<p>${'Words. '.repeat(60)}</p>\n<gcode-playground view="picture" ${attributes}>\n${PROGRAM}\n</gcode-playground>\n`;
-  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title><style>gcode-playground { display: block; height: 24rem; }</style>
+  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title>${KEEPS_THE_PLACE}
     <script type="module" src="/embed/element.js"></script></head><body>${element.repeat(count)}</body></html>`;
   const site = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: { 'cache-control': 'no-cache' }, pages: { '/index.html': html } }));
   await page.addInitScript(() => {
@@ -142,6 +146,10 @@ async function manual(page: ChromiumPage, count: number, attributes: string, act
 function drawn(page: ChromiumPage): Promise<number> {
   return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[part=fallback][hidden]')).length);
 }
+
+test('the reference says how a page keeps the place of an element', () => {
+  expect(readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8')).toContain(KEEPS_THE_PLACE);
+});
 
 test('elements start as they come near the view, and nothing on the page moves', async ({ page }) => {
   await manual(page, 30, '', async () => {

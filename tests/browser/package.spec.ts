@@ -1,5 +1,5 @@
 // The npm package: packed, installed into projects that know nothing else of it, and used from Node, TypeScript, Vite and a plain page.
-import { execFile } from 'node:child_process';
+import { execFile, spawn } from 'node:child_process';
 import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -167,5 +167,31 @@ test('bundled by Vite, with `base: "./"`', async ({ page }) => {
     await expect(page.getByRole('textbox', { name: 'Program' })).toBeVisible();
   } finally {
     await site.close();
+  }
+});
+
+test("with Vite's development server, as its README has it", async ({ page }) => {
+  test.setTimeout(120_000);
+  const readme = await readFile(join(PACKAGE, 'README.md'), 'utf8');
+  const setting = /`(optimizeDeps: [^`]+)`/.exec(readme)?.[1] ?? '';
+  const folder = join(project, 'developed');
+  await mkdir(folder, { recursive: true });
+  await writeFile(join(folder, 'index.html'), '<!DOCTYPE html><title>A manual</title><gcode-playground>G00 X62 Z2\nG90 X50 Z-30 F0.2</gcode-playground><script type="module" src="./main.js"></script>');
+  await writeFile(join(folder, 'main.js'), "import 'gcode-playground';\n");
+  await writeFile(join(folder, 'vite.config.js'), `export default { ${setting} };\n`);
+  const server = spawn(process.execPath, [join(WWW, 'node_modules', 'vite', 'bin', 'vite.js'), folder, '--port', '0', '--host', '127.0.0.1'], { cwd: project, env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } });
+  try {
+    const address = await new Promise<string>((resolve) => {
+      let said = '';
+      server.stdout.on('data', (data: Buffer) => {
+        said += data.toString();
+        const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(said)?.[0];
+        if (found !== undefined) resolve(found);
+      });
+    });
+    await page.goto(address);
+    expect(await motionsShown(page)).toBe(5);
+  } finally {
+    server.kill();
   }
 });

@@ -3,7 +3,7 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log describes the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 16] = [
+pub const DOCUMENTS: [&str; 17] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
@@ -20,4 +20,5 @@ pub const DOCUMENTS: [&str; 16] = [
     "www/docs/limits.md",
     "www/docs/rules.md",
     "www/docs/setup.md",
+    "www/embed/README.md",
 ];
