@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromiumTest as test, type ChromiumPage, expect } from './engines';
+import { manual, openHtml, settled } from './embedded';
 import { open, type } from './page';
 
 const AXE = readFileSync(join(__dirname, '../../www/node_modules/axe-core/axe.min.js'), 'utf8');
@@ -75,4 +76,34 @@ for (const locale of ['en', 'zh', 'ru'] as const) {
       await context.close();
     });
   }
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in a manual with an element of each kind, and keys reach all of them in their order: ${colorScheme}`, async ({ page }) => {
+    const kinds = ['view="all" caption="Figure 1"', 'view="all" readonly lines="3-8" highlight="4" caption="Figure 2"', 'view="picture" caption="Figure 3"', 'view="playback" step="3" caption="Figure 4"', 'view="code" caption="Figure 5"'];
+    const elements = kinds.map((attributes) => `<gcode-playground ${attributes} language="en"><pre slot="fallback">A</pre><pre>${PROGRAM}G999\n</pre></gcode-playground>`);
+    await openHtml(page, manual(`<main><h1>A manual</h1>${elements.join('')}</main>`, `<style>:root { color-scheme: ${colorScheme}; background: Canvas; color: CanvasText; }</style>`));
+    for (let which = 0; which < kinds.length; which++) await settled(page, which);
+    expect(await violations(page, 'manual')).toEqual([]);
+    // Tab goes through the elements one after the other; each thing it stops at has a name.
+    const stops: { element: number; name: string }[] = [];
+    for (let at = 0; at < 200; at++) {
+      await page.keyboard.press('Tab');
+      const stop = await page.evaluate(() => {
+        const host = document.activeElement;
+        const inner = host?.shadowRoot?.activeElement;
+        if (inner === null || inner === undefined) return undefined;
+        const name = inner.getAttribute('aria-label') ?? (inner.getAttribute('aria-labelledby') !== null ? 'labelled' : inner.textContent) ?? '';
+        return { element: [...document.querySelectorAll('gcode-playground')].indexOf(host!), name: name.trim() };
+      });
+      if (stop === undefined) break;
+      stops.push(stop);
+    }
+    expect(stops.filter(({ name }) => name === '')).toEqual([]);
+    const order = stops.map(({ element }) => element);
+    expect(order).toEqual([...order].sort((a, b) => a - b));
+    expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
+    expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual(
+      ['Drawing of the tool path', 'Previous motion', 'Play', 'Next motion', 'Step by', 'Position along the path', 'Speed', 'Show the whole path', 'Show all', 'Zoom in', 'Zoom out']);
+  });
 }

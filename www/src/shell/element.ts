@@ -12,7 +12,7 @@
 //   control   fanuc | gsk | forum      overrides `dialect.control` of the setup
 //   setup     JSON, the property also an object: start point, tools, stock, dialect switches
 //   language  en | zh | ru             of the page and of the messages
-//   theme     auto | light | dark
+//   theme     auto | light | dark     auto: as the page around
 //   block-skip  "1,2"              the levels of block skip that are on; overrides `blockSkip` of the setup
 //   program   2                    the O number that is run; overrides `program` of the setup
 //   view      all | picture | playback | code   the picture alone, with the bar that plays it, or the program alone; what is
@@ -54,7 +54,7 @@
 //   gcode-context  detail {control, setup, blockSkip, program, origin}: another program has taken the place of the
 //                  one before, or undo has brought one back; attributes and `origin` are as the detail says
 // Slots: `intro` above the program; `fallback`, what is shown until there is a picture.
-// CSS custom properties: --playground-height, --playground-font, --playground-code-font,
+// CSS custom properties: --playground-height, --playground-type-size, --playground-font, --playground-code-font,
 // --playground-code-size and the colours of colours.css. Parts: frame intro bar file switches editor problems
 // drawing canvas old-picture legend tooltip setup views assumptions playback play readout doing status notice hint totals units
 // motions written-out rewrite codes solid export-menu paste help read-as profiles caption fallback.
