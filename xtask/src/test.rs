@@ -47,6 +47,7 @@ pub fn main() -> Result {
     done("packages", library::packages(&setup)?);
     done("crate", library::crate_file()?);
     done("page types", step("checking the page's types", &mut setup.npm(&["run", "typecheck"]))?);
+    done("workflows", step("checking the workflows", command("node").arg("tests/package/workflows.mjs"))?);
     done("page", package::page(&setup)?);
     let mut playwright = setup.npm(&["run", "test:browser"]);
     playwright.env(browser::VARIABLE, browser).envs(engines);
