@@ -40,6 +40,12 @@ function looks(page: BasicPage): Promise<Looks[]> {
   });
 }
 
+test('an element takes no more of the page than its own height', async ({ page }) => {
+  await openHtml(page, manual(`<gcode-playground style="--playground-height: 400px"><pre>${PROGRAM}</pre></gcode-playground>`, '<style>body { margin: 0; }</style>'));
+  await settled(page);
+  expect(await page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight)).toBe(0);
+});
+
 for (const view of ['all', 'playback', 'code']) {
   test(`styles of the page neither leak in nor break anything: view="${view}"`, async ({ page }) => {
     const html = `<gcode-playground view="${view}" caption="A caption" style="width: 1000px"><pre>${PROGRAM}G999\n</pre></gcode-playground>`;
