@@ -104,6 +104,6 @@ for (const colorScheme of ['light', 'dark'] as const) {
     expect(order).toEqual([...order].sort((a, b) => a - b));
     expect(new Set(order)).toEqual(new Set([0, 1, 2, 3, 4]));
     expect(stops.filter(({ element }) => element === 3).map(({ name }) => name.replace(/[.,(].*/, '').trim())).toEqual(
-      ['Drawing of the tool path', 'Previous motion', 'Play', 'Next motion', 'Step by', 'Position along the path', 'Speed', 'Show the whole path', 'Show all', 'Zoom in', 'Zoom out']);
+      ['Drawing of the tool path', 'Previous motion', 'Play', 'Next motion', 'Step by', 'Position along the path', 'M01: Optional stop', 'Speed', 'Show the whole path', 'Show all', 'Zoom in', 'Zoom out']);
   });
 }

@@ -41,7 +41,7 @@ function looks(page: BasicPage): Promise<Looks[]> {
 }
 
 test('an element takes no more of the page than its own height', async ({ page }) => {
-  await openHtml(page, manual(`<gcode-playground style="--playground-height: 400px"><pre>${PROGRAM}</pre></gcode-playground>`, '<style>body { margin: 0; }</style>'));
+  await openHtml(page, manual(`<gcode-playground style="--playground-height: 600px"><pre>${PROGRAM}</pre></gcode-playground>`, '<style>body { margin: 0; }</style>'));
   await settled(page);
   expect(await page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight)).toBe(0);
 });

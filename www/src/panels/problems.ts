@@ -34,7 +34,7 @@ class Problems implements Panel {
   readonly #shell: Shell;
   readonly #toggle = make('button', { type: 'button', className: 'problems-toggle', 'aria-expanded': 'true' });
   readonly #fixSafe = make('button', { type: 'button', className: 'fix fix-safe' });
-  readonly #title = make('span');
+  readonly #title = make('span', { id: 'problems-name' });
   readonly #count = make('span', { className: 'count' });
   readonly #view = new ProblemsView(() => this.#render());
   readonly #more = make('li', { className: 'more' });
@@ -47,7 +47,8 @@ class Problems implements Panel {
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
   readonly #body = make('div', { className: 'problems-body' }, this.#view.element, this.#list);
   readonly #element = make(
-    'section', { className: 'problems', part: 'problems' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#body,
+    // With the caption it is told from that of another element.
+    'section', { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#body,
   );
   #diagnostics: readonly Diagnostic[] = [];
   #rulesOff: readonly string[] = [];
@@ -107,7 +108,6 @@ class Problems implements Panel {
     const strings = WORDS[this.#shell.language];
     const count = this.#diagnostics.length;
     this.#element.hidden = count === 0 && this.#rulesOff.length === 0;
-    this.#element.setAttribute('aria-label', strings.problems);
     showText(this.#title, strings.problems);
     const safe = countSafe(this.#diagnostics);
     this.#fixSafe.hidden = safe === 0;

@@ -94,7 +94,7 @@ export function layout(view: View, editor: HTMLElement): Layout {
       break;
   }
   frame.append(regions.dialogs);
-  const caption = make('p', { className: 'caption', part: 'caption', dir: 'auto', hidden: true });
+  const caption = make('p', { className: 'caption', part: 'caption', id: 'caption', dir: 'auto', hidden: true });
   const whole = make('div', { className: 'own whole', role: 'group' }, frame, caption);
   return { whole, frame, regions, fallback, caption };
 }
