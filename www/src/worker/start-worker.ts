@@ -25,29 +25,44 @@ const inMemory = new Map<string, Promise<string>>();
 
 export function startWorker<Event>(script: string, heard: (event: Event) => void, failed: (reason: string) => void): StartedWorker {
   let worker: Worker | undefined;
-  let early: unknown[] = [];
+  /** What a worker that is begun again has to hear; nothing once one has answered. */
+  let said: unknown[] | undefined = [];
   let ended = false;
   const fail = (reason: unknown): void => {
     if (!ended) failed(reason instanceof Error ? reason.message : String(reason));
   };
-  const started = (begun: Worker): void => {
+  const started = (begun: Worker, closed: (reason: string) => void): void => {
     if (ended) {
       begun.terminate();
       return;
     }
     worker = begun;
-    begun.onmessage = ({ data }: MessageEvent<Event>) => heard(data);
-    begun.onerror = (error) => fail(error.message || `the worker ${script} could not be started`);
-    for (const message of early) begun.postMessage(message);
-    early = [];
+    begun.onmessage = ({ data }: MessageEvent<Event>) => {
+      said = undefined;
+      heard(data);
+    };
+    begun.onerror = (error) => {
+      if (said === undefined) fail(error.message);
+      else closed(error.message || `the worker ${script} could not be started`);
+    };
+    for (const message of said ?? []) begun.postMessage(message);
   };
+  const fromMemory = (): void => void fetched(script).then((copy) => started(begin(copy), fail)).catch(fail);
   try {
-    started(begin(script));
+    // Some browsers say at once that they do not take it, others later.
+    started(begin(script), () => {
+      worker?.terminate();
+      worker = undefined;
+      fromMemory();
+    });
   } catch {
-    fetched(script).then((copy) => started(begin(copy))).catch(fail);
+    fromMemory();
   }
   return {
-    post: (message) => void (worker === undefined ? early.push(message) : worker.postMessage(message)),
+    post(message) {
+      said?.push(message);
+      worker?.postMessage(message);
+    },
     end() {
       ended = true;
       worker?.terminate();
