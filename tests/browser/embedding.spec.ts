@@ -173,7 +173,7 @@ for (const [name, way] of Object.entries(WAYS)) {
   }
 }
 
-/** What README tells authors to write. */
+/** What authors write, as README has it. */
 function snippet(): string {
   const readme = readFileSync(join(__dirname, '..', '..', 'README.md'), 'utf8');
   const lines = readme.split('\n');

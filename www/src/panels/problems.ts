@@ -47,7 +47,7 @@ class Problems implements Panel {
   readonly #list = make('ul', { className: 'problems-list', id: 'problems-list' });
   readonly #body = make('div', { className: 'problems-body' }, this.#view.element, this.#list);
   readonly #element = make(
-    // With the caption it is told from that of another element.
+    // With the caption it differs from that of another element.
     'section', { className: 'problems', part: 'problems', 'aria-labelledby': 'problems-name caption' }, make('div', { className: 'problems-head' }, this.#toggle, this.#fixSafe), this.#body,
   );
   #diagnostics: readonly Diagnostic[] = [];

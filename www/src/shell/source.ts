@@ -7,7 +7,7 @@
 import type { ProgramFile } from '../editor/program-text';
 import type { Encoding } from '../files/encodings';
 
-/** A reader is told of an address that gives no answer for so long. */
+/** An address that gives no answer for so long is reported. */
 const PATIENCE_MS = 700;
 
 export const PROGRAM_SCRIPT = 'script[type="text/x-gcode"]';
@@ -151,7 +151,7 @@ function nameOf(address: string): string {
   }
 }
 
-/** Most programs are ASCII; only for others is it loaded how encodings are told apart. */
+/** Most programs are ASCII; what recognises encodings is loaded only for others. */
 async function decoded(bytes: Uint8Array): Promise<{ readonly text: string; readonly encoding: Encoding }> {
   if (bytes.every((byte) => byte < 0x80)) return { text: new TextDecoder().decode(bytes), encoding: 'utf-8' };
   return (await import('../files/encoding-guess')).guess(bytes);

@@ -140,7 +140,7 @@ export class Session implements Waiter {
     this.guarded(() => this.#slice());
   }
 
-  /** Once nothing is left to do, and the page has shown all there is, it is told so. */
+  /** Once nothing is left to do, and the page has shown all there is, the page hears of it. */
   guarded(step: () => void): void {
     this.#thread.guarded(() => {
       if (this.#closed) return;
@@ -278,7 +278,7 @@ export class Session implements Waiter {
   }
 
   #tellViews(): void {
-    // Before the first run there is nothing to see, and what tells of it may not be loaded.
+    // Before the first run there is nothing to see, and what reports it may not be loaded.
     if (this.#stage.kind === 'done' && this.#run > 0) this.#tell({ kind: 'views', views: viewsState(this.#core) });
   }
 

@@ -18,7 +18,7 @@ const sessions = new Map<number, Session>();
 const early: Exclude<ToWorker, { readonly kind: 'files' | 'core' | 'ping' }>[] = [];
 /** Sessions that go on after the messages that have come by then. */
 const slices = new MessageChannel();
-/** The session that the page was told of last. */
+/** The session that the page heard of last. */
 let atWork: number | undefined;
 let hasCrashed = false;
 
@@ -73,7 +73,7 @@ function open(id: number, late: LateParts<Session>): Session {
       try {
         step();
       } catch (error) {
-        // A panic leaves the interpreter unusable: this is said once, and no further message is taken.
+        // A panic leaves the interpreter unusable: one report says so, and no further message is taken.
         hasCrashed = true;
         post({ kind: 'crashed', session: id, reason: describe(error) });
       }
