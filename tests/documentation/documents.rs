@@ -3,7 +3,7 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log describes the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 16] = [
+pub const DOCUMENTS: [&str; 17] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
@@ -18,6 +18,7 @@ pub const DOCUMENTS: [&str; 16] = [
     "www/docs/glossary.md",
     "www/docs/library.md",
     "www/docs/limits.md",
+    "www/docs/manuals.md",
     "www/docs/rules.md",
     "www/docs/setup.md",
 ];
