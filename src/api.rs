@@ -5,6 +5,7 @@
 //! these rows (`tests/rooms.rs`). The TypeScript types are made from these.
 
 mod inferred_stock;
+mod manual;
 pub mod paste;
 mod profiles;
 mod read_as;
@@ -18,6 +19,7 @@ mod units;
 use serde::Serialize;
 
 pub use inferred_stock::{InferredStock, StockRow};
+pub use manual::{ElementNote, InManual};
 pub use profiles::Profiles;
 pub use read_as::{ReadAs, ReadFact};
 pub use readout::{Readout, Shown, Stop, Time};

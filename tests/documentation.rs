@@ -34,9 +34,10 @@ use serde_json::Value;
 
 /// Commands and snippets that no test runs, and why. `cargo xtask …` is held by a test of xtask, which
 /// reads the same documents.
-const NOT_RUN: [(&str, &str); 12] = [
+const NOT_RUN: [(&str, &str); 13] = [
     ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),
+    ("npx create-docusaurus@3 site classic", "`tests/manuals/recipes.py` needs the packages of such a site"),
     (
         "<link rel=\"preload\"",
         "the name of the file is another one in each build; `index.html` has the same line",
@@ -132,7 +133,9 @@ fn every_file_that_is_named_exists() {
     let mut missing = Vec::new();
     for (document, parts) in documents() {
         for span in parts.spans.iter().filter(|span| is_path(span)) {
-            if !is_there(span, &files) && !BUILT.iter().any(|(built, _)| built == span) {
+            // Files of the reader's manual.
+            let of_the_reader = document == RECIPES && !span.starts_with("www/");
+            if !is_there(span, &files) && !of_the_reader && !BUILT.iter().any(|(built, _)| built == span) {
                 missing.push(format!("{document}: `{span}`"));
             }
         }
@@ -199,11 +202,18 @@ fn is_assignment(word: &str) -> bool {
     word.split_once('=').is_some_and(|(name, _)| !name.is_empty() && name.chars().all(capital))
 }
 
+/// The blocks of this document are files and commands that `tests/manuals/recipes.py` uses with the tools they are for.
+const RECIPES: &str = "www/docs/manuals.md";
+
+/// What the recipes name of other tools.
+const OF_OTHER_TOOLS: [&str; 5] = ["additional-js", "conf", "docusaurus", "hbs", "python3"];
+
 /// The commands of all documents: code spans, and lines of blocks without what explains them.
 fn commands() -> BTreeSet<(&'static str, String)> {
     let mut found = BTreeSet::new();
     for (document, parts) in documents() {
-        let lines = parts.blocks.iter().flat_map(|block| block.lines());
+        let blocks = parts.blocks.iter().filter(|_| document != RECIPES);
+        let lines = blocks.flat_map(|block| block.lines());
         let lines = lines.map(|line| line.split("  ").next().unwrap_or_default());
         for text in parts.spans.iter().map(String::as_str).chain(lines) {
             found.extend(command(text).map(|command| (document, command.trim_end().to_owned())));
@@ -267,6 +277,11 @@ fn call(words: &[String], folder: &Path) -> Command {
     for word in words {
         match word.as_str() {
             "FILE" | "A" | "part.nc" => command.arg(write("part.nc", program)),
+            "PAGE…" => command.arg(write("page.html", "<gcode-playground>\nM30\n</gcode-playground>\n")),
+            "MANUAL…" => command.args([
+                write("page.md", &format!("```gcode\n{program}```\n")),
+                write("page.rst", ".. code-block:: gcode\n\n   M30\n"),
+            ]),
             "B" => command.arg(write("other.nc", &program.replace("X32", "X30"))),
             "FILE…" => command.args([write("part.nc", program), write("second.nc", program)]),
             "TEXT" => {
@@ -327,7 +342,7 @@ fn without_script(block: &str) -> &str {
 #[test]
 fn every_snippet_is_what_it_seems() {
     let mut unknown = Vec::new();
-    for (document, parts) in documents() {
+    for (document, parts) in documents().into_iter().filter(|(document, _)| *document != RECIPES) {
         for block in parts.blocks {
             let is_commands = block.lines().all(|line| line.is_empty() || command(line).is_some());
             // xtask runs it with the package it is for.
@@ -459,7 +474,8 @@ fn every_name_in_the_documents_is_one_of_the_sources() {
             for word in
                 span.split(|letter| !part(letter)).filter(|word| word.chars().any(char::is_alphabetic))
             {
-                if !known.contains(&folded(word)) {
+                let of_others = document == RECIPES && OF_OTHER_TOOLS.contains(&word);
+                if !known.contains(&folded(word)) && !of_others {
                     unknown.insert(format!("{document}: `{word}` in `{span}`"));
                 }
             }

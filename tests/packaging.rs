@@ -26,7 +26,7 @@ fn dependencies(features: &[&str]) -> BTreeSet<String> {
 }
 
 /// What only the command line needs.
-const OF_THE_COMMAND_LINE: [&str; 3] = ["annotate-snippets", "clap", "encoding_rs"];
+const OF_THE_COMMAND_LINE: [&str; 4] = ["annotate-snippets", "clap", "encoding_rs", "pulldown-cmark"];
 
 #[test]
 fn a_library_brings_nothing_of_the_command_line() {

@@ -6,10 +6,10 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
-use super::clean;
 use super::options::{
     ControlName, Destination, Form, Input, LanguageName, Texts, TurretName, ViewName, With,
 };
+use super::{clean, embed};
 use crate::export::file::FileFormat;
 
 /// A lathe G-code playground: toolpaths and messages for FANUC and GSK turning programs.
@@ -37,12 +37,19 @@ pub(super) enum Command {
         /// what is left is reported.
         #[arg(long)]
         fix: bool,
+        /// The files are pages of a manual (Markdown, HTML or reStructuredText, by their endings): every program
+        /// in them is checked, and messages name its place in the page.
+        #[arg(long, conflicts_with = "fix")]
+        markdown: bool,
         /// With `--fix`: print the repaired programs instead, and report what is left on standard error.
         #[arg(long, requires = "fix")]
         dry_run: bool,
     },
     /// Find the programs in a text (of a PDF, a slide, a forum) and write one of them out, cleaned.
     Clean(clean::Clean),
+    /// Write a program as the element `<gcode-playground>` for a page, with its picture for readers without
+    /// JavaScript; or check the pictures that pages have.
+    Embed(embed::Embed),
     /// Print every motion as one JSON object a line.
     Motions(Input),
     /// Write the program out with every cycle, corner and compensation as plain moves.

@@ -49,8 +49,8 @@ pub(super) fn file(program: &Program, format: FileFormat, language: Language) ->
 }
 
 /// How the drawing of a program looks.
-pub(super) fn svg_options(program: &Program) -> SvgOptions {
-    file::svg_options(&Ran { program, simulation: OnceCell::new() }, Language::English)
+pub(super) fn svg_options(program: &Program, language: Language) -> SvgOptions {
+    file::svg_options(&Ran { program, simulation: OnceCell::new() }, language)
 }
 
 /// A program that was run, and what is left of its blank once that is asked for.

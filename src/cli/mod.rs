@@ -5,10 +5,13 @@
 mod arguments;
 mod clean;
 mod compare;
+mod embed;
 mod encoding;
 mod export;
 mod fix;
 mod inferred_stock;
+mod manual;
+mod manual_check;
 mod options;
 mod rewrite;
 mod rules;
@@ -25,7 +28,7 @@ use serde::Serialize;
 
 use crate::api::{self, InFile, Places};
 use crate::machine::SimulationResult;
-use crate::message::{Kind, Levels};
+use crate::message::{Diagnostic, Kind, Levels};
 use crate::run::{Analysis, Run};
 use crate::scene;
 use crate::scene::face::Face;
@@ -82,7 +85,10 @@ fn run(command: Command) -> Result<ExitCode, String> {
             clean::run(&clean)?;
             Ok(ExitCode::SUCCESS)
         }
-        Command::Check { files, with, texts, form, fix: true, dry_run } => fix::files(
+        Command::Check { files, with, texts, form, markdown: true, .. } => {
+            manual_check::files(&files, &with, texts.language(), form.format)
+        }
+        Command::Check { files, with, texts, form, fix: true, dry_run, .. } => fix::files(
             &files,
             &with,
             texts.language(),
@@ -92,6 +98,7 @@ fn run(command: Command) -> Result<ExitCode, String> {
         Command::Check { files, with, texts, form, .. } => {
             check(&files, &with, texts.language(), form.format)
         }
+        Command::Embed(embed) => embed::run(&embed),
         Command::Motions(input) => {
             let program = program(&input)?;
             print(|out| {
@@ -184,7 +191,8 @@ fn svg(program: &Program, view: ViewName, turret: Option<TurretName>) -> Result<
     let scale = Scale::of(program.analysis.unit);
     match view {
         ViewName::Section => {
-            let options = SvgOptions { x_plus: turret.into(), ..export::svg_options(program) };
+            let options =
+                SvgOptions { x_plus: turret.into(), ..export::svg_options(program, Language::English) };
             Ok(scene::svg::section(motions, Some(&simulation), &options))
         }
         ViewName::Face => {
@@ -215,19 +223,27 @@ fn check(files: &[PathBuf], with: &With, language: Language, format: Format) -> 
 
 /// Writes the messages of a program.
 fn tell(out: &mut dyn Write, program: &Program, language: Language, format: Format) -> io::Result<()> {
-    let found = &program.analysis.diagnostics;
+    let places = Places { text: &program.text, lines: &LineIndex::new(&program.text) };
+    tell_at(out, &program.name, places, &program.analysis.diagnostics, language, format)
+}
+
+/// Writes messages about places of a file.
+fn tell_at(
+    out: &mut dyn Write,
+    name: &str,
+    places: Places<'_>,
+    found: &[Diagnostic],
+    language: Language,
+    format: Format,
+) -> io::Result<()> {
     match format {
-        Format::Json => {
-            let lines = LineIndex::new(&program.text);
-            let places = Places { text: &program.text, lines: &lines };
-            for diagnostic in found {
-                let row = places.diagnostic(diagnostic, language);
-                write_row(out, &InFile { file: &program.name, row })?;
-            }
-            Ok(())
-        }
+        Format::Json => found.iter().try_for_each(|diagnostic| {
+            let row = places.diagnostic(diagnostic, language);
+            write_row(out, &InFile { file: name, row })
+        }),
         Format::Text => {
-            out.write_all(terminal::render(&program.name, &program.text, found, language).as_bytes())
+            let Places { text, lines } = places;
+            out.write_all(terminal::render(name, text, lines, found, language).as_bytes())
         }
     }
 }
@@ -308,6 +324,15 @@ fn run_text(
 
 /// The setup that is named.
 fn setup_of(with: &With) -> Result<Setup, String> {
+    let mut setup = profile::joined(&setup_texts(with)?)?;
+    if let Some(control) = with.control {
+        setup.dialect.control = Some(control.control());
+    }
+    Ok(setup)
+}
+
+/// The setups that are named, as JSON; each can be read.
+fn setup_texts(with: &With) -> Result<Vec<String>, String> {
     let mut setups = Vec::new();
     for path in &with.setup {
         let at = |error: String| format!("{}: {error}", path.display());
@@ -315,11 +340,7 @@ fn setup_of(with: &With) -> Result<Setup, String> {
         Setup::from_json(&json).map_err(at)?;
         setups.push(json);
     }
-    let mut setup = profile::joined(&setups)?;
-    if let Some(control) = with.control {
-        setup.dialect.control = Some(control.control());
-    }
-    Ok(setup)
+    Ok(setups)
 }
 
 /// A text made from a program, in the encoding of the program's file.

@@ -6,16 +6,21 @@ use crate::message::{Diagnostic, Severity};
 use crate::sentences::Language;
 use crate::source::LineIndex;
 
-/// The messages of a program as text, coloured where the terminal is.
-pub fn render(name: &str, text: &[u8], diagnostics: &[Diagnostic], language: Language) -> String {
-    let lines = LineIndex::new(text);
+/// The messages of a program as text, coloured where the terminal is; `lines` are those of the text.
+pub fn render(
+    name: &str,
+    text: &[u8],
+    lines: &LineIndex,
+    diagnostics: &[Diagnostic],
+    language: Language,
+) -> String {
     let renderer = match std::io::IsTerminal::is_terminal(&std::io::stdout()) {
         true => Renderer::styled(),
         false => Renderer::plain(),
     };
     let mut out = String::new();
     for diagnostic in diagnostics {
-        out.push_str(&render_one(name, text, &lines, diagnostic, language, &renderer));
+        out.push_str(&render_one(name, text, lines, diagnostic, language, &renderer));
         out.push_str("\n\n");
     }
     out

@@ -134,6 +134,16 @@ impl Message {
         NAMES[self.index()]
     }
 
+    /// The same with the lines that its sentences name as they are counted elsewhere.
+    pub fn with_lines(mut self, elsewhere: impl Fn(i64) -> i64) -> Self {
+        for (&name, value) in ARGUMENTS[self.index()].iter().zip(&mut self.values) {
+            if let (true, Value::Count(line)) = (name == "line", value) {
+                *line = elsewhere(*line);
+            }
+        }
+        self
+    }
+
     /// What its sentences quote, in the order of the rule file.
     pub fn arguments(&self) -> Arguments<'_> {
         ARGUMENTS[self.index()].iter().copied().zip(self.values.iter().map(Value::borrowed)).collect()

@@ -53,6 +53,30 @@ pub fn inferred_stock(note: &str, language: Language) -> String {
     format!("{said} {note}")
 }
 
+/// That an element of a manual's page has no end where Markdown lets it have one.
+pub fn element_not_closed(language: Language) -> &'static str {
+    language.among([
+        "the element is not closed here: in Markdown a blank line ends it. Put the program into <pre data-gcode-playground> … </pre>",
+        "此处元素没有结束：Markdown 中空行会结束该元素。请把程序放在 <pre data-gcode-playground> … </pre> 中",
+        "здесь элемент не закрыт: в Markdown его обрывает пустая строка. Поместите программу в <pre data-gcode-playground> … </pre>",
+    ])
+}
+
+/// That the setup of an element cannot be read.
+pub fn setup_unreadable(reason: &str, language: Language) -> String {
+    let said = language.among(["the setup cannot be read:", "无法读取设置：", "настройки не читаются:"]);
+    format!("{said} {reason}")
+}
+
+/// That a picture in a page is not what its program draws.
+pub fn picture_out_of_date(language: Language) -> &'static str {
+    language.among([
+        "the picture is not what the program draws now",
+        "图形与程序当前绘制的不一致",
+        "рисунок не совпадает с тем, что программа рисует сейчас",
+    ])
+}
+
 /// What a field is called.
 pub fn field(name: Name, language: Language) -> &'static str {
     language.among(match name {

@@ -46,6 +46,11 @@ impl Profile {
     }
 }
 
+/// One setup of several, as JSON: of each group the last one that says something of it holds.
+pub fn joined_text(setups: &[String]) -> String {
+    Value::Object(setups.iter().flat_map(|json| object(json)).collect()).to_string()
+}
+
 /// One setup of several: of each group the last one that says something of it holds.
 ///
 /// # Errors
@@ -53,13 +58,11 @@ impl Profile {
 /// What is wrong with a text that is no setup.
 pub fn joined(setups: &[String]) -> Result<Setup, String> {
     let [one] = setups else {
-        let mut all = Map::new();
         for json in setups {
             // Each is read alone, so that what is wrong is said of its own text.
             Setup::from_json(json)?;
-            all.extend(object(json));
         }
-        return Setup::from_json(&Value::Object(all).to_string());
+        return Setup::from_json(&joined_text(setups));
     };
     Setup::from_json(one)
 }

@@ -18,6 +18,7 @@ pub const DOCUMENTS: [&str; 17] = [
     "www/docs/glossary.md",
     "www/docs/library.md",
     "www/docs/limits.md",
+    "www/docs/manuals.md",
     "www/docs/rules.md",
     "www/docs/setup.md",
     "www/embed/README.md",

@@ -1,0 +1,322 @@
+//! `embed`: a program as the element for a page, with its picture inside; and whether the pictures in pages are
+//! still what their programs draw.
+//!
+//! In: a program and the attributes of its element, or pages. Out: HTML, or a block of HTML for Markdown; what is
+//! wrong with the pictures of the pages, or the pages with the pictures drawn anew. Knows the attributes that change
+//! the picture; all others are passed on.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::ValueEnum;
+
+use super::manual::{self, Attributes, Example, Holder, Markup};
+use super::manual_check::{self, Base, InPage, Page, counted};
+use super::options::{Destination, LanguageName, TurretName, With};
+use super::{Format, Program, encoding, export, print, read, run_text, save, setup_texts, status};
+use crate::message::Edit;
+use crate::rewrite::applied;
+use crate::scene;
+use crate::scene::svg::SvgOptions;
+use crate::sentences::{Language, labels};
+use crate::setup::profile;
+use crate::source::LineIndex;
+
+/// What to write, or what to check.
+#[derive(clap::Args)]
+pub(super) struct Embed {
+    /// The program, where `-` reads standard input; with `--check` and `--fix` pages.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    with: With,
+    #[command(flatten)]
+    look: Look,
+    /// A page in HTML, or a block for Markdown, where an element would end at a blank line.
+    #[arg(long, value_enum, default_value = "html")]
+    format: MarkupName,
+    #[command(flatten)]
+    to: Destination,
+    /// Report each picture in the pages that is not what its program draws now.
+    #[arg(long, conflicts_with_all = OF_WRITING)]
+    check: bool,
+    /// Draw these pictures anew in the pages.
+    #[arg(long, visible_alias = "update", conflicts_with_all = OF_WRITING, conflicts_with = "check")]
+    fix: bool,
+}
+
+/// What pages say themselves.
+const OF_WRITING: [&str; 11] = [
+    "setup",
+    "control",
+    "view",
+    "lang",
+    "turret",
+    "caption",
+    "program",
+    "block_skip",
+    "attribute",
+    "format",
+    "output",
+];
+
+/// The attributes of the element.
+#[derive(clap::Args)]
+struct Look {
+    /// What the element shows.
+    #[arg(long, value_enum)]
+    view: Option<ElementView>,
+    /// Language of the element and of its picture.
+    #[arg(long, visible_alias = "language", value_enum)]
+    lang: Option<LanguageName>,
+    /// Which side of the spindle the turret is drawn on. That of the setup when left out.
+    #[arg(long, value_enum)]
+    turret: Option<TurretName>,
+    /// A line under the element, and under its picture.
+    #[arg(long)]
+    caption: Option<String>,
+    /// The O number to run.
+    #[arg(long)]
+    program: Option<u32>,
+    /// The levels of block skip that are on, such as `1,2`.
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u8).range(1..=9))]
+    block_skip: Vec<u8>,
+    /// Another attribute of the element, passed on as it is: `step=4`, `readonly`. May be given more than once.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = attribute)]
+    attribute: Vec<(String, String)>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ElementView {
+    All,
+    Picture,
+    Playback,
+    Code,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum MarkupName {
+    Html,
+    Markdown,
+}
+
+/// The name of a value as it is typed.
+fn name_of(value: &impl ValueEnum) -> String {
+    value.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+}
+
+/// `name=value`, or a name alone.
+fn attribute(text: &str) -> Result<(String, String), String> {
+    let (name, value) = text.split_once('=').unwrap_or((text, ""));
+    let name = name.to_ascii_lowercase();
+    let is_name = name.starts_with(|letter: char| letter.is_ascii_lowercase())
+        && name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
+    if !is_name {
+        return Err("an attribute has a name of letters, digits and hyphens".to_owned());
+    }
+    Ok((name, value.to_owned()))
+}
+
+/// Runs the command.
+pub(super) fn run(embed: &Embed) -> Result<ExitCode, String> {
+    if embed.check || embed.fix {
+        return pages(&embed.files, embed.fix);
+    }
+    let [file] = embed.files.as_slice() else {
+        return Err("one program at a time becomes an element".to_owned());
+    };
+    let attributes = attributes(embed)?;
+    let (name, bytes) = read(file)?;
+    let (text, _) = encoding::decode(bytes);
+    let text = String::from_utf8_lossy(&text).replace("\r\n", "\n").replace('\r', "\n");
+    let text = text.trim_start_matches('\u{feff}');
+    if text.contains('\0') {
+        return Err(format!("{name}: the program contains NUL characters, which a page cannot hold"));
+    }
+    let own = Attributes::of(&attributes);
+    let setup = Base::none().setup(&own)?;
+    let program = run_text(name, text.as_bytes().to_vec(), encoding::Encoding::Utf8, setup, |run| run);
+    let picture = (own.get("view") != Some("code")).then(|| picture(&program, &own));
+    let page = match embed.format {
+        MarkupName::Html => html(&attributes, text, picture),
+        MarkupName::Markdown => markdown(&attributes, text, picture),
+    };
+    save(embed.to.file(), page.as_bytes())?;
+    Ok(status(&program.analysis))
+}
+
+/// The attributes of the element, in the order of the reference.
+fn attributes(embed: &Embed) -> Result<Vec<(String, String)>, String> {
+    let Embed { with, look, .. } = embed;
+    let mut attributes: Vec<(String, String)> = Vec::new();
+    let mut put = |name: &str, value: Option<String>| {
+        attributes.extend(value.map(|value| (name.to_owned(), value)));
+    };
+    put("view", look.view.as_ref().map(name_of));
+    put("control", with.control.as_ref().map(name_of));
+    let setups = setup_texts(with)?;
+    profile::joined(&setups)?;
+    put("setup", (!setups.is_empty()).then(|| profile::joined_text(&setups)));
+    let levels: Vec<String> = look.block_skip.iter().map(u8::to_string).collect();
+    put("block-skip", (!levels.is_empty()).then(|| levels.join(",")));
+    put("program", look.program.map(|number| number.to_string()));
+    put("language", look.lang.as_ref().map(name_of));
+    put("turret", look.turret.as_ref().map(name_of));
+    put("caption", look.caption.clone());
+    for (name, value) in &look.attribute {
+        if attributes.iter().any(|(own, _)| own == name) {
+            return Err(format!("the attribute `{name}` is given twice"));
+        }
+        attributes.push((name.clone(), value.clone()));
+    }
+    Ok(attributes)
+}
+
+/// The picture of a program, for the attributes of its element.
+fn picture(program: &Program, attributes: &Attributes) -> String {
+    let language = match attributes.get("language") {
+        Some("zh") => Language::Chinese,
+        Some("ru") => Language::Russian,
+        _ => Language::English,
+    };
+    let turret = match attributes.get("turret") {
+        Some("front") => TurretName::Front.turret(),
+        Some("rear") => TurretName::Rear.turret(),
+        _ => program.analysis.setup.machine.turret,
+    };
+    let mut options = SvgOptions { x_plus: turret.into(), ..export::svg_options(program, language) };
+    let caption = attributes.get("caption").filter(|caption| !caption.is_empty());
+    if let (Some(under), Some(caption)) = (&mut options.caption, caption) {
+        caption.clone_into(&mut under.title);
+    }
+    let simulation = program.analysis.simulate();
+    let svg = scene::svg::section(&program.analysis.motions, Some(&simulation), &options);
+    // In a narrow column it is as wide as that.
+    svg.replacen("<svg ", r#"<svg slot="fallback" style="max-width:100%;height:auto" "#, 1)
+}
+
+/// The element for a page in HTML.
+fn html(attributes: &[(String, String)], text: &str, picture: Option<String>) -> String {
+    let tag = tag("gcode-playground", "", attributes);
+    let picture = picture.unwrap_or_default();
+    format!("{tag}\n{picture}<pre>\n{}</pre>\n</gcode-playground>\n", manual::escaped(text))
+}
+
+/// The element for a page in Markdown, where a `pre` may have blank lines. The picture stands in its last line,
+/// because the end of a style sheet ends the block of HTML.
+fn markdown(attributes: &[(String, String)], text: &str, picture: Option<String>) -> String {
+    let tag = tag("pre data-gcode-playground", "data-", attributes);
+    let end = if text.ends_with('\n') { "" } else { "\n" };
+    let picture = picture.map_or(String::new(), |picture| in_one_line(&picture));
+    format!("{tag}\n{}{end}{picture}</pre>\n", manual::escaped(text))
+}
+
+/// A start tag with attributes.
+fn tag(start: &str, prefix: &str, attributes: &[(String, String)]) -> String {
+    let mut tag = format!("<{start}");
+    for (name, value) in attributes {
+        tag += &format!(" {prefix}{name}");
+        if !value.is_empty() {
+            let value = manual::escaped(value).replace('"', "&quot;").replace('\r', "&#13;");
+            tag += &format!("=\"{}\"", value.replace('\n', "&#10;"));
+        }
+    }
+    tag + ">"
+}
+
+fn in_one_line(picture: &str) -> String {
+    picture.lines().map(str::trim).collect()
+}
+
+/// How many pictures there are.
+#[derive(Default)]
+struct Counts {
+    elements: usize,
+    pictures: usize,
+    old: usize,
+    faulty: usize,
+}
+
+/// Checks the pictures of some pages, or draws those that are old anew.
+fn pages(files: &[PathBuf], fix: bool) -> Result<ExitCode, String> {
+    let mut counts = Counts::default();
+    for file in files {
+        let page = Page::read(file)?;
+        let lines = LineIndex::new(&page.text);
+        let told = InPage { page: &page, lines: &lines, language: Language::English, format: Format::Text };
+        let mut edits = Vec::new();
+        print(|out| {
+            for example in page.examples().iter().filter(|example| example.holder != Holder::Code) {
+                counts.elements += 1;
+                edits.extend(look_at(out, &told, example, fix, &mut counts)?);
+            }
+            Ok(())
+        })?;
+        if !edits.is_empty() {
+            let text = applied(&page.text, &edits);
+            let text = String::from_utf8_lossy(&text);
+            // What a page cannot write in its encoding is not in a picture: those of captions are in the page.
+            let bytes = page.encoding.encode(&text).unwrap_or(text.as_bytes().into());
+            save(Some(file.as_path()).filter(|file| *file != std::path::Path::new("-")), &bytes)?;
+        }
+    }
+    let Counts { elements, pictures, old, faulty } = counts;
+    let what = if fix { "drawn anew" } else { "out of date" };
+    eprintln!(
+        "gcode-playground: {}, {}, {old} {what}",
+        counted(elements, "element"),
+        counted(pictures, "picture")
+    );
+    Ok(ExitCode::from(u8::from(faulty > 0 || old > 0 && !fix)))
+}
+
+/// Compares the picture of an element with what its program draws; the answer is the edit that draws it anew.
+fn look_at(
+    out: &mut dyn Write,
+    told: &InPage<'_>,
+    example: &Example,
+    fix: bool,
+    counts: &mut Counts,
+) -> std::io::Result<Option<Edit>> {
+    let language = told.language;
+    if !example.is_closed {
+        counts.faulty += 1;
+        told.note(out, example, "", labels::element_not_closed(language).to_owned())?;
+        return Ok(None);
+    }
+    let Some(there) = &example.picture else { return Ok(None) };
+    counts.pictures += 1;
+    if example.attributes.get("src").is_some_and(|address| !address.is_empty()) {
+        return Ok(None);
+    }
+    let setup = match Base::none().setup(&example.attributes) {
+        Ok(setup) => setup,
+        Err(reason) => {
+            counts.faulty += 1;
+            told.note(out, example, "", labels::setup_unreadable(&reason, language))?;
+            return Ok(None);
+        }
+    };
+    let program = manual_check::run(&told.page.name, example, setup);
+    let now = picture(&program, &example.attributes);
+    let before = String::from_utf8_lossy(there.text());
+    if in_one_line(&now) == in_one_line(&before) {
+        return Ok(None);
+    }
+    counts.old += 1;
+    if !fix {
+        let name = &told.page.name;
+        let said = labels::picture_out_of_date(language);
+        told.note(out, example, "", format!("{said}. To draw it anew: gcode-playground embed --fix {name}"))?;
+        return Ok(None);
+    }
+    let is_html = told.page.markup == Markup::Html && before.contains('\n');
+    let end = if before.contains("\r\n") { "\r\n" } else { "\n" };
+    let text = if is_html { now.trim_end().replace('\n', end) } else { in_one_line(&now) };
+    let whole = there.in_page(crate::source::Span::new(0, there.text().len()));
+    Ok(Some(Edit { span: whole, text }))
+}
+
+#[cfg(test)]
+mod tests;

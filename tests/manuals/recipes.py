@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Follows the recipes of www/docs/manuals.md, word by word, with the real tools.
+
+usage: recipes.py COMMAND_LINE ELEMENT FOLDER RECIPE…
+    COMMAND_LINE  the program gcode-playground
+    ELEMENT       the folder that the package unpacks to; a stand-in is made where there is none
+    FOLDER        where the manuals are made; sites of Docusaurus need their packages in FOLDER/site
+    RECIPE        html, mdbook, sphinx, docusaurus
+
+A block after "…, `name`:" is that file; any other block of a recipe is commands. Of the page that comes out the
+element is read as browsers read it: its program has to be the one that was written, byte for byte.
+"""
+
+import html.parser
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENT = ROOT / "www/docs/manuals.md"
+RECIPES = {
+    "html": ("Plain HTML", "index.html", ["shoulder.html"]),
+    "mdbook": ("mdBook 0.5", "book/turning.html", []),
+    "sphinx": ("Sphinx 9", "_build/index.html", []),
+    "docusaurus": ("Docusaurus 3", "build/index.html", []),
+}
+# What a machine that has the tools does not do again.
+INSTALLS = ("npm pack ", "tar ", "cargo install ", "pip install ")
+
+
+def sections() -> dict[str, list[tuple[str, str]]]:
+    """The blocks of each section, each with the line before it."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    title, before, block = "", "", []
+
+    def end() -> None:
+        nonlocal block
+        if block:
+            found.setdefault(title, []).append((before, "\n".join(block).rstrip("\n") + "\n"))
+        block = []
+
+    for line in DOCUMENT.read_text(encoding="utf-8").split("\n"):
+        if line.startswith("    ") and (block or after_blank):
+            block.append(line[4:])
+        elif line == "":
+            if block:
+                block.append("")
+        else:
+            end()
+            if line.startswith("## "):
+                title = line[3:]
+            before = line
+        after_blank = line == ""
+    end()
+    return found
+
+
+class Elements(html.parser.HTMLParser):
+    """The programs of a page, and whether each has a picture."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.programs: list[str] = []
+        self.pictures = 0
+        self.scripts: list[dict[str, str | None]] = []
+        self._in_element = self._in_pre = False
+        self._depth = 0
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        own = dict(attributes)
+        if tag == "script":
+            self.scripts.append(own)
+        elif tag == "gcode-playground":
+            self._in_element = True
+        elif tag == "pre" and (self._in_element or "data-gcode-playground" in own):
+            self._in_pre = True
+            self.programs.append("")
+        elif tag == "svg" and self._depth > 0:
+            self._depth += 1
+        elif tag == "svg" and own.get("slot") == "fallback":
+            self._depth = 1
+            self.pictures += 1
+
+    def handle_startendtag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        """What closes itself holds nothing."""
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag == "svg":
+            self._depth = max(self._depth - 1, 0)
+        elif tag == "gcode-playground":
+            self._in_element = False
+        elif tag == "pre":
+            self._in_pre = False
+
+    def handle_data(self, data: str) -> None:
+        if self._in_pre and self._depth == 0:
+            self.programs[-1] += data
+
+
+def without_blank_ends(text: str) -> str:
+    """As the element takes it: without blank lines around."""
+    lines = text.replace("\r\n", "\n").split("\n")
+    while lines and not lines[0].strip():
+        lines.pop(0)
+    while lines and not lines[-1].strip():
+        lines.pop()
+    return "\n".join(lines)
+
+
+def follow(blocks: list[tuple[str, str]], folder: Path, program: str, path: str) -> None:
+    (folder / "shoulder.nc").write_text(program, encoding="utf-8")
+    commands: list[str] = []
+    for before, block in blocks:
+        named = re.search(r"`([^`]+)`:$", before)
+        if named is None:
+            commands += [line for line in block.splitlines() if line and not line.startswith(INSTALLS)]
+            continue
+        # Commands come in the order of the document; files are there before the next command runs.
+        run(commands, folder, path)
+        commands = []
+        file = folder / named[1]
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(block, encoding="utf-8")
+    run(commands, folder, path)
+
+
+def run(commands: list[str], folder: Path, path: str) -> None:
+    for command in commands:
+        print(f"$ {command}", flush=True)
+        subprocess.run(command, shell=True, check=True, cwd=folder, env={**os.environ, "PATH": path})
+
+
+def main() -> None:
+    command_line, element, folder, *recipes = sys.argv[1:]
+    all_sections = sections()
+    assert set(RECIPES) >= set(recipes), recipes
+    program = all_sections["Live examples in a manual"] if "Live examples in a manual" in all_sections else all_sections[""]
+    program = program[0][1]
+    version = re.search(r'^version = "(.+)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.M)[1]
+    document = DOCUMENT.read_text(encoding="utf-8")
+    assert set(re.findall(r"embed/(\d[\w.]*)", document)) == {version}, f"the version is {version}"
+    path = os.pathsep.join([str(Path(command_line).resolve().parent), os.environ["PATH"]])
+    for recipe in recipes:
+        title, result, more = RECIPES[recipe]
+        own = Path(folder).resolve() / ("site" if recipe == "docusaurus" else recipe)
+        if recipe != "docusaurus":
+            shutil.rmtree(own, ignore_errors=True)
+        own.mkdir(parents=True, exist_ok=True)
+        for old in ("package", "static/embed"):
+            shutil.rmtree(own / old, ignore_errors=True)
+        package = own / "package"
+        if Path(element).is_dir():
+            shutil.copytree(element, package)
+        else:
+            package.mkdir()
+            (package / "element.js").write_text("export {};\n", encoding="utf-8")
+        (package / "sphinx").mkdir(exist_ok=True)
+        shutil.copy(ROOT / "www/manuals/gcode_playground_sphinx.py", package / "sphinx")
+        follow(all_sections[title], own, program, path)
+        for name in [result, *more]:
+            page = Elements()
+            page.feed((own / name).read_text(encoding="utf-8"))
+            found = [without_blank_ends(text) for text in page.programs]
+            assert found == [without_blank_ends(program)], f"{recipe}: {name}: {page.programs}"
+            if name.endswith("shoulder.html") or recipe == "sphinx":
+                assert page.pictures == 1, f"{recipe}: no picture in {name}"
+            if name == result:
+                scripts = [script for script in page.scripts if "element.js" in (script.get("src") or "")]
+                assert scripts and all(script.get("type") == "module" for script in scripts), f"{recipe}: {page.scripts}"
+                place = (own / name).parent / scripts[0]["src"].split("?")[0].lstrip("/")
+                assert place.is_file(), f"{recipe}: no {place}"
+        print(f"{recipe}: the program of the page is the program that was written", flush=True)
+
+
+if __name__ == "__main__":
+    main()
