@@ -7,7 +7,7 @@ usage: recipes.py COMMAND_LINE ELEMENT FOLDER RECIPE…
     FOLDER        where the manuals are made; sites of Docusaurus need their packages in FOLDER/site
     RECIPE        html, mdbook, sphinx, docusaurus
 
-A block after "…, `name`:" is that file; any other block of a recipe is commands. Of the page that comes out the
+After that comes a program with all that Markdown, HTML and JSX have a meaning for, in the same way. A block after "…, `name`:" is that file; any other block of a recipe is commands. Of the page that comes out the
 element is read as browsers read it: its program has to be the one that was written, byte for byte.
 """
 
@@ -17,18 +17,73 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENT = ROOT / "www/docs/manuals.md"
 RECIPES = {
-    "html": ("Plain HTML", "index.html", ["shoulder.html"]),
-    "mdbook": ("mdBook 0.5", "book/turning.html", []),
-    "sphinx": ("Sphinx 9", "_build/index.html", []),
-    "docusaurus": ("Docusaurus 3", "build/index.html", []),
+    "html": ("Plain HTML", "index.html", ["shoulder.html"], "hard.html"),
+    "mdbook": ("mdBook 0.5", "book/turning.html", [], "book/turning.html"),
+    "sphinx": ("Sphinx 9", "_build/index.html", [], "_build/hard.html"),
+    "docusaurus": ("Docusaurus 3", "build/index.html", [], "build/hard/index.html"),
 }
 # What a machine that has the tools does not do again.
 INSTALLS = ("npm pack ", "tar ", "cargo install ", "pip install ")
+
+# Each of these lines has been something else than itself in some tool.
+HARD = """O0002 (A<B & "C" *D* _E_ [F](G) `H` 'I' -- ...)
+#100=#1*2+#3*4
+# 1
+IF[#100 LT 5]GOTO10
+
+M98<SUB> &lt; &amp;amp;
+
+    G00 X1 (</style></pre></script>)
+> 1
+- 2
+1. 3
+===
+<!-- {{ y }} $${z}$ ${w} \\ | ~~~ --> ]]>
+```
+:::note
+import x from 'y'
+%
+N10 M30
+"""
+
+
+def hard_page(recipe: str, folder: Path, path: str) -> None:
+    """Writes a page with the hard program."""
+    (folder / "hard.nc").write_text(HARD, encoding="utf-8")
+    write = lambda name, text: (folder / name).write_text(text, encoding="utf-8")
+    if recipe == "sphinx":
+        lines = "".join(f"   {line}\n" if line else "\n" for line in HARD.splitlines())
+        write("hard.rst", f":orphan:\n\nHard\n====\n\n.. gcode-playground::\n   :caption: a \"b\" <c>\n\n{lines}\nEnd.\n")
+    elif recipe == "docusaurus":
+        text = HARD.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
+        text = "".join(f"  {line}\n" if line else "\n" for line in text.splitlines())
+        (folder / "docs").mkdir(exist_ok=True)
+        write("docs/hard.mdx", f"# Hard\n\n<gcode-playground>\n  <pre>{{`\n{text}  `}}</pre>\n</gcode-playground>\n\nEnd.\n")
+    else:
+        kind = "markdown" if recipe == "mdbook" else "html"
+        # Its faults are no matter here.
+        run([f"gcode-playground embed hard.nc --format {kind} -o hard.{kind} || test $? = 1"], folder, path)
+        block = (folder / f"hard.{kind}").read_text(encoding="utf-8")
+        if recipe == "html":
+            write("hard.html", f"<!doctype html>\n<p>Before\n{block}<p>After\n")
+        else:
+            write("src/turning.md", f"# Hard\n\n1. Before\n\n   {block.rstrip().replace(chr(10), chr(10) + '   ')}\n\n*After*\n")
+            run(["mdbook build"], folder, path)
+
+
+def holds(page: Path, program: str) -> "Elements":
+    """The page has one element with this program."""
+    elements = Elements()
+    elements.feed(page.read_text(encoding="utf-8"))
+    found = [without_blank_ends(text) for text in elements.programs]
+    assert found == [without_blank_ends(program)], f"{page}: {elements.programs}"
+    return elements
 
 
 def sections() -> dict[str, list[tuple[str, str]]]:
@@ -101,8 +156,8 @@ class Elements(html.parser.HTMLParser):
 
 
 def without_blank_ends(text: str) -> str:
-    """As the element takes it: without blank lines around."""
-    lines = text.replace("\r\n", "\n").split("\n")
+    """As the element takes it: without blank lines around and the common indent."""
+    lines = textwrap.dedent(text.replace("\r\n", "\n")).split("\n")
     while lines and not lines[0].strip():
         lines.pop(0)
     while lines and not lines[-1].strip():
@@ -144,7 +199,7 @@ def main() -> None:
     assert set(re.findall(r"embed/(\d[\w.]*)", document)) == {version}, f"the version is {version}"
     path = os.pathsep.join([str(Path(command_line).resolve().parent), os.environ["PATH"]])
     for recipe in recipes:
-        title, result, more = RECIPES[recipe]
+        title, result, more, hard = RECIPES[recipe]
         own = Path(folder).resolve() / ("site" if recipe == "docusaurus" else recipe)
         if recipe != "docusaurus":
             shutil.rmtree(own, ignore_errors=True)
@@ -159,12 +214,12 @@ def main() -> None:
             (package / "element.js").write_text("export {};\n", encoding="utf-8")
         (package / "sphinx").mkdir(exist_ok=True)
         shutil.copy(ROOT / "www/manuals/gcode_playground_sphinx.py", package / "sphinx")
+        comes_after = recipe in ("html", "mdbook")
+        if not comes_after:
+            hard_page(recipe, own, path)
         follow(all_sections[title], own, program, path)
         for name in [result, *more]:
-            page = Elements()
-            page.feed((own / name).read_text(encoding="utf-8"))
-            found = [without_blank_ends(text) for text in page.programs]
-            assert found == [without_blank_ends(program)], f"{recipe}: {name}: {page.programs}"
+            page = holds(own / name, program)
             if name.endswith("shoulder.html") or recipe == "sphinx":
                 assert page.pictures == 1, f"{recipe}: no picture in {name}"
             if name == result:
@@ -172,6 +227,10 @@ def main() -> None:
                 assert scripts and all(script.get("type") == "module" for script in scripts), f"{recipe}: {page.scripts}"
                 place = (own / name).parent / scripts[0]["src"].split("?")[0].lstrip("/")
                 assert place.is_file(), f"{recipe}: no {place}"
+        if comes_after:
+            hard_page(recipe, own, path)
+        page = holds(own / hard, HARD)
+        assert page.pictures == (0 if recipe == "docusaurus" else 1), f"{recipe}: no picture"
         print(f"{recipe}: the program of the page is the program that was written", flush=True)
 
 
