@@ -3,7 +3,7 @@
 //! This list is shared by `tests/documentation.rs` and the tests of `xtask`.
 
 /// The documents. The change log describes the past, and only its commands and files are checked.
-pub const DOCUMENTS: [&str; 17] = [
+pub const DOCUMENTS: [&str; 18] = [
     "README.md",
     "ARCHITECTURE.md",
     "CHANGELOG.md",
