@@ -12,6 +12,7 @@ mod debian;
 mod engines;
 mod hostile;
 mod library;
+mod manuals;
 mod package;
 mod parts;
 mod play;
@@ -38,6 +39,7 @@ cargo xtask bench [--own] [--write] [--rounds N]
                                           (--own: without the others; --write: into tests/speed/README.md)
 cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
+cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -49,6 +51,7 @@ enum Task {
     Test,
     Bench(bench::Options),
     Compare(Vec<String>),
+    Manuals,
     Setup,
     Help,
 }
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         Task::Test => test::main(),
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
+        Task::Manuals => manuals::main(),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -94,6 +98,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         ["compare-linuxcnc", options @ ..] => {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
         }
+        ["manuals"] => Ok(Task::Manuals),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),
