@@ -53,7 +53,7 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
         run([f"gcode-playground embed hard.nc --format {kind} -o hard.{kind} || test $? = 1"], folder, path)
         block = (folder / f"hard.{kind}").read_text(encoding="utf-8")
         if recipe == "html":
-            write("hard.html", f"<!doctype html>\n<p>Before\n{block}<p>After\n")
+            write("hard.html", f"<!doctype html>\n<p>Before</p>\n{block}<p>After</p>\n")
         else:
             write("src/turning.md", f"# Hard\n\n1. Before\n\n   {block.rstrip().replace(chr(10), chr(10) + '   ')}\n\n*After*\n")
             run(["mdbook build"], folder, path)
