@@ -45,7 +45,7 @@ fn scratch(name: &str, content: &[u8]) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Line, column and slug, or note, of what is told.
+/// Line, column and slug, or note, of all messages.
 fn told(file: &str) -> Vec<String> {
     let output = run(&["check", "--markdown", "--format", "json", file], b"");
     let name = |row: &Value| row.get("slug").or(row.get("note")).and_then(Value::as_str).map(str::to_owned);
@@ -241,7 +241,10 @@ fn embed_writes_an_element_with_its_program_and_its_picture() {
 fn the_pages_of_the_browser_tests_are_those_of_embed() {
     for (name, format) in [("hard.html", "html"), ("hard.markdown", "markdown")] {
         let program = fixture("hard.nc").to_string_lossy().into_owned();
-        let output = run(&["embed", &program, "--view", "picture", "--caption", "a \"b\" <c>", "--format", format], b"");
+        let output = run(
+            &["embed", &program, "--view", "picture", "--caption", "a \"b\" <c>", "--format", format],
+            b"",
+        );
         // Of what is hard for a page not all is a program.
         assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
         if env::var_os("UPDATE").is_some() {
