@@ -1,11 +1,11 @@
 //! Manuals: `embed`, `embed --check` and `check --markdown`, as the build of a manual calls them.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
+use std::{env, fs};
 
 use serde_json::Value;
 
@@ -45,7 +45,7 @@ fn scratch(name: &str, content: &[u8]) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Line, column and slug, or note, of what is told.
+/// Line, column and slug, or note, of all messages.
 fn told(file: &str) -> Vec<String> {
     let output = run(&["check", "--markdown", "--format", "json", file], b"");
     let name = |row: &Value| row.get("slug").or(row.get("note")).and_then(Value::as_str).map(str::to_owned);
@@ -234,6 +234,25 @@ fn embed_writes_an_element_with_its_program_and_its_picture() {
     assert!(block.ends_with("</svg></pre>\n") && block.contains("M30\n<svg slot=\"fallback\" "), "{block}");
     let code = run(&["embed", "-", "--view", "code"], PROGRAM.as_bytes());
     assert!(!text(&code.stdout).contains("<svg"));
+}
+
+/// What `tests/browser/manuals.spec.ts` shows to browsers is what `embed` writes; `UPDATE=1` writes it.
+#[test]
+fn the_pages_of_the_browser_tests_are_those_of_embed() {
+    for (name, format) in [("hard.html", "html"), ("hard.markdown", "markdown")] {
+        let program = fixture("hard.nc").to_string_lossy().into_owned();
+        let output = run(
+            &["embed", &program, "--view", "picture", "--caption", "a \"b\" <c>", "--format", format],
+            b"",
+        );
+        // Of what is hard for a page not all is a program.
+        assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+        if env::var_os("UPDATE").is_some() {
+            fs::write(fixture(name), &output.stdout).expect(name);
+        }
+        let there = fs::read_to_string(fixture(name)).unwrap_or_default();
+        assert!(text(&output.stdout) == there, "{name}: UPDATE=1 cargo test --test manuals");
+    }
 }
 
 #[test]

@@ -183,15 +183,15 @@ pub(super) fn run(name: &str, example: &Example, setup: Setup) -> Program {
     run_text(name.to_owned(), example.program.text().to_vec(), Encoding::Utf8, setup, |run| run)
 }
 
-/// What is told is told by places of a page.
+/// Reports by places of a page.
 pub(super) struct InPage<'a> {
     /// The page.
     pub page: &'a Page,
     /// Its lines.
     pub lines: &'a LineIndex,
-    /// What it is told in.
+    /// The language of the reports.
     pub language: Language,
-    /// How it is told.
+    /// Their form.
     pub format: Format,
 }
 
@@ -225,7 +225,7 @@ impl InPage<'_> {
         }
     }
 
-    /// Tells that the stock of an example is assumed; the answer is whether it is. For people all of them are counted.
+    /// Reports that the stock of an example is assumed; the answer is whether it is. As text, they are only counted.
     fn stock(&self, out: &mut dyn Write, example: &Example, program: &Program) -> io::Result<bool> {
         let Some(inferred) = InferredStock::of(&program.analysis, self.language) else { return Ok(false) };
         if self.format == Format::Json {

@@ -31,26 +31,8 @@ RECIPES = {
 # What a machine that has the tools does not do again.
 INSTALLS = ("npm pack ", "tar ", "cargo install ", "pip install ")
 
-# Each of these lines has been something else than itself in some tool.
-HARD = """O0002 (A<B & "C" *D* _E_ [F](G) `H` 'I' -- ...)
-#100=#1*2+#3*4
-# 1
-IF[#100 LT 5]GOTO10
-
-M98<SUB> &lt; &amp;amp;
-
-    G00 X1 (</style></pre></script>)
-> 1
-- 2
-1. 3
-===
-<!-- {{ y }} $${z}$ ${w} \\ | ~~~ --> ]]>
-```
-:::note
-import x from 'y'
-%
-N10 M30
-"""
+# Each of its lines has been something else than itself in some tool.
+HARD = (ROOT / "tests/manuals/hard.nc").read_text(encoding="utf-8")
 
 
 def hard_page(recipe: str, folder: Path, path: str) -> None:
@@ -71,7 +53,7 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
         run([f"gcode-playground embed hard.nc --format {kind} -o hard.{kind} || test $? = 1"], folder, path)
         block = (folder / f"hard.{kind}").read_text(encoding="utf-8")
         if recipe == "html":
-            write("hard.html", f"<!doctype html>\n<p>Before\n{block}<p>After\n")
+            write("hard.html", f"<!doctype html>\n<p>Before</p>\n{block}<p>After</p>\n")
         else:
             write("src/turning.md", f"# Hard\n\n1. Before\n\n   {block.rstrip().replace(chr(10), chr(10) + '   ')}\n\n*After*\n")
             run(["mdbook build"], folder, path)

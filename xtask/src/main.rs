@@ -13,6 +13,7 @@ mod embed;
 mod engines;
 mod hostile;
 mod library;
+mod manuals;
 mod package;
 mod parts;
 mod play;
@@ -39,6 +40,7 @@ cargo xtask bench [--own] [--write] [--rounds N]
                                           (--own: without the others; --write: into tests/speed/README.md)
 cargo xtask compare-linuxcnc [--programs N] [--seed N]
                                           compare random programs with LinuxCNC's interpreter
+cargo xtask manuals                       follow the recipes of www/docs/manuals.md with mdBook, Sphinx and Docusaurus
 cargo xtask setup                         only install what the other commands need
 ";
 
@@ -50,6 +52,7 @@ enum Task {
     Test,
     Bench(bench::Options),
     Compare(Vec<String>),
+    Manuals,
     Setup,
     Help,
 }
@@ -71,6 +74,7 @@ fn main() -> ExitCode {
         Task::Test => test::main(),
         Task::Bench(options) => bench::main(options),
         Task::Compare(options) => compare::main(&options),
+        Task::Manuals => manuals::main(),
         Task::Setup => setup::main(),
         Task::Help => {
             print!("{USAGE}");
@@ -95,6 +99,7 @@ fn parse(words: &[&str]) -> run::Result<Task> {
         ["compare-linuxcnc", options @ ..] => {
             Ok(Task::Compare(options.iter().map(|word| (*word).to_owned()).collect()))
         }
+        ["manuals"] => Ok(Task::Manuals),
         ["setup"] => Ok(Task::Setup),
         ["help" | "--help" | "-h", ..] | [_, "--help" | "-h"] => Ok(Task::Help),
         [] => Err("which command?".to_owned()),

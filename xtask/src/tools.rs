@@ -10,6 +10,9 @@ use crate::run::{self, Result};
 /// The version installed where no fitting one is found.
 const WASM_PACK: &str = "0.15.1";
 
+/// The mdBook that the recipe is tried with.
+const MDBOOK: &str = "0.5.4";
+
 /// The version of wasm-split: xtask reads the script it writes.
 const WASM_SPLIT: &str = "0.2.4";
 
@@ -58,6 +61,11 @@ pub fn wasm_split() -> Result<PathBuf> {
     cargo_install("wasm_split_cli_support", WASM_SPLIT, &["wasm-split-cli"])
 }
 
+/// The folder of mdBook.
+pub fn mdbook() -> Result<PathBuf> {
+    cargo_install("mdbook", MDBOOK, &["mdbook"])
+}
+
 fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<PathBuf> {
     let prefix = cache()?.join("tools").join(format!("{package}-{version}"));
     let bin = prefix.join("bin");
@@ -69,6 +77,10 @@ fn cargo_install(package: &str, version: &str, programs: &[&str]) -> Result<Path
     cargo.args(["install", package, "--version", &format!("={version}"), "--force", "--root"]).arg(&prefix);
     if package == "wasm_split_cli_support" {
         cargo.args(["--features", "build-binary"]);
+    }
+    if package == "mdbook" {
+        // It only builds books here: no server, no search.
+        cargo.arg("--no-default-features");
     }
     // Unoptimised they are built in less than half the time, and the little they do is done as fast.
     cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0").env("CARGO_PROFILE_RELEASE_LTO", "off");

@@ -101,7 +101,7 @@ pub enum Markup {
 }
 
 impl Markup {
-    /// By the ending of a file's name; Markdown where that tells nothing.
+    /// By the ending of a file's name; Markdown for any other ending.
     pub fn of(name: &str) -> Self {
         let ending = name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
         match ending.as_str() {
