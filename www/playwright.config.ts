@@ -23,9 +23,9 @@ export default defineConfig<object, WorkerOptions>({
   globalSetup: './test-finder.ts',
   timeout: 60_000,
   expect: { timeout: 10_000 },
-  retries: 0,
+  retries: 1,
   workers: 2,
-  reporter: 'list',
+  reporter: [['list'], ['../tests/browser/engines/flaky.ts']],
   webServer: {
     command: `npm run preview -- --port ${PORT} --strictPort --host 127.0.0.1`,
     url: SERVER,

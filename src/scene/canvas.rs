@@ -125,6 +125,14 @@ impl Painter {
         self.painted = None;
     }
 
+    /// Gives back the memory of all that is kept for the next picture, which is painted anew.
+    pub fn release(&mut self) {
+        self.screen.release();
+        self.sheet.release();
+        self.strokes.release();
+        (self.picked, self.painted, self.is_new) = (None, None, false);
+    }
+
     /// Takes what was painted since the last time off the canvas; nothing where nothing was.
     pub fn take_image(&mut self) -> Result<Option<ImageBitmap>, JsValue> {
         std::mem::take(&mut self.is_new).then(|| self.screen.take_image()).transpose()

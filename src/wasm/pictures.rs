@@ -83,6 +83,16 @@ impl Playground {
         }
     }
 
+    /// Gives back the memory of what is kept for the next images; these are painted anew.
+    #[wasm_bindgen(js_name = releaseImages)]
+    pub fn release_images(&mut self) {
+        for plane in [Plane::Section, Plane::Face] {
+            if let Some(painter) = &mut self.painters[plane] {
+                painter.release();
+            }
+        }
+    }
+
     /// Shows everything worth looking at.
     pub fn fit(&mut self, picture: PictureName) {
         self.current.look(picture.into(), |view, scene| view.fit(scene));

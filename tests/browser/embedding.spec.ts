@@ -48,6 +48,9 @@ setTimeout(() => {
 }, 4000);
 `;
 
+/** The page of the folder that is one element. */
+const FRAME_PAGE = readFileSync(join(FILES, 'index.html'), 'utf8');
+
 /** How a manual embeds the element. `at` is the address of the folder of its files. */
 interface Way {
   /** Another origin has the files. */
@@ -58,6 +61,8 @@ interface Way {
   policy?(own: string, other: string): string;
   readonly missing?: RegExp;
   readonly framed?: boolean;
+  /** The page in the frame is that of the folder, with the program in its address. */
+  readonly addressed?: boolean;
 }
 
 const CORS = { 'access-control-allow-origin': '*' };
@@ -69,6 +74,7 @@ const WAYS: Readonly<Record<string, Way>> = {
   'another origin, with CORS': { apart: true, fileHeaders: CORS },
   'another origin, without CORS': { apart: true },
   '`<iframe sandbox="allow-scripts">`': { framed: true, fileHeaders: CORS },
+  '`index.html#…` in such a frame': { framed: true, addressed: true, fileHeaders: CORS },
   'a strict policy, same origin': {
     policy: () => "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'",
   },
@@ -123,11 +129,14 @@ async function embed(way: Way, view: string, open: (address: string) => Promise<
   const own = await serve(FILES, (origin): Site => {
     const policy = way.policy?.(origin, other?.origin ?? origin);
     const manual = page(`${other?.origin ?? origin}${filesAt}element.js`, '/reporter.js', view);
-    const frame = `<!DOCTYPE html><title>A manual</title><iframe sandbox="allow-scripts" src="/frame.html" width="800" height="600"></iframe>`;
+    const addressed = `${filesAt}with-reporter.html#${new URLSearchParams({ view, program: program(ID) })}`.replaceAll('+', '%20').replaceAll('&', '&amp;');
+    const inFrame = way.addressed === true ? addressed : '/frame.html';
+    const frame = `<!DOCTYPE html><title>A manual</title><iframe sandbox="allow-scripts" src="${inFrame}" width="800" height="600"></iframe>`;
     return {
       pages: {
         '/index.html': way.framed === true ? frame : manual,
         '/frame.html': manual,
+        [`${filesAt}with-reporter.html`]: FRAME_PAGE.replace('<noscript>', '<script type="module" src="/reporter.js"></script><noscript>'),
         '/reporter.js': REPORTER.replace('REPORT', `${origin}/report`),
       },
       pageHeaders: { ...(policy === undefined ? {} : { 'content-security-policy': policy }), ...(way.framed === true ? CORS : {}) },

@@ -88,6 +88,29 @@ test('thirty elements have one worker, and ask for each file once', async ({ pag
   expect(pictures.size).toBe(1);
 });
 
+test('pictures far from the view are kept small, and are whole again when the reader comes', async ({ page }) => {
+  await openMany(page, 12);
+  const width = (which: number): Promise<number> => page.evaluate((which) => document.querySelectorAll('gcode-playground')[which]!.shadowRoot!.querySelector('canvas')!.width, which);
+  const whole = await width(0);
+  const picture = await shown(page, 0);
+  await expect.poll(() => width(11)).toBe(Math.ceil(whole / 2));
+  expect(await width(0)).toBe(whole);
+  // A picture that changes out of sight is small again, too, soon after.
+  await put(page, 10, 'G00 X50 Z2\nG01 Z-30 F0.2\n');
+  await settled(page, 10);
+  expect(await width(10)).toBe(whole);
+  await expect.poll(() => width(10)).toBe(Math.ceil(whole / 2));
+  await page.evaluate(() => document.querySelectorAll('gcode-playground')[11]!.scrollIntoView());
+  await expect.poll(() => width(11)).toBe(whole);
+  expect(await shown(page, 11)).toBe(picture);
+  await expect.poll(() => width(0)).toBe(Math.ceil(whole / 2));
+  // Once they rest, the worker has nothing of them left to paint from but the program.
+  await page.waitForTimeout(4_000);
+  await page.evaluate(() => document.querySelectorAll('gcode-playground')[0]!.scrollIntoView());
+  await expect.poll(() => width(0)).toBe(whole);
+  expect(await shown(page, 0)).toBe(picture);
+});
+
 for (const { fault, does, says } of [
   { fault: 'hangs', does: 'for (;;);', says: 'The run took too long' },
   { fault: 'fails', does: "throw new Error('a fault');", says: 'The interpreter failed' },

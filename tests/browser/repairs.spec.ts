@@ -17,6 +17,14 @@ test('all safe repairs are one click and one undo', async ({ page }) => {
   await expect(all(page)).toBeHidden();
   await expect(editor(page)).toBeFocused();
 
+  await test.step('a button that has the focus gives it to the program when a run takes it away', async () => {
+    await type(page, before);
+    await all(page).focus();
+    await page.evaluate((text) => { document.querySelector('gcode-playground')!.value = text; }, after);
+    await expect(all(page)).toBeHidden();
+    await expect(editor(page)).toBeFocused();
+  });
+
   await test.step('what has to be chosen stays with its message', async () => {
     const offered = problems(page).getByRole('button', { name: /^Fix: / });
     await expect(offered).toHaveCount(2);

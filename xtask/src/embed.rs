@@ -31,6 +31,7 @@ pub fn element(setup: &Setup) -> Result<Duration> {
     let folder = dist.join("embed");
     copy_folder(&dist.join("rules"), &folder.join("rules"))?;
     copy_folder(&run::www().join("embed"), &folder)?;
+    copy_folder(&run::www().join("manuals"), &folder.join("sphinx"))?;
     change(&folder.join("package.json"), "0.0.0", VERSION)?;
     for file in OURS {
         copy(&run::root().join(file), &folder.join(file))?;

@@ -125,6 +125,12 @@ impl StrokeLayer {
         })
     }
 
+    /// Gives back the memory of the image, which is made anew when it is wanted.
+    pub fn release(&mut self) {
+        self.image.release();
+        (self.shown, self.plot, self.paths) = (None, None, Vec::new());
+    }
+
     /// A number that distinguishes this image from the others of this layer.
     pub fn version(&self) -> u32 {
         self.version

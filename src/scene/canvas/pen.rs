@@ -47,6 +47,12 @@ impl Pen {
         self.page(view)
     }
 
+    /// Gives back the memory of the canvas, which is blank then.
+    pub fn release(&self) {
+        self.canvas.set_width(1);
+        self.canvas.set_height(1);
+    }
+
     /// Takes the picture off the canvas, which is blank then.
     pub fn take_image(&self) -> Result<ImageBitmap, JsValue> {
         self.canvas.transfer_to_image_bitmap()

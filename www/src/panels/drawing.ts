@@ -8,6 +8,7 @@ import { icon, make, name, perFrame, unbroken } from '../dom/dom';
 import type { Language } from '../dom/language';
 import { COMMON, words } from '../dom/words';
 import type { Palette, Size, Stroke, Summary, WorkShown } from '../protocol/protocol';
+import { PictureCanvas } from './picture-canvas';
 
 /** A pointer that moved less than this, in CSS pixels, has clicked. */
 const CLICK_SLOP = { mouse: 4, touch: 10 };
@@ -18,6 +19,8 @@ const TYPE_AS_USUAL = 16;
 
 export interface DrawingEvents {
   resized(size: Size): void;
+  /** The picture is to be painted once more as it is. */
+  wanted(): void;
   fit(): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
@@ -57,8 +60,8 @@ export class Drawing {
   readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
   /** Says whether the page around scrolls. */
   readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
-  readonly #canvas = make('canvas', { tabIndex: 0, role: 'img', part: 'canvas' });
-  readonly #shown = this.#canvas.getContext('bitmaprenderer');
+  readonly #picture = new PictureCanvas(() => this.#events.wanted());
+  readonly #canvas = this.#picture.element;
   #language: Language;
   #label: (motions: number) => string = () => '';
   #summary: Summary | undefined;
@@ -158,9 +161,7 @@ export class Drawing {
 
   /** Shows a picture in place of the one before. */
   show(image: ImageBitmap): void {
-    const { width, height } = image;
-    if (this.#canvas.width !== width || this.#canvas.height !== height) [this.#canvas.width, this.#canvas.height] = [width, height];
-    this.#shown?.transferFromImageBitmap(image);
+    this.#picture.show(image);
   }
 
   /** CSS pixels of the canvas's top left corner in the window. */

@@ -152,6 +152,7 @@ class Pictures implements Panel {
     const look = (what: CanvasCommand): void => shell.send({ kind: 'picture', picture, what });
     return {
       resized: (size) => look({ kind: 'resize', size }),
+      wanted: () => look({ kind: 'paint-again' }),
       fit: () => look({ kind: 'fit' }),
       pan: (dx, dy) => look({ kind: 'pan', dx, dy }),
       zoom: (factor, x, y) => look({ kind: 'zoom', factor, x, y }),

@@ -61,6 +61,10 @@ class Problems implements Panel {
     this.#toggle.setAttribute('aria-controls', this.#list.id);
     this.#toggle.addEventListener('click', () => this.#setOpen(this.#body.hidden === true));
     this.#fixSafe.addEventListener('click', () => this.#fix(safeEdits(this.#diagnostics)));
+    this.#element.addEventListener('mousedown', (event) => {
+      // The second press of a double click would give the focus to a button that goes with the first.
+      if (event.detail > 1 && event.target instanceof Element && event.target.closest('button') !== null) event.preventDefault();
+    });
   }
 
   set language(_: Language) {
@@ -71,7 +75,11 @@ class Problems implements Panel {
     if (event.kind !== 'report') return;
     this.#diagnostics = event.report.diagnostics;
     this.#rulesOff = event.report.rulesOff;
+    const focused = this.#shell.root.activeElement;
+    const isHere = this.#element.contains(focused);
     this.#render();
+    // A button that had the focus may have gone with its problem.
+    if (isHere && focused?.checkVisibility() === false) this.#shell.editor.focus();
   }
 
   pressed({ event }: Key): 'own' | 'not-own' {

@@ -32,6 +32,8 @@ export type CanvasCommand =
   /** Pictures of this size are wanted from now on. */
   | { readonly kind: 'canvas'; readonly size: Size }
   | { readonly kind: 'resize'; readonly size: Size }
+  /** The page has no image of this picture any more. */
+  | { readonly kind: 'paint-again' }
   | { readonly kind: 'fit' }
   | { readonly kind: 'pan'; readonly dx: number; readonly dy: number }
   | { readonly kind: 'zoom'; readonly factor: number; readonly x: number; readonly y: number };

@@ -16,6 +16,7 @@ const ON_CANVAS: { readonly [K in CanvasCommand['kind']]: OnCanvas<K> } = {
     core.resize(picture, size.width, size.height, size.pixelRatio);
   },
   resize: (core, picture, { size }) => core.resize(picture, size.width, size.height, size.pixelRatio),
+  'paint-again': (core) => core.paintAgain(),
   fit: (core, picture) => core.fit(picture),
   pan: (core, picture, { dx, dy }) => core.pan(picture, dx, dy),
   zoom: (core, picture, { factor, x, y }) => core.zoom(picture, factor, x, y),

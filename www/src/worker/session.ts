@@ -32,6 +32,9 @@ const WAIT_FOR_PART_MS = 8;
 const SHOW_PATH_AFTER_MS = 300;
 /** Where no picture is drawn, as in a tab that nobody sees, the parts are loaded all the same. */
 const LOAD_PARTS_AFTER_MS = 500;
+/** A session that heard nothing for so long gives back what it can make again at once: of no more motions than this. */
+const REST_AFTER_MS = 3_000;
+const MOST_TO_PAINT_AT_ONCE = 4_000;
 const PROGRESS_AFTER_MS = 150;
 const PROGRESS_EVERY_MS = 100;
 
@@ -123,6 +126,7 @@ export class Session implements Waiter {
   readonly #onceWhole: (() => void)[] = [];
   #sliceQueued = false;
   #closed = false;
+  #rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(core: Playground, parts: LateParts<Session>, thread: Thread) {
     this.#core = core;
@@ -156,12 +160,14 @@ export class Session implements Waiter {
   /** The element is gone. */
   close(): void {
     this.#closed = true;
+    clearTimeout(this.#rest);
     this.#stage = { kind: 'done' };
     this.#parts.leave(this);
     this.#core.free();
   }
 
   #receive(message: Command | Question): void {
+    clearTimeout(this.#rest);
     if (counts(message)) this.#heard++;
     if (message.kind === 'question') {
       this.#ask(message);
@@ -180,7 +186,7 @@ export class Session implements Waiter {
         return message.offset !== undefined && this.#core.lineAt(message.offset) === line ? true : this.#showCurrent();
       case 'picture':
         // What is said of the new run takes room.
-        return message.what.kind === 'resize' ? true : this.#showCurrent();
+        return message.what.kind === 'resize' || message.what.kind === 'paint-again' ? true : this.#showCurrent();
       case 'run': case 'shown': case 'hover': case 'leave-edge': case 'load-parts': case 'stop':
         return true;
       case 'palette': case 'language': case 'unit': case 'turret': case 'mark': case 'frame': case 'keep': case 'end-comparison':
@@ -615,6 +621,12 @@ export class Session implements Waiter {
     if (busy || this.#settledAt === this.#heard) return;
     this.#settledAt = this.#heard;
     this.#tell({ kind: 'settled', heard: this.#heard });
+    this.#rest = setTimeout(() => this.guarded(() => this.#restNow()), REST_AFTER_MS);
+  }
+
+  #restNow(): void {
+    const [motions = 0] = this.#core.motionsAndErrors();
+    if (motions <= MOST_TO_PAINT_AT_ONCE) this.#core.releaseImages();
   }
 }
 
