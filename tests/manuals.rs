@@ -172,6 +172,8 @@ fn pages_of_any_kind_are_read_in_time() {
         ("references.html", format!("<gcode-playground>{}", many("&minus;&"))),
         ("braces.mdx", format!("<gcode-playground>{}", many("{`"))),
         ("tags.mdx", many("<a b={")),
+        ("elements.mdx", many("<gcode-playground b={\n")),
+        ("fallbacks.mdx", many("<gcode-playground><a slot='' dangerouslySetInnerHTML={{__html:\n")),
         ("directives.rst", many(".. raw:: html\n\n")),
         ("notes.rst", many(".. note::\n")),
         ("empty.md", many("```gcode\nM30\n```\n")),
@@ -283,7 +285,9 @@ fn a_picture_that_its_program_does_not_draw_is_told_and_drawn_anew() {
     let html = format!("<!doctype html>\r\n<p>é\r\n{}<p>end", of("html", PROGRAM).replace('\n', "\r\n"));
     let quoted = of("markdown", PROGRAM).trim_end().replace('\n', "\n   ");
     let markdown = format!("# A\n\n{}\n1. {quoted}\n\n[end](x)", of("markdown", PROGRAM));
-    for (name, page, count) in [("pictures.html", html, 1), ("pictures.md", markdown, 2)] {
+    let mdx = format!("# A\n\n{}\n[end](x)", of("mdx", PROGRAM));
+    let pages = [("pictures.html", html, 1), ("pictures.md", markdown, 2), ("pictures.mdx", mdx, 1)];
+    for (name, page, count) in pages {
         let file = scratch(name, page.as_bytes());
         let fresh = run(&["embed", "--check", &file], b"");
         assert_eq!(fresh.status.code(), Some(0), "{}{}", text(&fresh.stdout), text(&fresh.stderr));
@@ -320,9 +324,9 @@ fn a_picture_that_its_program_does_not_draw_is_told_and_drawn_anew() {
 
 fn picture(page: &str) -> String {
     let start = page.find("<svg slot=").expect("a picture");
-    let end = page[start..].find("</svg></pre>").map(|end| end + 6);
-    let end = end.or_else(|| page[start..].find("</svg>\r\n<pre>").map(|end| end + 6));
-    page[start..start + end.expect("its end")].to_owned()
+    let after = ["</svg></pre>", "</svg>\r\n<pre>", "</svg>`}}"];
+    let end = after.iter().find_map(|after| page[start..].find(after)).expect("its end");
+    page[start..start + end + "</svg>".len()].to_owned()
 }
 
 #[test]

@@ -33,7 +33,7 @@ pub(super) struct Embed {
     with: With,
     #[command(flatten)]
     look: Look,
-    /// A page in HTML, or a block for Markdown, where an element would end at a blank line.
+    /// For a page in HTML, for Markdown, where an element would end at a blank line, or for Markdown with JSX.
     #[arg(long, value_enum, default_value = "html")]
     format: MarkupName,
     #[command(flatten)]
@@ -99,6 +99,7 @@ enum ElementView {
 enum MarkupName {
     Html,
     Markdown,
+    Mdx,
 }
 
 /// The name of a value as it is typed.
@@ -141,6 +142,7 @@ pub(super) fn run(embed: &Embed) -> Result<ExitCode, String> {
     let page = match embed.format {
         MarkupName::Html => html(&attributes, text, picture),
         MarkupName::Markdown => markdown(&attributes, text, picture),
+        MarkupName::Mdx => mdx(&attributes, text, picture),
     };
     save(embed.to.file(), page.as_bytes())?;
     Ok(status(&program.analysis))
@@ -210,6 +212,20 @@ fn markdown(attributes: &[(String, String)], text: &str, picture: Option<String>
     let end = if text.ends_with('\n') { "" } else { "\n" };
     let picture = picture.map_or(String::new(), |picture| in_one_line(&picture));
     format!("{tag}\n{}{end}{picture}</pre>\n", manual::escaped(text))
+}
+
+/// The element for a page in MDX, where `{` and `<` begin JSX: program and picture are texts of JavaScript. The program
+/// is indented as what is inside of a tag, because up to two spaces are taken off each line.
+fn mdx(attributes: &[(String, String)], text: &str, picture: Option<String>) -> String {
+    let tag = tag("gcode-playground", "", attributes);
+    let picture = picture.map_or(String::new(), |picture| {
+        let html = manual::quoted(&in_one_line(&picture));
+        format!("  <div slot=\"fallback\" dangerouslySetInnerHTML={{{{__html: `{html}`}}}} />\n")
+    });
+    let indented = |line: &str| if line.is_empty() { "\n".to_owned() } else { format!("  {line}\n") };
+    let lines: String =
+        manual::quoted(text.strip_suffix('\n').unwrap_or(text)).split('\n').map(indented).collect();
+    format!("{tag}\n{picture}  <pre>{{`\n{lines}  `}}</pre>\n</gcode-playground>\n")
 }
 
 /// A start tag with attributes.
@@ -314,6 +330,7 @@ fn look_at(
     let is_html = told.page.markup == Markup::Html && before.contains('\n');
     let end = if before.contains("\r\n") { "\r\n" } else { "\n" };
     let text = if is_html { now.trim_end().replace('\n', end) } else { in_one_line(&now) };
+    let text = if example.picture_is_quoted { manual::quoted(&text) } else { text };
     let whole = there.in_page(crate::source::Span::new(0, there.text().len()));
     Ok(Some(Edit { span: whole, text }))
 }

@@ -43,10 +43,11 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
         lines = "".join(f"   {line}\n" if line else "\n" for line in HARD.splitlines())
         write("hard.rst", f":orphan:\n\nHard\n====\n\n.. gcode-playground::\n   :caption: a \"b\" <c>\n\n{lines}\nEnd.\n")
     elif recipe == "docusaurus":
-        text = HARD.replace("\\", "\\\\").replace("`", "\\`").replace("${", "\\${")
-        text = "".join(f"  {line}\n" if line else "\n" for line in text.splitlines())
         (folder / "docs").mkdir(exist_ok=True)
-        write("docs/hard.mdx", f"# Hard\n\n<gcode-playground>\n  <pre>{{`\n{text}  `}}</pre>\n</gcode-playground>\n\nEnd.\n")
+        run(["gcode-playground embed hard.nc --format mdx -o docs/hard.mdx || test $? = 1"], folder, path)
+        block = (folder / "docs/hard.mdx").read_text(encoding="utf-8")
+        write("docs/hard.mdx", f"# Hard\n\n{block}\nEnd.\n")
+        run(["gcode-playground embed --check docs/hard.mdx"], folder, path)
     else:
         kind = "markdown" if recipe == "mdbook" else "html"
         # Its faults are no matter here.
@@ -212,7 +213,7 @@ def main() -> None:
         if comes_after:
             hard_page(recipe, own, path)
         page = holds(own / hard, HARD)
-        assert page.pictures == (0 if recipe == "docusaurus" else 1), f"{recipe}: no picture"
+        assert page.pictures == 1, f"{recipe}: no picture"
         print(f"{recipe}: the program of the page is the program that was written", flush=True)
 
 

@@ -19,6 +19,8 @@ const SLOWER = 4;
 const AIMS = { picture: { kB: 220, s: 2.2 }, many: { kB: 220, s: 3.3 }, all: { kB: 400, s: 3.5 } };
 /** Memory above an empty page, MB. */
 const MOST_FOR_MANY = 63;
+/** What an element out of use takes to give back what it can make again. */
+const REST_MS = 5_000;
 const TYPING_AIMS = { task: 50, key: 60 };
 const TYPED_LINES = 3483;
 const KEYS = 24;
@@ -161,9 +163,6 @@ function watch() {
 function settled(page) {
   return page.locator('gcode-playground').first().evaluate((element) => element.settled);
 }
-
-/** What an element out of use takes to give back what it can make again. */
-const REST_MS = 5_000;
 
 /** Memory of the renderers with a page of which all elements are drawn, above that with an empty page, MB. */
 async function memoryOf(path) {

@@ -100,6 +100,7 @@ proptest! {
             let page = html(&attributes, &text, picture.clone());
             let in_markdown = markdown(&attributes, &text, picture.clone());
             let between = format!("# Title\n\nBefore:\n\n{in_markdown}\n*After*\n");
+            let in_mdx = format!("# Title\n\nBefore:\n\n{}\n*After*\n", mdx(&attributes, &text, picture.clone()));
             let in_quotation = format!("> {}\n", in_markdown.trim_end().replace('\n', "\n> "));
             for (page, markup) in [
                 (&page, Markup::Html),
@@ -108,6 +109,8 @@ proptest! {
                 (&between, Markup::Markdown),
                 (&between.replace('\n', "\r\n"), Markup::Markdown),
                 (&in_quotation, Markup::Markdown),
+                (&in_mdx, Markup::Mdx),
+                (&in_mdx.replace('\n', "\r\n"), Markup::Mdx),
             ] {
                 let example = only(page, markup);
                 prop_assert_eq!(text_of(&example), taken(&text), "{}", page);

@@ -74,6 +74,7 @@ struct Open {
     aside: Option<(Vec<u8>, usize, usize)>,
     is_picture: bool,
     picture: Option<Mapped>,
+    picture_is_quoted: bool,
 }
 
 impl Open {
@@ -140,15 +141,7 @@ impl Scanner<'_> {
         if let Some(text) = self.open.as_mut().and_then(Open::text)
             && let Some(inner) = literal(self.text, at + 1..end - 1)
         {
-            let mut from = inner.start;
-            while let Some(back) = memchr(b'\\', &self.text[from..inner.end]) {
-                let back = from + back;
-                text.keep_of(self.html, from..back);
-                let after = (back + 2).min(inner.end);
-                text.read_of(&self.text[back + 1..after], self.html, back..after);
-                from = after;
-            }
-            text.keep_of(self.html, from..inner.end);
+            unquoted(self.html, inner, text);
         }
         end
     }
@@ -214,6 +207,10 @@ impl Scanner<'_> {
             }
         } else if raw.is_some() || VOID.contains(&tag.name.as_slice()) {
             // No program.
+        } else if is_slotted && let Some(inner) = inner_html(self.text, &tag, self.dialect) {
+            let mut picture = Mapped::default();
+            unquoted(self.html, inner, &mut picture);
+            (open.picture, open.picture_is_quoted) = (Some(picture), true);
         } else if is_slotted || NO_TEXT.contains(&tag.name.as_slice()) {
             open.is_picture = tag.name == b"svg" && open.picture.is_none();
             if !(tag.is_closed && (open.is_picture || self.dialect == Dialect::Jsx)) {
@@ -248,6 +245,7 @@ impl Scanner<'_> {
             aside: None,
             is_picture: false,
             picture: None,
+            picture_is_quoted: false,
             name: tag.name,
         };
         match raw {
@@ -294,10 +292,16 @@ impl Scanner<'_> {
             attributes: open.attributes,
             holder: open.holder,
             picture: open.picture,
+            picture_is_quoted: open.picture_is_quoted,
             is_escaped,
             is_closed,
         });
     }
+}
+
+/// Where the tag of JSX ends that is at `at`, and whether nothing is in it; nothing where it never ends.
+pub fn end_of_tag(text: &[u8], at: usize) -> Option<(usize, bool)> {
+    tag(text, at, Dialect::Jsx).map(|tag| (tag.range.end, tag.is_closed))
 }
 
 /// The tag at `at`; nothing where it never ends.
@@ -409,6 +413,32 @@ fn braces(text: &[u8], at: usize) -> Option<usize> {
             return Some(from);
         }
     }
+}
+
+/// What JSX puts into an element as HTML, if that is a text.
+fn inner_html(text: &[u8], tag: &Tag, dialect: Dialect) -> Option<Range<usize>> {
+    if dialect == Dialect::Html || tag.attributes.get("dangerouslysetinnerhtml").is_none() {
+        return None;
+    }
+    let after = |at: usize, what: &[u8]| memmem::find(&text[at..tag.range.end], what).map(|found| at + found);
+    let start = after(after(tag.range.start, b"dangerouslySetInnerHTML")?, b"{")?;
+    let end = braces(text, start)?;
+    let value = after(after(start, b"__html")?, b":")? + 1;
+    literal(text, value..end.checked_sub(2).filter(|end| *end > value)?)
+}
+
+/// Reads what stands between the quotes of a text.
+fn unquoted(html: &Mapped, inner: Range<usize>, into: &mut Mapped) {
+    let text = html.text();
+    let mut from = inner.start;
+    while let Some(back) = memchr(b'\\', &text[from..inner.end]) {
+        let back = from + back;
+        into.keep_of(html, from..back);
+        let after = (back + 2).min(inner.end);
+        into.read_of(&text[back + 1..after], html, back..after);
+        from = after;
+    }
+    into.keep_of(html, from..inner.end);
 }
 
 /// What stands between the quotes of a text; nothing where it is no text.

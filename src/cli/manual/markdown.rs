@@ -11,6 +11,9 @@ use super::html::{self, Dialect};
 use super::mapped::Mapped;
 use super::{Attributes, Example, Holder, is_gcode};
 
+const START: &str = "<gcode-playground";
+const END: &str = "</gcode-playground>";
+
 /// The examples of a page; `text` is the page as characters.
 pub fn examples(text: &str, page: &[u8]) -> Vec<Example> {
     let mut reader = Reader { page, found: Vec::new(), code: None, html: None, inline: None };
@@ -25,7 +28,7 @@ pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     let mut reader = Reader { page, found: Vec::new(), code: None, html: None, inline: None };
     let mut outside = Mapped::default();
     let mut from = 0;
-    for (event, range) in parser(text).into_offset_iter() {
+    for (event, range) in parser(&without_elements(text)).into_offset_iter() {
         let is_code = match &event {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_))) => true,
             // What stands in braces is a text of JSX.
@@ -44,6 +47,37 @@ pub fn examples_with_jsx(text: &str, page: &[u8]) -> Vec<Example> {
     outside.keep(page, from..page.len());
     reader.found.extend(html::examples(&outside, Dialect::Jsx));
     reader.found
+}
+
+/// The page with letters in the place of all that stands in elements at the start of a line: a fence in a program is none.
+fn without_elements(text: &str) -> String {
+    let mut left = String::with_capacity(text.len());
+    // Where the end of the element is, as long as its lines last.
+    let mut end = 0;
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let start = at + line.len() - line.trim_start().len();
+        if at >= end && text[start..].starts_with(START) {
+            end = match html::end_of_tag(text.as_bytes(), start) {
+                Some((open, false)) => {
+                    let inside = &text[open..];
+                    let next = inside.find(&["\n", START].concat()).unwrap_or(inside.len());
+                    inside[..next].find(END).map_or(open, |end| open + end + END.len())
+                }
+                Some((open, true)) => open,
+                // All of the rest is in the tag.
+                None => text.len(),
+            };
+        }
+        for (place, letter) in line.char_indices() {
+            match at + place < end && !letter.is_whitespace() {
+                true => left.extend(std::iter::repeat_n('x', letter.len_utf8())),
+                false => left.push(letter),
+            }
+        }
+        at += line.len();
+    }
+    left
 }
 
 /// With what changes where blocks begin and end.
@@ -108,7 +142,7 @@ impl Reader<'_> {
                 }
             }
             Event::InlineHtml(tag) => {
-                if self.inline.is_none() && tag.to_ascii_lowercase().starts_with("<gcode-playground") {
+                if self.inline.is_none() && tag.to_ascii_lowercase().starts_with(START) {
                     self.inline = Some(Mapped::default());
                 }
                 if let Some(inline) = &mut self.inline {
@@ -172,6 +206,7 @@ impl Code {
             attributes: self.attributes,
             holder: Holder::Code,
             picture: None,
+            picture_is_quoted: false,
             is_escaped: false,
             is_closed: true,
         }

@@ -26,6 +26,8 @@ pub struct Example {
     pub holder: Holder,
     /// The SVG that is shown in place of the element.
     pub picture: Option<Mapped>,
+    /// Whether the picture is a text between back quotes, as JSX has it.
+    pub picture_is_quoted: bool,
     /// Whether `<` is written `&lt;` in it.
     pub is_escaped: bool,
     /// Whether it ends where it should. In Markdown a blank line ends an element.
@@ -123,6 +125,12 @@ pub fn examples(page: &[u8], markup: Markup) -> Vec<Example> {
     };
     found.sort_by_key(|example| example.at);
     found
+}
+
+/// A text between back quotes of JavaScript, in which no element ends.
+pub fn quoted(text: &str) -> String {
+    let text = text.replace('\\', r"\\").replace('`', r"\`").replace("${", r"\${");
+    text.replace("</gcode-playground", r"<\/gcode-playground")
 }
 
 /// A text as it is written in HTML.

@@ -52,6 +52,7 @@ pub fn examples(page: &[u8]) -> Vec<Example> {
                     attributes,
                     holder: Holder::Code,
                     picture: None,
+                    picture_is_quoted: false,
                     is_escaped: false,
                     is_closed: true,
                 });
