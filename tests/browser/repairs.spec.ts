@@ -20,7 +20,7 @@ test('all safe repairs are one click and one undo', async ({ page }) => {
   await test.step('a button that has the focus gives it to the program when a run takes it away', async () => {
     await type(page, before);
     await all(page).focus();
-    await page.evaluate((text) => { document.querySelector('gcode-playground')!.value = text; }, after);
+    await page.evaluate((text) => { document.querySelector<HTMLElement & { value: string }>('gcode-playground')!.value = text; }, after);
     await expect(all(page)).toBeHidden();
     await expect(editor(page)).toBeFocused();
   });
