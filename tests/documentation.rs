@@ -40,7 +40,7 @@ const NOT_RUN: [(&str, &str); 13] = [
     ("npx create-docusaurus@3 site classic", "`tests/manuals/recipes.py` needs the packages of such a site"),
     (
         "<link rel=\"preload\"",
-        "the name of the file is another one in each build; `index.html` has the same line",
+        "`tests/browser/many.spec.ts` has it in a page, and looks for it here",
     ),
     (
         "cargo install --path .",

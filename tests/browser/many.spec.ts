@@ -143,10 +143,12 @@ for (const { fault, does, says } of [
 /** As the reference has it. */
 const KEEPS_THE_PLACE = '<style>gcode-playground { display: block; height: 24rem; }</style>';
 
+const ASKS_EARLY = '<link rel="preload" as="fetch" type="application/wasm" crossorigin href="embed/core.wasm">';
+
 /** A page with so many elements, one below the other, as an author writes it. */
 async function manual(page: ChromiumPage, count: number, attributes: string, act: () => Promise<void>): Promise<void> {
   const element = `<p>${'Words. '.repeat(60)}</p>\n<gcode-playground view="picture" ${attributes}>\n${PROGRAM}\n</gcode-playground>\n`;
-  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title>${KEEPS_THE_PLACE}
+  const html = `<!DOCTYPE html><html lang="en"><head><title>A manual</title>${KEEPS_THE_PLACE}${ASKS_EARLY}
     <script type="module" src="/embed/element.js"></script></head><body>${element.repeat(count)}</body></html>`;
   const site = await serve(FILES, () => ({ filesAt: '/embed/', fileHeaders: { 'cache-control': 'no-cache' }, pages: { '/index.html': html } }));
   await page.addInitScript(() => {
@@ -170,8 +172,9 @@ function drawn(page: ChromiumPage): Promise<number> {
   return page.evaluate(() => [...document.querySelectorAll('gcode-playground')].filter((element) => element.shadowRoot?.querySelector('[part=fallback][hidden]')).length);
 }
 
-test('the reference says how a page keeps the place of an element', () => {
-  expect(readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8')).toContain(KEEPS_THE_PLACE);
+test('the reference says how a page keeps the place of an element, and asks early for what the picture needs', () => {
+  const reference = readFileSync(join(__dirname, '..', '..', 'www', 'docs', 'element.md'), 'utf8');
+  for (const line of [KEEPS_THE_PLACE, ASKS_EARLY]) expect(reference).toContain(line);
 });
 
 test('elements start as they come near the view, and nothing on the page moves', async ({ page }) => {

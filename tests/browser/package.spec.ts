@@ -1,6 +1,6 @@
 // The npm package: packed, installed into projects that know nothing else of it, and used from Node, TypeScript, Vite and a plain page.
 import { execFile, spawn } from 'node:child_process';
-import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { copyFile, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
@@ -71,11 +71,13 @@ test('the list of attributes is that of the element', async ({ page }) => {
 });
 
 test('from Node', async () => {
-  await writeFile(join(project, 'check.mjs'), await block(join(PACKAGE, 'README.md'), 'import { check'));
-  const { stdout } = await run(process.execPath, ['check.mjs'], { cwd: project });
-  const lines = stdout.trim().split('\n');
-  expect(lines[0]).toMatch(/^2 \S+ /);
-  expect(lines.at(-1)).toMatch(/^5 \d{4,}$/);
+  for (const document of [join(PACKAGE, 'README.md'), join(WWW, '..', 'README.md'), join(WWW, 'docs', 'library.md')]) {
+    await writeFile(join(project, 'check.mjs'), await block(document, 'import { check'));
+    const { stdout } = await run(process.execPath, ['check.mjs'], { cwd: project });
+    const lines = stdout.trim().split('\n');
+    expect(lines[0]).toMatch(/^2 \S+ /);
+    expect(lines.at(-1)).toMatch(/^5 \d{4,}$/);
+  }
 
   await writeFile(join(project, 'more.mjs'), `
     import assert from 'node:assert/strict';
@@ -89,12 +91,23 @@ test('from Node', async () => {
     assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', { initial: { x: 52, z: 2 } }).length, 4);
     assert.equal(motions('G90 X40 Z-20 F0.2\\nM30\\n', '{"initial": {"x": 52, "z": 2}}')[0].to.x, 40);
     assert.match(svg(rapid), /^<svg /);
-    for (const bad of [() => check(5), () => check('', '{'), () => check('', { nothing: 1 }), () => motions(null)]) {
-      assert.throws(bad, (error) => error instanceof Error && error.message.length > 5);
+    for (const [bad, named] of [
+      [() => check(5), 'string'], [() => check('', '{'), 'EOF'], [() => check('', { nothing: 1 }), 'nothing'], [() => motions(null), 'string'],
+      [() => svg('', {}, { language: 'de' }), 'de'], [() => svg('', {}, { langauge: 'zh' }), 'langauge'], [() => check('', {}, 'zh'), 'options'],
+    ]) {
+      assert.throws(bad, (error) => error instanceof Error && error.message.includes(named));
     }
     assert.equal(check('').length, 1, 'and it goes on after an error');
   `);
   await run(process.execPath, ['more.mjs'], { cwd: project });
+});
+
+test('in Node, every program of the tests says what it says on the command line', async () => {
+  await run('cargo', ['build', '--quiet', '--bin', 'gcode-playground'], { cwd: join(WWW, '..') });
+  const script = join(project, 'node.mjs');
+  await copyFile(join(WWW, '..', 'tests', 'package', 'node.mjs'), script);
+  const { stdout } = await run(process.execPath, [script, join(WWW, '..')], { cwd: project });
+  expect(Number(/^(\d+) programs/.exec(stdout)?.[1])).toBeGreaterThan(50);
 });
 
 test('from TypeScript, strictly', async () => {

@@ -22,9 +22,22 @@ function load() {
   isLoaded = true;
 }
 
+const LANGUAGES = ['en', 'zh', 'ru'];
+
+/** What was asked for; an error names what is not known. */
+function checked(options = {}) {
+  if (typeof options !== 'object' || options === null) throw new TypeError('the options are an object');
+  const { language = 'en', ...others } = options;
+  const [other] = Object.keys(others);
+  if (other !== undefined) throw new TypeError(`there is no option \`${other}\`; there is \`language\``);
+  if (!LANGUAGES.includes(language)) throw new RangeError(`there is no language \`${language}\`; there are ${LANGUAGES.join(', ')}`);
+  return { language };
+}
+
 /** Runs a program and hands it over; nothing of it stays. */
-function withRun(text, setup, { language = 'en' } = {}, use) {
+function withRun(text, setup, options, use) {
   if (typeof text !== 'string' && !(text instanceof Uint8Array)) throw new TypeError('the program is a string or a Uint8Array');
+  const { language } = checked(options);
   load();
   const playground = new Playground();
   try {
