@@ -295,9 +295,9 @@ fn marked_lines_are_lit_up_until_a_block_is_chosen() {
     let mut current = fresh(text, &Setup::default());
     let lit = |current: &mut Current| section(current).view.highlight.clone();
     current.set_marked_lines(vec![4..9, 1..3, 70..80]);
-    assert_eq!(lit(&mut current), [1..4]);
+    assert_eq!(lit(&mut current), vec![1..4]);
     current.set_cursor(Some(0));
-    assert_eq!(lit(&mut current), [0..1]);
+    assert_eq!(lit(&mut current), vec![0..1]);
     current.set_cursor(None);
     current.edit(0, 0, "\n");
     run(&mut current);

@@ -38,10 +38,7 @@ const NOT_RUN: [(&str, &str); 13] = [
     ("<style>", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     ("import { check, motions, svg }", "`tests/browser/package.spec.ts` runs it under Node"),
     ("npx create-docusaurus@3 site classic", "`tests/manuals/recipes.py` needs the packages of such a site"),
-    (
-        "<link rel=\"preload\"",
-        "`tests/browser/many.spec.ts` has it in a page, and looks for it here",
-    ),
+    ("<link rel=\"preload\"", "`tests/browser/many.spec.ts` has it in a page, and looks for it here"),
     (
         "cargo install --path .",
         "an optimised build of minutes; that the program builds is shown by every test of it",
