@@ -14,7 +14,7 @@ const executablePath = process.env['PLAYGROUND_CHROMIUM'];
 const files = (...names: string[]): string[] => names.map((name) => `**/${name}.spec.ts`);
 
 /** What does not run in every engine; tests/browser/README.md says why. */
-const CHROMIUM_ONLY = files('accessible', 'devices', 'docs', 'long-program', 'many', 'package', 'parts', 'phone', 'playing-smoothly', 'room', 'solid');
+const CHROMIUM_ONLY = files('accessible', 'devices', 'docs', 'long-program', 'many', 'origins', 'package', 'parts', 'phone', 'playing-smoothly', 'room', 'solid');
 const NOT_IN_WEBKIT = files('encodings');
 
 export default defineConfig<object, WorkerOptions>({

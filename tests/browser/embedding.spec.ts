@@ -2,7 +2,7 @@
 // table in www/docs/element.md: it is what these tests expect, and a row without a test, or a test without a row, fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromiumTest, test, expect, type ChromiumPage } from './engines';
+import { test, expect } from './engines';
 import { motionCount, program } from './page';
 import { serve, type ServedSite, type Site } from './sites';
 
@@ -181,59 +181,3 @@ for (const [name, way] of Object.entries(WAYS)) {
     });
   }
 }
-
-/** What authors write, as a document has it: from a line that begins so to one that is so. */
-function snippet(document: string, begin: string, end: string): string {
-  const lines = readFileSync(join(__dirname, '..', '..', document), 'utf8').split('\n');
-  const first = lines.findIndex((line) => line.trim().startsWith(begin));
-  const last = lines.findIndex((line, at) => at >= first && line.trim() === end);
-  return lines.slice(first, last + 1).map((line) => line.slice(4)).join('\n');
-}
-
-/** A host of the element's files. */
-async function host(page: ChromiumPage, origin: string): Promise<void> {
-  const version = /version = "([^"]+)"/.exec(readFileSync(join(__dirname, '..', '..', 'Cargo.toml'), 'utf8'))?.[1] ?? '';
-  await page.route(`${origin}/**`, async (route) => {
-    const path = new URL(route.request().url()).pathname.replace(`/embed/${version}/`, '');
-    await route.fulfill({ path: join(FILES, version, path), headers: CORS });
-  });
-}
-
-chromiumTest("README's snippet, unchanged, in a page of another origin", async ({ page }) => {
-  await host(page, 'https://playground.example');
-  const site = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A manual</title></head><body>\n${snippet('README.md', '<script type="module"', '</gcode-playground>')}\n</body></html>` } }));
-  try {
-    await page.goto(`${site.origin}/index.html`);
-    const motions = await page.evaluate(async () => {
-      const element = document.querySelector('gcode-playground')!;
-      return new Promise<number>((resolve) => element.addEventListener('gcode-report', (event) => resolve((event as CustomEvent<{ summary: { motions: number } }>).detail.summary.motions)));
-    });
-    expect(motions).toBe(10);
-  } finally {
-    await site.close();
-  }
-});
-
-chromiumTest('the frame of the recipe, unchanged, shows its program', async ({ page }) => {
-  await host(page, 'https://example.org');
-  const site = await serve(FILES, () => ({ pages: { '/index.html': `<!DOCTYPE html><html lang="en"><head><title>A lesson</title></head><body>\n${snippet('www/docs/manuals.md', '<iframe', '</iframe>')}\n</body></html>` } }));
-  try {
-    await page.goto(`${site.origin}/index.html`);
-    const element = page.frameLocator('iframe').locator('gcode-playground');
-    const [height, value, view] = await element.evaluate(async (element: HTMLElement & { value: string; settled: Promise<number> }) => {
-      await element.settled;
-      return [element.getBoundingClientRect().height, element.value, element.getAttribute('view')];
-    });
-    expect([height, view]).toEqual([400, 'playback']);
-    expect(value).toBe('O0001\nT0101\nG97 S800 M03\nG00 X42 Z2\nG90 X36 Z-20 F0.2\nM30');
-    await expect(page.frameLocator('iframe').getByRole('img', { name: /[1-9]\d* motions/ })).toBeVisible();
-    await page.evaluate(() => {
-      const frame = document.querySelector('iframe')!;
-      frame.src = frame.src.replace('X36', 'X38').replace('view=playback', 'view=picture&readonly');
-    });
-    await expect.poll(() => element.evaluate((element: HTMLElement & { value: string }) => element.value)).toContain('X38');
-    await expect(element).toHaveAttribute('view', 'picture');
-  } finally {
-    await site.close();
-  }
-});

@@ -174,3 +174,36 @@ test('texts that look like scripts run nothing, wherever they stand', async ({ p
   await page.waitForTimeout(500);
   expect(await page.evaluate(() => Reflect.get(window, 'ran') as unknown)).toBe(undefined);
 });
+
+const ran = (page: BasicPage): Promise<unknown> => page.evaluate(() => Reflect.get(window, 'ran') as unknown);
+
+test('what is stored, and what stands in an address, runs nothing either', async ({ page }) => {
+  for (const script of SCRIPTS) {
+    await page.goto('./rules/en/index.html');
+    await page.evaluate((script) => {
+      const program = { text: `G00 X1 (${script})\n${script}`, example: script, control: script, file: { name: script, encoding: script }, setup: script, blockSkip: script, program: script };
+      const kept = {
+        [`gcode-playground:program:${location.pathname.replace(/rules\/.*/, '')}`]: program,
+        'gcode-playground:choices': { language: script, theme: script, hints: script, split: script, textSize: script },
+        'gcode-playground:profiles': { machine: { [script]: script }, tools: { [script]: script }, chosen: script },
+      };
+      for (const [key, value] of Object.entries(kept)) localStorage.setItem(key, JSON.stringify(value));
+    }, script);
+    await page.goto('./');
+    await settled(page);
+    expect(await programOf(page)).toContain(script);
+    await page.getByRole('button', { name: 'Choose machine' }).first().click();
+    await page.waitForTimeout(200);
+    expect(await ran(page)).toBe(undefined);
+    await page.goto('./rules/en/index.html');
+    const encoded = encodeURIComponent(script);
+    await page.goto(`./#program=${encoded}&setup=${encoded}&language=${encoded}`);
+    await settled(page);
+    expect(await ran(page)).toBe(undefined);
+    const attributes = ['src', 'control', 'setup', 'view', 'language', 'theme', 'controls', 'step', 'highlight', 'lines', 'caption', 'onload', 'onclick', 'style', 'split'];
+    await page.goto(`./embed/index.html#${attributes.map((name) => `${name}=${encoded}`).join('&')}&program=G00%20X1%20(${encoded})`);
+    await settled(page);
+    expect(await programOf(page)).toContain(script);
+    expect(await ran(page)).toBe(undefined);
+  }
+});
