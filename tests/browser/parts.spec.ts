@@ -100,6 +100,31 @@ test('setup arrives three seconds late: nothing is drawn before, and then all is
   expect(pictures.length).toBeLessThanOrEqual(3);
 });
 
+test('the editor has the line after the first picture', async ({ page }) => {
+  await page.addInitScript(() => {
+    const Own = window.Worker;
+    window.Worker = class extends Own {
+      constructor(...given: ConstructorParameters<typeof Worker>) {
+        super(...given);
+        this.addEventListener('message', ({ data }: MessageEvent<{ readonly event?: { readonly kind: string } }>) => {
+          if (data.event?.kind === 'pictures' && Reflect.get(window, 'picture') === undefined) Reflect.set(window, 'picture', performance.now());
+        });
+      }
+    };
+  });
+  await page.setViewportSize({ width: 1280, height: 800 });
+  // What the first program says of the setup takes its time.
+  await route(page, 'setup', late);
+  await open(page);
+  const [picture, editor] = await page.evaluate(() => {
+    const files = performance.getEntriesByType('resource').filter(({ name }) => /\/assets\/index-[\w-]{8}\.js$/.test(name));
+    // The later one; the other is the page's own.
+    return [Reflect.get(window, 'picture') as number, Math.max(...files.map(({ startTime }) => startTime))] as const;
+  });
+  expect(picture).toBeGreaterThan(LATE_MS);
+  expect(editor).toBeGreaterThanOrEqual(picture);
+});
+
 test('what a comment says of the setup holds from the first picture', async ({ page }) => {
   await route(page, 'setup', late);
   await page.goto(`./#${new URLSearchParams({ program: PROGRAM_WITH_NOTE, setup: '{}' })}`);

@@ -59,6 +59,9 @@ interface Missed {
   isLost?: boolean;
 }
 
+/** How long the editor waits for the first picture of a run that has ended. */
+const EDITOR_AFTER_MS = 500;
+
 export class PlaygroundShell implements Shell {
   readonly root: ShadowRoot;
   readonly editor: Program;
@@ -86,6 +89,8 @@ export class PlaygroundShell implements Shell {
   /** What of the page is still to come, and the run that is shown but for that. */
   readonly #coming: Set<'panels' | 'editor' | 'program' | 'step'>;
   #settledRun: number | undefined;
+  /** The editor is there, or is being loaded. */
+  #editorAsked = false;
   /** The page around has said in this turn how the program is run: that is for a text it puts in as well. */
   #contextGiven: ReturnType<typeof setTimeout> | undefined;
   /** Why the setup could not even be sent. */
@@ -129,10 +134,14 @@ export class PlaygroundShell implements Shell {
         this.#tell((panel) => panel.heard?.(said));
         if (said.kind === 'report') this.#reported(said.report);
         else if (event.kind === 'part-failed') this.#partFailed(event.reason);
+        // The picture of a short program is there in a moment; where there is none, as in a tab that nobody sees, it is not waited for.
+        if (event.kind === 'path' || event.kind === 'report') setTimeout(() => this.#editIfShown(), EDITOR_AFTER_MS);
+        else if (event.kind === 'progress' || event.kind === 'part-failed') this.#editIfShown();
       },
       pictures: (pictures) => {
         this.#tell((panel) => panel.showPictures?.(pictures));
         this.#layout.fallback.hidden = true;
+        this.#editIfShown();
       },
       outdated: () => {
         this.#missed?.heard.clear();
@@ -142,8 +151,10 @@ export class PlaygroundShell implements Shell {
         for (const topic of ['core', 'program'] as const) this.service('hideNotice')(topic);
       },
       sent: () => events.changed(),
-      // Not earlier: what brings the picture has the line for itself.
-      ready: () => this.#editIfShown(),
+      ready: () => {
+        // What brings the picture has the line for itself.
+        if (!SHOWN[this.view].picture) this.#editIfShown();
+      },
       connected: (client) => {
         client.send({ kind: 'language', tag: this.#language });
         // A worker that knows nothing shows nothing of it.
@@ -525,7 +536,9 @@ export class PlaygroundShell implements Shell {
   }
 
   #editIfShown(): void {
-    if (this.showsProgram) void this.#edit();
+    if (!this.showsProgram || this.#editorAsked) return;
+    this.#editorAsked = true;
+    void this.#edit();
   }
 
   /** Puts the editor in its place. */
