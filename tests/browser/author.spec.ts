@@ -203,3 +203,28 @@ test('every attribute of the reference is a property', async ({ page }) => {
   });
   expect(missing).toEqual([]);
 });
+
+for (const view of ['picture', 'playback'] as const) {
+  test(`the drawing has all the room that the element has, however wide it is: view="${view}"`, async ({ page }) => {
+    await show(page, `view="${view}"`);
+    for (const width of [320, 500, 700, 1000]) {
+      for (const height of [260, 400, 560]) {
+        const seen = await page.evaluate(async ({ width, height }) => {
+          const element = document.querySelector<Playground>('gcode-playground')!;
+          Object.assign(element.style, { width: `${width}px`, height: `${height}px` });
+          await element.settled;
+          const root = element.shadowRoot!;
+          const box = (selector: string): DOMRect => root.querySelector(selector)!.getBoundingClientRect();
+          const [frame, pictures, bar] = [box('.frame'), box('.pictures'), root.querySelector('.playback')?.getBoundingClientRect()];
+          const below = bar === undefined || bar.height === 0 ? pictures.bottom : Math.max(bar.bottom, pictures.bottom);
+          return { above: Math.round(pictures.top - frame.top), left: Math.round(frame.bottom - below), height: Math.round(pictures.height) };
+        }, { width, height });
+        const where = `${width} × ${height}: ${JSON.stringify(seen)}`;
+        expect(seen.above, where).toBeLessThanOrEqual(2);
+        // What does not fit scrolls; nothing stays empty.
+        expect(seen.left, where).toBeLessThanOrEqual(2);
+        if (view === 'picture') expect(seen.height, where).toBeGreaterThanOrEqual(height - 4);
+      }
+    }
+  });
+}
