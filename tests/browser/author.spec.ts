@@ -228,3 +228,29 @@ for (const view of ['picture', 'playback'] as const) {
     }
   });
 }
+
+test('a page that is being laid out, and has no width for a moment, leaves the picture as it is', async ({ page }) => {
+  await show(page, 'view="picture"');
+  const size = (): Promise<string> => page.evaluate(() => {
+    const { width, height } = document.querySelector('gcode-playground')!.shadowRoot!.querySelector('canvas')!;
+    return `${width} × ${height}`;
+  });
+  const before = await size();
+  const cuts = await pixels(page, 'feed');
+  expect(cuts).toBeGreaterThan(100);
+  await page.evaluate(async () => {
+    const element = document.querySelector<Playground>('gcode-playground')!;
+    element.style.width = '0px';
+    await new Promise((done) => setTimeout(done, 500));
+    await element.settled;
+  });
+  expect(await size()).toBe(before);
+  await page.evaluate(async () => {
+    const element = document.querySelector<Playground>('gcode-playground')!;
+    element.style.width = '';
+    await new Promise((done) => setTimeout(done, 500));
+    await element.settled;
+  });
+  expect(await size()).toBe(before);
+  expect(await pixels(page, 'feed')).toBe(cuts);
+});

@@ -57,7 +57,11 @@ export class Drawing {
   /** As wide as the page's type is large. */
   readonly #type = make('div', { className: 'type-size' });
   #scale = 1;
-  readonly #sizes = new ResizeObserver(() => this.#events.resized(this.size));
+  readonly #sizes = new ResizeObserver(() => {
+    const { width, height } = this.#holder.getBoundingClientRect();
+    // A page that is being laid out may have no width for a moment; one that is hidden has neither.
+    if ((width > 0) === (height > 0)) this.#events.resized(this.size);
+  });
   /** Says whether the page around scrolls. */
   readonly #page = new ResizeObserver(() => this.#canvas.classList.toggle('of-a-page', pageScrolls()));
   readonly #picture = new PictureCanvas(() => this.#events.wanted());
