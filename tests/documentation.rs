@@ -203,7 +203,17 @@ fn is_assignment(word: &str) -> bool {
 const RECIPES: &str = "www/docs/manuals.md";
 
 /// What the recipes name of other tools.
-const OF_OTHER_TOOLS: [&str; 5] = ["additional-js", "conf", "docusaurus", "hbs", "python3"];
+const OF_OTHER_TOOLS: [&str; 8] = [
+    "add_header",
+    "additional-js",
+    "conf",
+    "docusaurus",
+    "epub_exclude_files",
+    // A setting of the extension for Sphinx.
+    "gcode_playground_command",
+    "hbs",
+    "python3",
+];
 
 /// The commands of all documents: code spans, and lines of blocks without what explains them.
 fn commands() -> BTreeSet<(&'static str, String)> {

@@ -263,6 +263,8 @@ fn embed_refuses_what_it_cannot_write() {
         &["embed"][..],
         &["embed", "a.nc", "b.nc"],
         &["embed", "-", "--attribute", "on click=1"],
+        &["embed", "-", "--attribute", "veiw=playback"],
+        &["embed", "-", "--attribute", "highlight=40-x"],
         &["embed", "-", "--view", "picture", "--attribute", "view=all"],
         &["embed", "-", "--block-skip", "0"],
         &["embed", "--check", "--view", "all", "-"],

@@ -17,7 +17,7 @@ pub struct InManual<T> {
 /// What is wrong with the element around a program.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ElementNote {
-    /// `element-not-closed` or `setup-unreadable`: what sets the row apart from those of messages.
+    /// `element-not-closed`, `attribute-wrong` or `setup-unreadable`: what sets the row apart from those of messages.
     pub note: &'static str,
     /// The same in words.
     pub message: String,

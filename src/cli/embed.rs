@@ -11,6 +11,7 @@ use std::process::ExitCode;
 
 use clap::ValueEnum;
 
+use super::manual::attributes::{self, Fault};
 use super::manual::{self, Attributes, Example, Holder, Markup};
 use super::manual_check::{self, Base, InPage, Page, counted};
 use super::options::{Destination, LanguageName, TurretName, With};
@@ -33,9 +34,12 @@ pub(super) struct Embed {
     with: With,
     #[command(flatten)]
     look: Look,
-    /// For a page in HTML, for Markdown, where an element would end at a blank line, or for Markdown with JSX.
+    /// For a page in HTML, for Markdown, where an element would end at a blank line, for Markdown with JSX; or as a frame.
     #[arg(long, value_enum, default_value = "html")]
     format: MarkupName,
+    /// With `--format frame`: the address of the folder of the element.
+    #[arg(long, value_name = "ADDRESS", default_value = concat!("embed/", env!("CARGO_PKG_VERSION")))]
+    host: String,
     #[command(flatten)]
     to: Destination,
     /// Report each picture in the pages that is not what its program draws now.
@@ -47,7 +51,7 @@ pub(super) struct Embed {
 }
 
 /// What pages say themselves.
-const OF_WRITING: [&str; 11] = [
+const OF_WRITING: [&str; 12] = [
     "setup",
     "control",
     "view",
@@ -58,6 +62,7 @@ const OF_WRITING: [&str; 11] = [
     "block_skip",
     "attribute",
     "format",
+    "host",
     "output",
 ];
 
@@ -100,6 +105,7 @@ enum MarkupName {
     Html,
     Markdown,
     Mdx,
+    Frame,
 }
 
 /// The name of a value as it is typed.
@@ -138,11 +144,13 @@ pub(super) fn run(embed: &Embed) -> Result<ExitCode, String> {
     let own = Attributes::of(&attributes);
     let setup = Base::none().setup(&own)?;
     let program = run_text(name, text.as_bytes().to_vec(), encoding::Encoding::Utf8, setup, |run| run);
-    let picture = (own.get("view") != Some("code")).then(|| picture(&program, &own));
+    let is_drawn = own.get("view") != Some("code") && embed.format != MarkupName::Frame;
+    let picture = is_drawn.then(|| picture(&program, &own));
     let page = match embed.format {
         MarkupName::Html => html(&attributes, text, picture),
         MarkupName::Markdown => markdown(&attributes, text, picture),
         MarkupName::Mdx => mdx(&attributes, text, picture),
+        MarkupName::Frame => frame(&embed.host, &attributes, text),
     };
     save(embed.to.file(), page.as_bytes())?;
     Ok(status(&program.analysis))
@@ -170,7 +178,13 @@ fn attributes(embed: &Embed) -> Result<Vec<(String, String)>, String> {
         if attributes.iter().any(|(own, _)| own == name) {
             return Err(format!("the attribute `{name}` is given twice"));
         }
-        attributes.push((name.clone(), value.clone()));
+        match attributes::fault(name, value) {
+            None => attributes.push((name.clone(), value.clone())),
+            Some(Fault::Name) => return Err(format!("the element has no attribute `{name}`")),
+            Some(Fault::Value { expected }) => {
+                return Err(format!("`{name}={value}` is not understood; expected: {expected}"));
+            }
+        }
     }
     Ok(attributes)
 }
@@ -226,6 +240,47 @@ fn mdx(attributes: &[(String, String)], text: &str, picture: Option<String>) -> 
     let lines: String =
         manual::quoted(text.strip_suffix('\n').unwrap_or(text)).split('\n').map(indented).collect();
     format!("{tag}\n{picture}  <pre>{{`\n{lines}  `}}</pre>\n</gcode-playground>\n")
+}
+
+/// A frame that shows the page of the element's folder, with attributes and program in its address. There the number of
+/// the program to run stands in the setup, because `program` is its text.
+fn frame(host: &str, attributes: &[(String, String)], text: &str) -> String {
+    let mut said: Vec<(&str, String)> = Vec::new();
+    let mut setups: Vec<String> = Vec::new();
+    let mut title = "";
+    for (name, value) in attributes {
+        match name.as_str() {
+            "setup" => setups.push(value.clone()),
+            "program" => setups.push(format!("{{\"program\":{value}}}")),
+            name => said.push((name, percent_encoded(value))),
+        }
+        if name == "caption" {
+            title = value;
+        }
+    }
+    if !setups.is_empty() {
+        said.push(("setup", percent_encoded(&profile::joined_text(&setups))));
+    }
+    said.push(("program", percent_encoded(text.trim_end_matches('\n'))));
+    let said: Vec<String> = said.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    let host = manual::escaped(host.trim_end_matches('/')).replace('"', "&quot;");
+    let title = manual::escaped(if title.is_empty() { "G-code" } else { title }).replace('"', "&quot;");
+    let address = format!("{host}/index.html#{}", said.join("&amp;"));
+    format!(
+        "<iframe sandbox=\"allow-scripts\" title=\"{title}\" width=\"100%\" height=\"480\"\n  src=\"{address}\">\n</iframe>\n"
+    )
+}
+
+/// As the part of an address after `#` has it.
+fn percent_encoded(text: &str) -> String {
+    let mut encoded = String::with_capacity(2 * text.len());
+    for byte in text.bytes() {
+        match byte {
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => encoded.push(byte.into()),
+            _ => encoded += &format!("%{byte:02X}"),
+        }
+    }
+    encoded
 }
 
 /// A start tag with attributes.

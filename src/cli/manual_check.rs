@@ -7,7 +7,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::manual::{self, Attributes, Example, Markup};
+use super::manual::attributes::{self, Fault};
+use super::manual::{self, Attributes, Example, Holder, Markup};
 use super::{Encoding, Format, Program, With, encoding, has_errors, print, read, run_text, setup_texts};
 use super::{tell_at, write_row};
 use crate::api::{ElementNote, InFile, InManual, InferredStock, Places};
@@ -160,6 +161,17 @@ fn check(
         if !example.is_closed {
             is_faulty = true;
             at.note(out, &example, "element-not-closed", labels::element_not_closed(language).to_owned())?;
+        }
+        if example.holder != Holder::Code {
+            for (name, value) in example.attributes.all() {
+                let Some(fault) = attributes::fault(name, value) else { continue };
+                is_faulty = true;
+                let said = match fault {
+                    Fault::Name => labels::attribute_unknown(name, language),
+                    Fault::Value { expected } => labels::attribute_value(name, value, &expected, language),
+                };
+                at.note(out, &example, "attribute-wrong", said)?;
+            }
         }
         match base.setup(&example.attributes) {
             Err(reason) => {

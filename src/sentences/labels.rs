@@ -62,6 +62,22 @@ pub fn element_not_closed(language: Language) -> &'static str {
     ])
 }
 
+/// That the element has no attribute of a name.
+pub fn attribute_unknown(name: &str, language: Language) -> String {
+    let said = language.among([
+        "the element has no attribute of this name:",
+        "元素没有这个名称的属性：",
+        "у элемента нет атрибута с таким именем:",
+    ]);
+    format!("{said} `{name}`")
+}
+
+/// That an attribute of an element has no such value; `expected` is what it can be.
+pub fn attribute_value(name: &str, value: &str, expected: &str, language: Language) -> String {
+    let said = language.among(["is not understood; expected:", "无法识别；应为：", "непонятно; ожидается:"]);
+    format!("`{name}=\"{value}\"` {said} {expected}")
+}
+
 /// That the setup of an element cannot be read.
 pub fn setup_unreadable(reason: &str, language: Language) -> String {
     let said = language.among(["the setup cannot be read:", "无法读取设置：", "настройки не читаются:"]);

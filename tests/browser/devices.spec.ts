@@ -108,3 +108,29 @@ for (const view of ['all', 'picture', 'playback', 'code']) {
     expect(light).toBeGreaterThan(0.7);
   });
 }
+
+for (const view of ['all', 'picture', 'playback']) {
+  test(`printed before there is a picture, what stands in its place and the program are on paper: view="${view}"`, async ({ page }, info) => {
+    // The interpreter never comes.
+    await page.route(/\.wasm$/, () => undefined);
+    const fallback = '<svg slot="fallback" width="400" height="700"><rect width="400" height="700" fill="#ccc"/></svg>';
+    const far = '<div style="height: 4000px"></div>';
+    await openHtml(page, manual(`<gcode-playground view="${view}">${fallback}<pre>${PROGRAM}</pre></gcode-playground>${far}<gcode-playground view="${view}"><pre>${PROGRAM}</pre></gcode-playground>`));
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => {
+      dispatchEvent(new Event('beforeprint'));
+    });
+    const printed = await page.locator('gcode-playground').evaluateAll((elements) => elements.map((element) => {
+      const root = element.shadowRoot!;
+      const whole = root.querySelector('.frame')!.getBoundingClientRect();
+      const svg = element.querySelector('svg')?.getBoundingClientRect();
+      return {
+        lines: [...root.querySelectorAll('.sheet-program li, .paper')].filter((part) => part.checkVisibility()).map((part) => (part as HTMLElement).innerText).join('\n').trim(),
+        picture: svg === undefined ? undefined : svg.bottom <= whole.bottom + 1 && svg.height === 700,
+        buttons: [...root.querySelectorAll('button')].filter((button) => button.checkVisibility()).length,
+      };
+    }));
+    await page.screenshot({ path: info.outputPath('paper.png'), fullPage: true });
+    expect(printed).toEqual([{ lines: PROGRAM.trim(), picture: true, buttons: 0 }, { lines: PROGRAM.trim(), picture: undefined, buttons: 0 }]);
+  });
+}

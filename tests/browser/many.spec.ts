@@ -141,7 +141,7 @@ for (const { fault, does, says } of [
 }
 
 /** As the reference has it. */
-const KEEPS_THE_PLACE = '<style>gcode-playground { display: block; height: 24rem; }</style>';
+const KEEPS_THE_PLACE = '<style>@media (scripting: enabled) { gcode-playground { display: block; height: 24rem; overflow: auto; } }</style>';
 
 const ASKS_EARLY = '<link rel="preload" as="fetch" type="application/wasm" crossorigin href="embed/core.wasm">';
 

@@ -1,4 +1,5 @@
 // The element's files on one host, a manual on another one: what authors copy from the documents works, and nothing else is asked.
+import { spawn } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect } from '@playwright/test';
@@ -100,5 +101,26 @@ test('whatever a reader does, nothing is asked of any host but those of the page
   } finally {
     await own.close();
     await other.close();
+  }
+});
+
+test('a host of the recipe gives its leave to all; where a host does not, the frame says so', async ({ page }) => {
+  const server = snippet('www/docs/manuals.md', 'from http.server', 'test(Handler, port=8000)').replace('port=8000', 'port=0, bind="127.0.0.1"');
+  const python = spawn('python3', ['-u', '-c', server], { cwd: FILES, stdio: ['ignore', 'pipe', 'ignore'] });
+  try {
+    const said = await new Promise<string>((done) => python.stdout.on('data', (data: Buffer) => done(String(data))));
+    const port = /port (\d+)/.exec(said)?.[1] ?? '';
+    const frame = (origin: string): string => `<!DOCTYPE html><iframe sandbox="allow-scripts" width="600" height="400" src="${origin}/index.html#view=picture&amp;program=G00%20X50%20Z2"></iframe>`;
+    const own = await serve(FILES, (origin) => ({ pages: { '/with.html': frame(`http://127.0.0.1:${port}`), '/without.html': frame(`${origin}/embed`) }, filesAt: '/embed/' }));
+    try {
+      await page.goto(`${own.origin}/with.html`);
+      await expect(page.frameLocator('iframe').getByRole('img', { name: /motions/ })).toBeVisible();
+      await page.goto(`${own.origin}/without.html`);
+      await expect(page.frameLocator('iframe').getByText('Access-Control-Allow-Origin')).toBeVisible();
+    } finally {
+      await own.close();
+    }
+  } finally {
+    python.kill();
   }
 });

@@ -41,7 +41,7 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
     write = lambda name, text: (folder / name).write_text(text, encoding="utf-8")
     if recipe == "sphinx":
         lines = "".join(f"   {line}\n" if line else "\n" for line in HARD.splitlines())
-        write("hard.rst", f":orphan:\n\nHard\n====\n\n.. gcode-playground::\n   :caption: a \"b\" <c>\n\n{lines}\nEnd.\n")
+        write("hard.rst", f":orphan:\n\nHard\n====\n\n.. gcode-playground::\n   :caption: a \"b\" <c>\n   :no-check:\n   :readonly:\n\n{lines}\nEnd.\n")
     elif recipe == "docusaurus":
         (folder / "docs").mkdir(exist_ok=True)
         run(["gcode-playground embed hard.nc --format mdx -o docs/hard.mdx || test $? = 1"], folder, path)

@@ -22,5 +22,5 @@ function show() {
 
 show();
 if (!element.hasAttribute('loading')) element.setAttribute('loading', 'eager');
-document.body.append(element);
+document.body.replaceChildren(element);
 addEventListener('hashchange', show);

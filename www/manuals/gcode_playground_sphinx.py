@@ -12,7 +12,9 @@ Settings in ``conf.py``:
 from __future__ import annotations
 
 import html
+import shutil
 import subprocess
+from pathlib import Path
 
 from docutils import nodes
 from sphinx.util import logging
@@ -26,7 +28,7 @@ class Example(nodes.General, nodes.Element):
 
 
 class AnyAttribute(dict):
-    """Every attribute is an option; one without a value is there or not."""
+    """Every attribute is an option; one without a value is there or not. The command line knows which there are."""
 
     def __contains__(self, name: object) -> bool:
         return True
@@ -56,27 +58,26 @@ class Directive(SphinxDirective):
 def element(app, example: Example) -> str:
     """The element with its picture; without one where there is no command line."""
     command = app.config.gcode_playground_command
+    own = {name: value for name, value in example["attributes"].items() if name != "no-check"}
     if command is not None:
         call = [command, "embed", "-"]
-        for name, value in example["attributes"].items():
+        for name, value in own.items():
             call.append(f"--attribute={name}={value}" if value else f"--attribute={name}")
-        try:
-            done = subprocess.run(call, input=example["program"].encode(), capture_output=True, check=False)
-        except OSError as error:
-            logger.warning("no pictures of programs: %s", error, once=True, type="gcode-playground")
-        else:
-            # 1: the program has errors, which are a matter of `check --markdown`.
-            if done.returncode in (0, 1):
-                return done.stdout.decode()
-            logger.warning(done.stderr.decode().strip(), location=example, type="gcode-playground")
-    attributes = "".join(
-        f' {name}="{html.escape(value)}"' if value else f" {name}" for name, value in example["attributes"].items()
-    )
+        done = subprocess.run(call, input=example["program"].encode(), capture_output=True, check=False)
+        if done.returncode == 1 and "no-check" not in example["attributes"]:
+            logger.warning("the program has errors, which `%s check --markdown` names", command, location=example, type="gcode-playground")
+        if done.returncode in (0, 1):
+            return done.stdout.decode()
+        logger.warning(done.stderr.decode().strip(), location=example, type="gcode-playground")
+    attributes = "".join(f' {name}="{html.escape(value)}"' for name, value in own.items())
     program = html.escape(example["program"], quote=False)
     return f"<gcode-playground{attributes}>\n<pre>\n{program}</pre>\n</gcode-playground>\n"
 
 
 def visit_html(translator, example: Example) -> None:
+    if translator.builder.name == "epub":
+        # No script runs in a book.
+        return
     translator.body.append(element(translator.builder.app, example))
     raise nodes.SkipNode
 
@@ -89,9 +90,19 @@ def depart(translator, example: Example) -> None:
     pass
 
 
-def add_script(app) -> None:
-    if app.config.gcode_playground_element:
-        app.add_js_file(app.config.gcode_playground_element, type="module")
+def begin(app) -> None:
+    """Names the script, and says once what is missing."""
+    command = app.config.gcode_playground_command
+    if command is not None and shutil.which(command) is None:
+        logger.warning("no pictures of programs: there is no command `%s` (gcode_playground_command)", command, type="gcode-playground")
+        app.config.gcode_playground_command = None
+    script = app.config.gcode_playground_element
+    if not script or app.builder.name == "epub":
+        return
+    folders = [Path(app.confdir, folder) for folder in app.config.html_static_path]
+    if "://" not in script and not any((folder / script).is_file() for folder in folders):
+        logger.warning("no `%s` in html_static_path (gcode_playground_element)", script, type="gcode-playground")
+    app.add_js_file(script, type="module")
 
 
 def setup(app) -> dict:
@@ -103,5 +114,5 @@ def setup(app) -> dict:
         **{name: (visit_other, depart) for name in ("latex", "text", "man", "texinfo")},
     )
     app.add_directive("gcode-playground", Directive)
-    app.connect("builder-inited", add_script)
+    app.connect("builder-inited", begin)
     return {"version": "0.1.0", "parallel_read_safe": True, "parallel_write_safe": True}

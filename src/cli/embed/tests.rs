@@ -151,3 +151,17 @@ fn names_of_attributes_are_names() {
         assert!(attribute(text).is_err(), "{text}");
     }
 }
+
+#[test]
+fn a_frame_has_all_of_it_in_its_address() {
+    let own = |name: &str, value: &str| (name.to_owned(), value.to_owned());
+    let attributes =
+        [own("view", "playback"), own("program", "2"), own("caption", "a \"b\""), own("readonly", "")];
+    let frame = frame("https://example.org/embed/", &attributes, "O2 (A&B + 100%)\nG00 X1\n");
+    assert_eq!(
+        frame,
+        "<iframe sandbox=\"allow-scripts\" title=\"a &quot;b&quot;\" width=\"100%\" height=\"480\"\n  \
+         src=\"https://example.org/embed/index.html#view=playback&amp;caption=a%20%22b%22&amp;readonly=&amp;\
+         setup=%7B%22program%22%3A2%7D&amp;program=O2%20%28A%26B%20%2B%20100%25%29%0AG00%20X1\">\n</iframe>\n"
+    );
+}

@@ -3,6 +3,7 @@
 //! In: the text of a page (Markdown, HTML, reStructuredText) and its name. Out: [`Example`]s. Must not know: what a
 //! program says, or what becomes of it.
 
+pub mod attributes;
 mod entities;
 mod html;
 mod mapped;
@@ -71,6 +72,11 @@ impl Attributes {
     /// The value of an attribute.
     pub fn get(&self, name: &str) -> Option<&str> {
         self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
+    }
+
+    /// Names and values, in their order.
+    pub fn all(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), value.as_str()))
     }
 
     fn put_if_missing(&mut self, name: &str, value: String) {

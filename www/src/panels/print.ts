@@ -5,6 +5,7 @@
 
 import { make, prose } from '../dom/dom';
 import type { Language } from '../dom/language';
+import { isPrinting } from '../dom/printing';
 import { COMMON, words } from '../dom/words';
 import type { Diagnostic, SetupForm } from '../protocol/protocol';
 import type { Heard } from '../worker/core-client';
@@ -34,6 +35,7 @@ class Print implements Panel {
   connected(): void {
     window.addEventListener('beforeprint', this.#before);
     window.addEventListener('afterprint', this.#after);
+    if (isPrinting()) queueMicrotask(this.#before);
   }
 
   set language(_: Language) {
@@ -80,7 +82,7 @@ class Print implements Panel {
     program.append(...lines.slice(0, MOST_LINES).map((text, at) => make('li', { className: marked.get(at + 1) ?? '' }, make('code', {}, text))));
     const more = lines.length - MOST_LINES;
     this.#sheet.replaceChildren(
-      make('h1', {}, editor.file?.name ?? COMMON[language].program),
+      ...(editor.file === undefined ? [] : [make('h1', {}, editor.file.name)]),
       ...(this.#picture.src === '' ? [] : [this.#picture]),
       ...this.#problems(texts),
       ...this.#setup(texts),

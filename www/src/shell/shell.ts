@@ -76,7 +76,7 @@ export class PlaygroundShell implements Shell {
   /** What of the panels is shown. */
   readonly #controls: readonly Control[];
   readonly #layout: Layout;
-  readonly #paper: Paper | undefined;
+  readonly #paper: Paper;
   readonly #panels: Panel[] = [];
   /** Those of them that are made for what they do for others alone. */
   readonly #unseen = new Set<Panel>();
@@ -178,22 +178,20 @@ export class PlaygroundShell implements Shell {
     this.#regions = made.regions;
     this.#add(SHOWN[this.view].picture ? PICTURES : ALWAYS);
     this.authorChanged();
-    if (this.view === 'picture') {
-      this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
-      made.whole.append(this.#paper.element);
-    }
+    this.#paper = new Paper((from, to) => this.editor.textBetween(from, to));
+    made.whole.append(this.#paper.element);
     root.append(made.whole);
     const further = FURTHER[this.view];
     this.complete = further === undefined ? Promise.resolve() : this.#addFurther(further);
-    // Whoever asks for it hears of a failure, and so does the reader.
-    this.complete.catch(() => undefined);
+    // The panels have a better sheet. Whoever asks for them hears of a failure, and so does the reader.
+    this.complete.then(() => further !== undefined && this.#paper.end()).catch(() => undefined);
   }
 
   // ---- for the element ----------------------------------------------------------------------------
 
   connect(): void {
     this.#dark.addEventListener('change', this.coloursChanged);
-    this.#paper?.connect();
+    this.#paper.connect();
     this.#runs.connect();
     this.#runs.wanted('keep');
     this.stepChanged();
@@ -201,7 +199,7 @@ export class PlaygroundShell implements Shell {
 
   disconnect(): void {
     this.#dark.removeEventListener('change', this.coloursChanged);
-    this.#paper?.disconnect();
+    this.#paper.disconnect();
     this.#tell((panel) => panel.left?.());
     this.#runs.end();
   }

@@ -1,0 +1,134 @@
+//! What the attributes of an element can be.
+//!
+//! In: the name of an attribute and its value. Out: what is wrong with it. The page's own list is that of
+//! `element.ts`; `tests/manuals.rs` holds the two against each other.
+
+/// An attribute, and the values it has; none where any text may be one.
+const KNOWN: [(&str, &[&str]); 17] = [
+    ("src", &[]),
+    ("control", &["fanuc", "gsk", "forum"]),
+    ("setup", &[]),
+    ("block-skip", &[]),
+    ("program", &[]),
+    ("language", &["en", "zh", "ru"]),
+    ("theme", &["auto", "light", "dark"]),
+    ("view", &["all", "picture", "playback", "code"]),
+    ("controls", &[]),
+    ("readonly", &[]),
+    ("step", &[]),
+    ("highlight", &[]),
+    ("lines", &[]),
+    ("fit", &["part", "path"]),
+    ("turret", &["front", "rear"]),
+    ("caption", &[]),
+    ("loading", &["lazy", "eager", "click"]),
+];
+/// Attributes that the element has beside those of its program.
+const OF_THE_PAGE: [&str; 2] = ["split", "hints"];
+/// Attributes that any element of a page can have.
+const OF_HTML: [&str; 13] = [
+    "class", "dir", "hidden", "id", "key", "lang", "no-check", "part", "role", "slot", "style", "tabindex",
+    "title",
+];
+/// What begins the names of others.
+const BEGINNINGS: [&str; 4] = ["aria-", "data-", "on", "item"];
+const CONTROLS: [&str; 9] =
+    ["none", "file", "setup", "problems", "views", "playback", "status", "tools", "help"];
+
+/// What is wrong with an attribute.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The element has none of this name.
+    Name,
+    /// It has no such value.
+    Value {
+        /// Those it has, or how it is written.
+        expected: String,
+    },
+}
+
+/// What is wrong with an attribute of an element; nothing where it is right.
+pub fn fault(name: &str, value: &str) -> Option<Fault> {
+    let value = value.trim();
+    let expects = |expected: &str| Some(Fault::Value { expected: expected.to_owned() });
+    let Some((_, values)) = KNOWN.iter().find(|(known, _)| *known == name) else {
+        let is_of_html = OF_HTML.contains(&name) || BEGINNINGS.iter().any(|start| name.starts_with(start));
+        return (!is_of_html && !OF_THE_PAGE.contains(&name)).then_some(Fault::Name);
+    };
+    match name {
+        _ if !values.is_empty() => {
+            (!values.contains(&value)).then(|| Fault::Value { expected: values.join(", ") })
+        }
+        "controls" if !words(value).all(|word| CONTROLS.contains(&word)) => expects(&CONTROLS.join(", ")),
+        "step" if !is_step(value) => expects("12, line 8"),
+        "highlight" | "lines" if !words(value).all(is_lines) => expects("6-8, 12"),
+        "block-skip" if !words(value).all(|word| matches!(word.parse(), Ok(1..=9_u8))) => expects("1,2"),
+        "program" if value.parse::<u32>().is_err() => expects("2"),
+        _ => None,
+    }
+}
+
+/// The names of all attributes that belong to the program.
+#[cfg(test)]
+pub fn names() -> Vec<&'static str> {
+    KNOWN.iter().map(|(name, _)| *name).collect()
+}
+
+fn words(value: &str) -> impl Iterator<Item = &str> {
+    value.split(|letter: char| letter == ',' || letter.is_whitespace()).filter(|word| !word.is_empty())
+}
+
+fn is_number(text: &str) -> bool {
+    text.parse::<u32>().is_ok()
+}
+
+fn is_lines(word: &str) -> bool {
+    word.split_once(['-', '–']).map_or(is_number(word), |(first, last)| is_number(first) && is_number(last))
+}
+
+fn is_step(value: &str) -> bool {
+    is_number(value.strip_prefix("line").map_or(value, str::trim_start))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attributes_are_those_of_the_element() {
+        let source = include_str!("../../../www/src/shell/element.ts");
+        let list = source.split("observedAttributes = [").nth(1).and_then(|rest| rest.split(']').next());
+        let own: Vec<&str> = list.unwrap_or_default().split('\'').skip(1).step_by(2).collect();
+        assert_eq!(own, names());
+    }
+
+    #[test]
+    fn a_mistyped_attribute_is_found() {
+        for (name, value) in [
+            ("view", "picture"),
+            ("controls", "playback status"),
+            ("highlight", "6-8, 12"),
+            ("lines", "3–20"),
+            ("step", "line 8"),
+            ("step", "12"),
+            ("readonly", ""),
+            ("data-x", "y"),
+            ("aria-label", "y"),
+            ("class", "wide"),
+            ("caption", "anything"),
+        ] {
+            assert_eq!(fault(name, value), None, "{name}={value}");
+        }
+        assert_eq!(fault("veiw", "playback"), Some(Fault::Name));
+        for (name, value) in [
+            ("view", "playbck"),
+            ("controls", "nonsense"),
+            ("highlight", "40-x"),
+            ("step", "lin 8"),
+            ("turret", "left"),
+            ("block-skip", "12"),
+        ] {
+            assert!(matches!(fault(name, value), Some(Fault::Value { .. })), "{name}={value}");
+        }
+    }
+}
