@@ -203,12 +203,11 @@ fn is_assignment(word: &str) -> bool {
 const RECIPES: &str = "www/docs/manuals.md";
 
 /// What the recipes name of other tools.
-const OF_OTHER_TOOLS: [&str; 8] = [
+const OF_OTHER_TOOLS: [&str; 7] = [
     "add_header",
     "additional-js",
     "conf",
     "docusaurus",
-    "epub_exclude_files",
     // A setting of the extension for Sphinx.
     "gcode_playground_command",
     "hbs",

@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import textwrap
+import xml.etree.ElementTree
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -58,6 +59,35 @@ def hard_page(recipe: str, folder: Path, path: str) -> None:
         else:
             write("src/turning.md", f"# Hard\n\n1. Before\n\n   {block.rstrip().replace(chr(10), chr(10) + '   ')}\n\n*After*\n")
             run(["mdbook build"], folder, path)
+
+
+def warns(folder: Path, path: str) -> None:
+    """Sphinx ends with an error where the recipe says that it warns."""
+    page = folder / "index.rst"
+    text = page.read_text(encoding="utf-8")
+    for old, new, said in [
+        ("   :view: picture\n", "   :veiw: picture\n", "veiw"),
+        ("   :view: picture\n", "   :view: pictur\n", "view=pictur"),
+        ("X32\n", "XO\n", "has errors"),
+    ]:
+        page.write_text(text.replace(old, new, 1), encoding="utf-8")
+        fails(folder, path, "sphinx-build -q -W -E . _warned", said, "index.rst")
+    page.write_text(text.replace("XO\n", "X32\n").replace("   :view: picture\n", "   :view: picture\n   :no-check:\n", 1).replace("X32\n", "XO\n", 1), encoding="utf-8")
+    run(["sphinx-build -q -W -E . _warned"], folder, path)
+    page.write_text(text, encoding="utf-8")
+    fails(folder, path, "sphinx-build -q -W -E -D gcode_playground_element=embed/0.0.0/element.js . _warned", "no `embed/0.0.0/element.js`", "")
+    fails(folder, path, "sphinx-build -q -W -E -D gcode_playground_command=no-such-command . _warned", "no command `no-such-command`", "")
+    # In a book there are no elements; what is not well-formed ends the build of one.
+    run(["sphinx-build -q -W -b epub -d _trees -D copyright=us -D version=1 . _epub"], folder, path)
+    for chapter in (folder / "_epub").glob("*.xhtml"):
+        xml.etree.ElementTree.parse(chapter)
+        assert "<gcode-playground" not in chapter.read_text(encoding="utf-8"), chapter
+
+
+def fails(folder: Path, path: str, command: str, said: str, where: str) -> None:
+    print(f"$ {command}   # has to fail", flush=True)
+    done = subprocess.run(command, shell=True, cwd=folder, env={**os.environ, "PATH": path}, capture_output=True, text=True)
+    assert done.returncode != 0 and said in done.stderr and where in done.stderr, f"{command}: {done.stdout}{done.stderr}"
 
 
 def holds(page: Path, program: str) -> "Elements":
@@ -214,6 +244,8 @@ def main() -> None:
             hard_page(recipe, own, path)
         page = holds(own / hard, HARD)
         assert page.pictures == 1, f"{recipe}: no picture"
+        if recipe == "sphinx":
+            warns(own, path)
         print(f"{recipe}: the program of the page is the program that was written", flush=True)
 
 

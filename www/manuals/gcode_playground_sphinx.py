@@ -12,6 +12,7 @@ Settings in ``conf.py``:
 from __future__ import annotations
 
 import html
+import posixpath
 import shutil
 import subprocess
 from pathlib import Path
@@ -97,7 +98,10 @@ def begin(app) -> None:
         logger.warning("no pictures of programs: there is no command `%s` (gcode_playground_command)", command, type="gcode-playground")
         app.config.gcode_playground_command = None
     script = app.config.gcode_playground_element
-    if not script or app.builder.name == "epub":
+    if not script:
+        return
+    if app.builder.name == "epub":
+        app.config.exclude_patterns.append(posixpath.dirname(script))
         return
     folders = [Path(app.confdir, folder) for folder in app.config.html_static_path]
     if "://" not in script and not any((folder / script).is_file() for folder in folders):

@@ -124,7 +124,7 @@ mod tests {
             ("view", "playbck"),
             ("controls", "nonsense"),
             ("highlight", "40-x"),
-            ("step", "lin 8"),
+            ("step", "block 8"),
             ("turret", "left"),
             ("block-skip", "12"),
         ] {
