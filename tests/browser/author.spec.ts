@@ -254,3 +254,65 @@ test('a page that is being laid out, and has no width for a moment, leaves the p
   expect(await size()).toBe(before);
   expect(await pixels(page, 'feed')).toBe(cuts);
 });
+
+test('what is typed in an element is no command of the page around it', async ({ page }) => {
+  await openHtml(page, manual(`<gcode-playground><input slot="intro" aria-label="The page's own"><pre>\n${PROGRAM}\n</pre></gcode-playground>`));
+  await settled(page);
+  await page.evaluate(() => {
+    const heard: string[] = [];
+    Object.assign(globalThis, { heard });
+    for (const type of ['keydown', 'keyup']) document.addEventListener(type, (event) => heard.push(`${type} ${(event as KeyboardEvent).key}`));
+  });
+  const heard = (): Promise<string[]> => page.evaluate(() => (globalThis as unknown as { heard: string[] }).heard.splice(0));
+  const textbox = page.getByRole('textbox', { name: 'Program' });
+  await textbox.focus();
+  for (const key of ['ArrowRight', 'ArrowLeft', 's', '/', '?', 'Enter', 'Backspace']) await page.keyboard.press(key);
+  expect(await heard(), 'in the program').toEqual([]);
+  await page.getByRole('slider', { name: 'Position' }).focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await heard(), 'on the slider').toEqual([]);
+  // A page hears what commands it by more than one key, what leaves a text, and what is typed in its own fields.
+  await textbox.focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+k');
+  const commands = await heard();
+  for (const command of ['keydown Escape', 'keydown k']) expect(commands).toContain(command);
+  await page.getByLabel("The page's own").focus();
+  await page.keyboard.press('x');
+  expect(await heard()).toEqual(['keydown x', 'keyup x']);
+});
+
+test('in a column of any width no words at the foot run into others', async ({ page }) => {
+  for (const language of ['en', 'ru']) {
+    await show(page, `language="${language}"`);
+    // Below that there are tabs, and what has no room in their line ends in an ellipsis.
+    for (let width = 740; width <= 1260; width += 40) {
+      const overlaps = await page.evaluate(async (width) => {
+        const element = document.querySelector<Playground>('gcode-playground')!;
+        element.style.width = `${width}px`;
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        await element.settled;
+        const foot = element.shadowRoot!.querySelector('.foot')!;
+        const inside = foot.getBoundingClientRect();
+        const boxes: { text: string; box: DOMRect }[] = [];
+        const words = document.createTreeWalker(foot, NodeFilter.SHOW_TEXT);
+        for (let node = words.nextNode(); node !== null; node = words.nextNode()) {
+          if (node.textContent?.trim() === '' || node.parentElement?.closest('.unseen, [hidden]') !== null) continue;
+          const range = document.createRange();
+          range.selectNodeContents(node);
+          for (const box of range.getClientRects()) if (box.width > 1) boxes.push({ text: node.textContent ?? '', box });
+        }
+        const found = boxes.filter(({ box }) => box.left < inside.left - 1 || box.right > inside.right + 1 || box.bottom > inside.bottom + 1).map(({ text }) => `${text} sticks out`);
+        for (const [at, one] of boxes.entries()) {
+          for (const other of boxes.slice(at + 1)) {
+            const isOver = one.box.left < other.box.right - 1 && other.box.left < one.box.right - 1 && one.box.top < other.box.bottom - 2 && other.box.top < one.box.bottom - 2;
+            if (isOver) found.push(`${one.text} over ${other.text}`);
+          }
+        }
+        return { found, words: boxes.length };
+      }, width);
+      expect(overlaps.found, `${language}, ${width} px`).toEqual([]);
+      expect(overlaps.words).toBeGreaterThan(2);
+    }
+  }
+});

@@ -113,6 +113,7 @@ export class GcodePlayground extends Base {
     super();
     this.addEventListener('keydown', (event) => this.#made?.pressed(event), { capture: true });
     for (const use of ['focusin', 'pointerdown']) this.addEventListener(use, () => used(this));
+    for (const type of ['keydown', 'keypress', 'keyup'] as const) this.addEventListener(type, (event) => this.#keep(event));
   }
 
   connectedCallback(): void {
@@ -130,6 +131,12 @@ export class GcodePlayground extends Base {
     if (inDocument.size === 0) document.removeEventListener('keydown', playKeys);
     this.#stopWaiting?.();
     this.#made?.disconnect();
+  }
+
+  /** What is typed inside is no command of the page around: manuals turn their pages with arrow keys and open a search with letters. */
+  #keep(event: KeyboardEvent): void {
+    const [origin] = event.composedPath();
+    if (isTyped(event) && origin instanceof Node && origin.getRootNode() === this.shadowRoot) event.stopPropagation();
   }
 
   /** A key that was pressed outside of the element, and is its own all the same. */
@@ -508,6 +515,11 @@ const inDocument = new Set<GcodePlayground>();
 function used(element: GcodePlayground): void {
   if (!inDocument.delete(element)) return;
   inDocument.add(element);
+}
+
+/** Keys of which pages make commands of one key, and that write or move in a text, a list or a picture. */
+function isTyped({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  return !ctrlKey && !metaKey && !altKey && key !== 'Escape' && key !== 'Tab' && !/^F\d+$/.test(key);
 }
 
 /** The keys of the playback work where nothing else has the focus that could want them. */
